@@ -1,0 +1,56 @@
+// GPU buffers of one shot: static geometry and the streams that a simulation writes. The engine knows nothing of the
+// simulation: whoever fills the streams gets integer buffer ids and an update rule.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "engine/gl/buffer.h"
+
+namespace demolish::engine {
+
+/// Bytes as they lie in the buffers (std430 / vertex attributes); sizes are checked by whoever fills them.
+struct FractureMeshData {
+    std::span<const std::byte> exterior_vertices;  ///< 24 B each: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
+    std::span<const uint32_t> exterior_indices;    ///< 3 per triangle
+    std::span<const std::byte> crack_edges;        ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
+    size_t particle_count = 0;                     ///< cells, without projectiles
+    size_t particle_capacity = 0;                  ///< instances incl. projectiles
+    size_t interior_vertex_capacity = 0;
+    size_t interior_index_capacity = 0;
+    size_t crack_capacity = 0;
+};
+
+/// Streams written once a frame from outside, in this order of ids.
+enum class StreamId : uint32_t {
+    kParticles,         ///< 32 B: position 3f, radius, value, fragment u32, 2 x u32
+    kParticleFragment,  ///< u32 per particle
+    kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
+    kInteriorVertices,  ///< 24 B, as exterior_vertices
+    kInteriorIndices,   ///< u32
+    kCrackEdges,        ///< u32
+    kCommands,          ///< 40 B: two DrawElementsIndirectCommand: interior, cracks
+    kCount
+};
+
+class FractureMesh {
+  public:
+    explicit FractureMesh(const FractureMeshData& data);
+
+    gl::Buffer& stream(StreamId id) { return streams_[static_cast<size_t>(id)]; }
+    const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
+    const gl::Buffer& exteriorVertices() const { return exterior_vertices_; }
+    const gl::Buffer& exteriorIndices() const { return exterior_indices_; }
+    const gl::Buffer& crackEdges() const { return crack_edges_; }
+    uint32_t exteriorIndexCount() const { return exterior_index_count_; }
+    size_t particleCount() const { return particle_count_; }
+    size_t particleCapacity() const { return particle_capacity_; }
+
+  private:
+    gl::Buffer exterior_vertices_, exterior_indices_, crack_edges_;
+    std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
+    uint32_t exterior_index_count_ = 0;
+    size_t particle_count_ = 0, particle_capacity_ = 0;
+};
+
+}  // namespace demolish::engine

@@ -1,0 +1,49 @@
+// Mesh in, breakable body out. Host code on oneTBB; the same result for any number of threads.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+/// A closed triangle mesh with what authoring precomputes once per mesh (BVH, distance grid). Opaque here.
+class SolidMesh;
+
+struct SolidMeshInfo {
+    std::string name;
+    size_t triangles = 0, vertices = 0;  ///< after welding by position
+    double volume = 0, area = 0;         ///< m^3, m^2
+    Double3 bounds_min, bounds_max;      ///< m
+};
+
+struct MeshPlacement {
+    double height = 1.0;  ///< m, scaled to this height unless keep_units
+    bool keep_units = false;
+};
+
+/// Loads any file that assimp reads, welds, checks, and stands it on the floor (lowest y = 0, centred in x and z).
+/// Throws InputFileError with one sentence: unreadable, no triangles, not closed (with the count of open edges), zero or
+/// negative volume.
+std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file, const MeshPlacement& placement = {});
+const SolidMeshInfo& meshInfo(const SolidMesh& mesh);
+
+inline constexpr uint32_t kMinParticles = 2, kMaxParticles = 4'000'000;
+
+struct FillOptions {
+    uint32_t particles = 1000;   ///< N; see particlesForSize
+    uint64_t seed = 1;
+    bool draw_geometry = true;   ///< false: no FractureGeometry (benchmarks without drawing)
+};
+
+/// N = round(V / h^3). Throws UsageError when outside kMinParticles..kMaxParticles, naming the sizes that are possible.
+uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m);
+
+/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled.
+std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& mesh, const FillOptions& options,
+                                                       const ProgressCallback& progress = {});
+
+}  // namespace demolish

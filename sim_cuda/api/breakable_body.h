@@ -1,0 +1,44 @@
+// What authoring makes of a mesh and a particle size: particles, bonds and the geometry to draw. SI units, y up.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sim_cuda/api/fracture_geometry.h"
+#include "sim_cuda/api/vectors.h"
+
+namespace demolish {
+
+/// One Voronoi cell clipped by the surface. The particle sits at its seed.
+struct Particle {
+    Double3 seed;             ///< m, body frame
+    Double3 centroid;         ///< m, centre of mass of the cell
+    SymmetricTensor inertia;  ///< m^5, about the centroid, at unit density
+    double volume = 0;        ///< m^3
+    double depth = 0;         ///< m, distance of the seed from the surface, > 0 inside
+    double lowest = 0;        ///< m, height (y) of the cell's lowest point
+};
+
+/// One shared face area inside the solid (geometry.md 5). i < j; the face lies on the bisector of the two seeds.
+struct BondGeometry {
+    uint32_t i = 0, j = 0;
+    double area = 0;    ///< m^2, summed over the parts of the face
+    Double3 centroid;   ///< m, area centroid of the face
+    Double3 normal;     ///< unit, (x_j - x_i) / L
+    double length = 0;  ///< m, L = |x_j - x_i|
+};
+
+struct BreakableBody {
+    std::string name;
+    std::vector<Particle> particles;  ///< index = cell id = particle id within the body
+    std::vector<BondGeometry> bonds;  ///< sorted by (i, j); none below 0.02 h^2
+    FractureGeometry geometry;
+    double spacing = 0;       ///< m, h = (V / N)^(1/3)
+    double mesh_volume = 0;   ///< m^3
+    double cells_volume = 0;  ///< m^3, sum over the cells; equals mesh_volume to 1e-9
+    double mesh_area = 0;     ///< m^2
+    Double3 bounds_min, bounds_max;  ///< m
+    uint32_t open_cells = 0;  ///< cells with an unbalanced edge after the re-jitter fall-back; 0 unless logged
+};
+
+}  // namespace demolish

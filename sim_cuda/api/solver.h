@@ -1,0 +1,106 @@
+// A scene being simulated, on the CPU or the GPU. One text serves both (architecture, decision 1): they give the same bits.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/api/params.h"
+#include "sim_cuda/api/render_streams.h"
+#include "sim_cuda/api/stats.h"
+
+namespace demolish {
+
+/// One body in the scene. Particles of all bodies stand one after the other, in this order.
+struct BodyInstance {
+    std::shared_ptr<const BreakableBody> body;
+    Material material;
+    Double3 position;           ///< m, of the body frame's origin
+    Quaternion rotation;
+    Double3 velocity;           ///< m/s, of the whole body at the start (a drop)
+    Double3 angular_velocity;   ///< rad/s
+};
+
+struct SceneSetup {
+    std::vector<BodyInstance> bodies;       ///< at least one
+    std::vector<Projectile> projectiles;
+    SolverParams params;
+};
+
+/// What a progress bar shows; return false to cancel (then Cancelled is thrown).
+using ProgressCallback = std::function<bool(double fraction, const char* stage)>;
+
+/// What the softening rule gave (models.md E.1-E.2); shown in panel and report.
+struct SofteningReport {
+    double bond_modulus = 0;      ///< Pa, E_b
+    double effective_modulus = 0; ///< Pa, E_eff (E4)
+    double wave_speed = 0;        ///< m/s, c_eff
+    double strength = 0;          ///< Pa, sigma_c
+    double strain_at_failure = 0; ///< eps_c = sigma_c / E_eff; above 0.03 it looks like rubber
+    double highest_frequency = 0; ///< rad/s, omega_max
+};
+
+/// Everything that changes while stepping; opaque, restorable on the same setup.
+struct Snapshot {
+    std::vector<std::byte> bytes;
+};
+
+class Solver {
+  public:
+    virtual ~Solver() = default;
+
+    /// Advances one frame of params.frame_time * time_scale (slow motion: 0 < time_scale <= 1). On a bad status nothing
+    /// has changed but the status; the caller may restore() and change a knob.
+    virtual StepStatus advanceFrame(double time_scale = 1.0) = 0;
+    /// Exactly n substeps; for tests and benchmarks.
+    virtual StepStatus advanceSubsteps(uint32_t n) = 0;
+
+    /// A new projectile from now on; at most 16 in a run. Throws UsageError beyond that.
+    virtual void fire(const Projectile& projectile) = 0;
+
+    /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host memory for the
+    /// CPU solver. Draw lists and interior vertices are written only if fracture changed since the last export into
+    /// streams with `streams_fresh` false.
+    virtual void exportFrame(const RenderStreams& streams, bool streams_fresh = false) = 0;
+
+    virtual const FrameStats& stats() const = 0;
+    /// Energies and momenta of this moment, summed in double; costs a pass over the particles and bonds.
+    virtual void measure() = 0;
+    /// 64-bit hash of state, bond and history bits: equal for any thread count, launch shape and device.
+    virtual uint64_t stateHash() const = 0;
+
+    virtual Snapshot save() const = 0;
+    virtual void restore(const Snapshot& snapshot) = 0;
+
+    virtual const SofteningReport& softening() const = 0;
+    virtual std::string deviceName() const = 0;
+    virtual bool onGpu() const = 0;
+    /// Waits until everything asked for has happened (benchmarks).
+    virtual void synchronize() = 0;
+};
+
+/// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.
+struct StreamSizes {
+    size_t particles = 0, interior_vertices = 0, interior_indices = 0, crack_edges = 0;
+};
+StreamSizes streamSizes(const SceneSetup& setup);
+
+/// Throws UsageError on values out of range. Uses all cores that oneTBB is allowed to use.
+std::unique_ptr<Solver> makeCpuSolver(const SceneSetup& setup, const ProgressCallback& progress = {});
+/// Throws DeviceError when there is no usable GPU, or when the program was built without CUDA.
+std::unique_ptr<Solver> makeCudaSolver(const SceneSetup& setup, const ProgressCallback& progress = {});
+
+struct CudaDevice {
+    bool built_with_cuda = false;
+    bool usable = false;
+    int ordinal = 0;
+    std::string name;     ///< "NVIDIA H200"
+    std::string problem;  ///< why it is not usable, one clause
+    int driver_version = 0;
+};
+/// Never throws; on a machine without a GPU says so.
+CudaDevice findCudaDevice();
+
+}  // namespace demolish

@@ -1,0 +1,29 @@
+// Plain vectors of the public interface: data only, no arithmetic (that lives in physics/vector.h).
+#pragma once
+#include <array>
+#include <cstdint>
+
+namespace demolish {
+
+struct Float2 {
+    float x = 0, y = 0;
+};
+struct Float3 {
+    float x = 0, y = 0, z = 0;
+};
+struct Float4 {
+    float x = 0, y = 0, z = 0, w = 0;
+};
+struct Double3 {
+    double x = 0, y = 0, z = 0;
+};
+/// Unit quaternion, rotates by q v q*.
+struct Quaternion {
+    double x = 0, y = 0, z = 0, w = 1;
+};
+/// Symmetric 3x3 tensor.
+struct SymmetricTensor {
+    double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
+};
+
+}  // namespace demolish

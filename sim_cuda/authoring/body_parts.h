@@ -1,0 +1,18 @@
+// What is read off a cell complex: mass properties, bonds, draw geometry. Each is pure and independent of the others.
+#pragma once
+#include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/authoring/cell_complex.h"
+
+namespace demolish {
+
+/// Volume, centroid and inertia of every clipped cell by the divergence theorem; depth and lowest point.
+std::vector<Particle> massProperties(const TriangleMesh& mesh, const MeshQueries& queries, const CellComplex& complex);
+
+/// One bond per pair with shared area >= 0.02 h^2, sorted by (i, j).
+std::vector<BondGeometry> makeBonds(const CellComplex& complex, double spacing);
+
+/// P, F, I, X, K of geometry.md 6, with faces tessellated for crack relaxation.
+FractureGeometry makeFractureGeometry(const TriangleMesh& mesh, const CellComplex& complex,
+                                      const std::vector<BondGeometry>& bonds);
+
+}  // namespace demolish

@@ -1,0 +1,52 @@
+// Exact and fast questions to a closed mesh: what is inside, how far is the surface (geometry.md 1).
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "sim_cuda/authoring/triangle_mesh.h"
+
+namespace demolish {
+
+struct ClosestPoint {
+    Double3 point;
+    double distance = 0;    ///< m, unsigned
+    uint32_t triangle = 0;
+};
+
+/// Triangle BVH. Queries are const and may run on any number of threads.
+class MeshQueries {
+  public:
+    explicit MeshQueries(const TriangleMesh& mesh);  // keeps a reference: the mesh must outlive it
+    ~MeshQueries();
+    MeshQueries(MeshQueries&&) noexcept;
+
+    /// Integer winding number by a signed ray: 1 inside, 0 outside a simple closed mesh. Exact for points in general
+    /// position; the direction is re-drawn (deterministically) when the ray grazes an edge.
+    int windingNumber(const Double3& point) const;
+    /// Closest surface point; `bound` limits the search (m).
+    ClosestPoint closestPoint(const Double3& point, double bound = 1e300) const;
+
+  private:
+    struct Bvh;
+    std::unique_ptr<Bvh> bvh_;
+};
+
+/// Dense signed distance, negative inside, trilinear; `nodes` on the longest side.
+class DistanceGrid {
+  public:
+    DistanceGrid(const TriangleMesh& mesh, const MeshQueries& queries, int nodes = 96);
+    ~DistanceGrid();
+    DistanceGrid(DistanceGrid&&) noexcept;
+
+    double distance(const Double3& point) const;   ///< m
+    Double3 gradient(const Double3& point) const;  ///< not normalised
+    /// Centres of nodes with negative distance in Morton order (cached: the slider asks again and again).
+    const std::vector<Double3>& insideNodesInMortonOrder() const;
+    double nodeSpacing() const;
+
+  private:
+    struct Grid;
+    std::unique_ptr<Grid> grid_;
+};
+
+}  // namespace demolish
