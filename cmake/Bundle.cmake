@@ -1,0 +1,30 @@
+# `cmake --install build/release --prefix DIR` makes a bundle that runs from any folder: bin/demolish, lib/ with the shared
+# libraries beyond glibc and the GL/CUDA driver, share/demolish with shaders and assets. `--component tests` adds the tests.
+set(data_dir share/demolish)
+set(bundle_rpath "$ORIGIN/../lib")
+set_target_properties(demolish_program PROPERTIES INSTALL_RPATH ${bundle_rpath})
+install(TARGETS demolish_program RUNTIME DESTINATION bin COMPONENT program)
+install(DIRECTORY shaders assets/models assets/materials assets/scenes DESTINATION ${data_dir} COMPONENT program
+    FILES_MATCHING PATTERN "*.glsl" PATTERN "*.vert" PATTERN "*.frag" PATTERN "*.comp" PATTERN "*.toml" PATTERN "*.obj")
+install(FILES README.md DESTINATION ${data_dir} COMPONENT program)
+
+# The machine keeps its own glibc, loader and GPU driver: these must not travel.
+install(CODE [[
+    set(program "${CMAKE_INSTALL_PREFIX}/bin/demolish")
+    file(GET_RUNTIME_DEPENDENCIES EXECUTABLES "${program}" RESOLVED_DEPENDENCIES_VAR libraries
+        UNRESOLVED_DEPENDENCIES_VAR unresolved
+        PRE_EXCLUDE_REGEXES "ld-linux" "^libc\\.so" "^libm\\.so" "^libpthread" "^libdl\\.so" "^librt\\.so" "^libresolv"
+            "^lib(GL|EGL|GLX|GLdispatch|OpenGL|GLESv2)\\.so" "^libcuda\\.so" "^libnvidia")
+    foreach(library ${libraries})
+        file(INSTALL "${library}" DESTINATION "${CMAKE_INSTALL_PREFIX}/lib" FOLLOW_SYMLINK_CHAIN)
+    endforeach()
+    if(unresolved)
+        message(WARNING "Not found, so not in the bundle: ${unresolved}")
+    endif()
+]] COMPONENT program)
+
+get_property(test_targets GLOBAL PROPERTY DEMOLISH_TEST_TARGETS)
+if(test_targets)
+    set_target_properties(${test_targets} PROPERTIES INSTALL_RPATH ${bundle_rpath})
+    install(TARGETS ${test_targets} RUNTIME DESTINATION tests COMPONENT tests EXCLUDE_FROM_ALL)
+endif()
