@@ -1,5 +1,5 @@
-// GPU buffers of one shot: static geometry and the streams that a simulation writes. The engine knows nothing of the
-// simulation: whoever fills the streams gets integer buffer ids and an update rule.
+// GPU buffers of one shot: static geometry and the streams that a simulation writes. The engine knows nothing
+// of the simulation: whoever fills the streams gets integer buffer ids and an update rule.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -11,11 +11,12 @@ namespace demolish::engine {
 
 /// Bytes as they lie in the buffers (std430 / vertex attributes); sizes are checked by whoever fills them.
 struct FractureMeshData {
-    std::span<const std::byte> exterior_vertices;  ///< 24 B each: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
-    std::span<const uint32_t> exterior_indices;    ///< 3 per triangle
-    std::span<const std::byte> crack_edges;        ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
-    size_t particle_count = 0;                     ///< cells, without projectiles
-    size_t particle_capacity = 0;                  ///< instances incl. projectiles
+    std::span<const std::byte>
+        exterior_vertices;  ///< 24 B each: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
+    std::span<const uint32_t> exterior_indices;  ///< 3 per triangle
+    std::span<const std::byte> crack_edges;      ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
+    size_t particle_count = 0;                   ///< cells, without projectiles
+    size_t particle_capacity = 0;                ///< instances incl. projectiles
     size_t interior_vertex_capacity = 0;
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;

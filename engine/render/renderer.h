@@ -1,8 +1,10 @@
 // Draws one frame of a shot into the current framebuffer: the list of passes, in order.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "engine/render/fracture_mesh.h"
 #include "engine/scene/camera.h"
@@ -13,15 +15,19 @@ namespace demolish::engine {
 enum class ViewMode { kSurface, kParticles };
 enum class ColourMap { kFragment, kDamage, kStress, kSpeed };
 
+/// What a frame may cost. kFull: 2048 px shadow map, soft penumbra, ambient occlusion. kDraft: 1024 px, four
+/// taps, no ambient occlusion: for software rasterisers and quick looks.
+enum class RenderQuality { kFull, kDraft };
+
 /// How the body looks; linear colours.
 struct SurfaceLook {
     float exterior_colour[3] = {0.42f, 0.50f, 0.58f};
     float exterior_roughness = 0.35f;
     float interior_colour[3] = {0.72f, 0.62f, 0.50f};
     float interior_roughness = 0.9f;
-    float noise_scale = 0.01f;      ///< m, first wavelength of the shading noise (0.2 h)
-    float noise_strength = 0.4f;    ///< 0.3..0.5 (geometry.md 4a)
-    float crack_width = 0.0015f;    ///< m
+    float noise_scale = 0.01f;    ///< m, first wavelength of the shading noise (0.2 h)
+    float noise_strength = 0.4f;  ///< 0.3..0.5 (geometry.md 4a)
+    float crack_width = 0.0015f;  ///< m
 };
 
 /// A sphere that is not part of the body (the iron ball), drawn as metal.
@@ -39,7 +45,8 @@ struct FrameView {
     bool show_cracks = true;
     bool show_floor = true;
     int width = 0, height = 0;  ///< px
-    int samples = 4;            ///< MSAA, 1, 2 or 4
+    int samples = 4;            ///< MSAA, 1, 2 or 4; capped by what the driver offers
+    RenderQuality quality = RenderQuality::kFull;
     float scene_radius = 1.0f;  ///< m, what the shadow map must cover
     float scene_centre[3] = {0, 0.5f, 0};
 };
@@ -63,9 +70,11 @@ class Renderer {
               unsigned target_framebuffer = 0);
 
     /// Fragment slot, world position under a pixel (origin top left); draws an id pass.
-    Pick pick(const FractureMesh* mesh, std::span<const SphereDraw> spheres, const FrameView& view, int x, int y);
+    Pick pick(const FractureMesh* mesh, std::span<const SphereDraw> spheres, const FrameView& view, int x,
+              int y);
     /// Id of every pixel, row by row from the top; for tests that hold on every driver.
-    std::vector<uint32_t> fragmentIds(const FractureMesh* mesh, std::span<const SphereDraw> spheres, const FrameView& view);
+    std::vector<uint32_t> fragmentIds(const FractureMesh* mesh, std::span<const SphereDraw> spheres,
+                                      const FrameView& view);
 
     /// GPU time of the last finished draw, ms (timer query; lags by a few frames).
     double lastDrawMs() const;

@@ -5,19 +5,20 @@
 namespace demolish::engine {
 
 struct Camera {
-    glm::vec3 eye{1.2f, 0.8f, 1.6f};    ///< m
-    glm::vec3 target{0, 0.4f, 0};       ///< m
-    float fov_y = 0.7f;                 ///< rad
-    float near_plane = 0.01f;           ///< m
-    float far_plane = 100.0f;           ///< m
+    glm::vec3 eye{1.2f, 0.8f, 1.6f};  ///< m
+    glm::vec3 target{0, 0.4f, 0};     ///< m
+    float fov_y = 0.7f;               ///< rad
+    float near_plane = 0.01f;         ///< m
+    float far_plane = 100.0f;         ///< m
 
     glm::mat4 view() const;
     glm::mat4 projection(float aspect) const;
 
-    void orbit(float yaw, float pitch);        ///< rad, about the target; never flips over the pole
-    void pan(float right, float up);           ///< in units of the view's height at the target
-    void dolly(float factor);                  ///< distance to the target times factor, > 0
-    void frame(glm::vec3 centre, float radius); ///< moves along the view direction until the sphere fills the view
+    void orbit(float yaw, float pitch);  ///< rad, about the target; never flips over the pole
+    void pan(float right, float up);     ///< in units of the view's height at the target
+    void dolly(float factor);            ///< distance to the target times factor, > 0
+    void frame(glm::vec3 centre,
+               float radius);  ///< moves along the view direction until the sphere fills the view
 };
 
 /// Ray through a pixel (origin top left), world space, unit direction.

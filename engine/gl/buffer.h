@@ -1,0 +1,43 @@
+// Owning OpenGL buffer: immutable or resizable storage.
+#pragma once
+#include <cstddef>
+#include <span>
+
+#include "engine/gl/object.h"
+
+namespace demolish::engine::gl {
+
+struct BufferTraits {
+    static void destroy(GLuint id) { glDeleteBuffers(1, &id); }
+};
+
+class Buffer {
+  public:
+    Buffer() = default;
+
+    /// Immutable storage of `size` bytes (> 0); `flags` as glNamedBufferStorage; `data` may be null.
+    static Buffer immutable(size_t size, const void* data = nullptr, GLbitfield flags = 0);
+    /// Resizable storage, the kind that foreign APIs register. `usage` as glNamedBufferData. Contents
+    /// undefined.
+    static Buffer resizable(size_t size, GLenum usage = GL_DYNAMIC_COPY);
+
+    /// Throws away the contents; only for resizable buffers.
+    void resize(size_t size);
+    /// Copies into the buffer from `offset` bytes on; resizable, or immutable with GL_DYNAMIC_STORAGE_BIT.
+    void upload(std::span<const std::byte> data, size_t offset = 0);
+    /// Fills the buffer with one 32-bit word.
+    void fill(uint32_t word);
+    /// Reads back; waits for the GPU. For tests and rare queries.
+    void download(std::span<std::byte> data, size_t offset = 0) const;
+
+    GLuint id() const { return object_.id(); }
+    size_t size() const { return size_; }  ///< bytes
+    explicit operator bool() const { return static_cast<bool>(object_); }
+
+  private:
+    Object<BufferTraits> object_;
+    size_t size_ = 0;
+    GLenum usage_ = 0;  ///< 0: immutable
+};
+
+}  // namespace demolish::engine::gl
