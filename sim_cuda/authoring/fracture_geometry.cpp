@@ -1,0 +1,52 @@
+// From the cell complex to what is drawn: the order of the steps, and the length that faces are tessellated
+// at.
+#include <cmath>
+
+#include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/double3.h"
+#include "sim_cuda/authoring/fracture_geometry_parts.h"
+
+namespace demolish {
+namespace {
+
+/// Longest part of a Voronoi edge over h. Edges are 0.4 h on average: half of them stay whole, the long ones
+/// are cut, and with the centre vertex a face gets about eight triangles.
+constexpr double kLongestPart = 0.45;
+
+double enclosedVolume(const TriangleMesh& mesh) {
+    double six_volumes = 0;
+    for (const auto& t : mesh.triangles)
+        six_volumes += dot(mesh.positions[t[0]], cross(mesh.positions[t[1]], mesh.positions[t[2]]));
+    return six_volumes / 6;
+}
+
+}  // namespace
+
+BondLookup::BondLookup(const std::vector<BondGeometry>& bonds, size_t cell_count)
+    : start_(cell_count + 1, 0) {
+    higher_.reserve(bonds.size());
+    for (const BondGeometry& bond : bonds) {
+        ++start_[bond.i + 1];
+        higher_.push_back(bond.j);
+    }
+    for (size_t cell = 0; cell < cell_count; ++cell) start_[cell + 1] += start_[cell];
+}
+
+uint32_t BondLookup::find(uint32_t i, uint32_t j) const {
+    for (uint32_t b = start_[i]; b < start_[i + 1]; ++b)
+        if (higher_[b] == j) return b;
+    return kNoBond;
+}
+
+FractureGeometry makeFractureGeometry(const TriangleMesh& mesh, const CellComplex& complex,
+                                      const std::vector<BondGeometry>& bonds) {
+    const double spacing = std::cbrt(enclosedVolume(mesh) / static_cast<double>(complex.seeds.size()));
+    const BondLookup lookup(bonds, complex.seeds.size());
+    FractureGeometry geometry;
+    makeExterior(mesh, complex, lookup, geometry);
+    tessellateFaces(complex, splitVoronoiEdges(complex, kLongestPart * spacing), lookup, geometry);
+    listPoolCorners(geometry);
+    return geometry;
+}
+
+}  // namespace demolish
