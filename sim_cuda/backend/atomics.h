@@ -1,0 +1,65 @@
+// Whole-number atomics with one spelling on both devices. There are none for floats: their sums would depend
+// on order.
+#pragma once
+#include <cstdint>
+#if !defined(__CUDA_ARCH__)
+#include <atomic>
+#endif
+
+#include "sim_cuda/physics/function.h"
+
+namespace demolish {
+
+/// Returns the value before.
+DEM_FN uint32_t atomicAddU32(uint32_t* target, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(target, value);
+#else
+    return std::atomic_ref<uint32_t>(*target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+/// Wraps round: sums of hashes. Returns the value before.
+DEM_FN uint64_t atomicAddU64(uint64_t* target, uint64_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicAdd(reinterpret_cast<unsigned long long*>(target), static_cast<unsigned long long>(value));
+#else
+    return std::atomic_ref<uint64_t>(*target).fetch_add(value, std::memory_order_relaxed);
+#endif
+}
+
+DEM_FN void atomicOrU32(uint32_t* target, uint32_t bits) {
+#if defined(__CUDA_ARCH__)
+    atomicOr(target, bits);
+#else
+    std::atomic_ref<uint32_t>(*target).fetch_or(bits, std::memory_order_relaxed);
+#endif
+}
+
+/// Returns the value before.
+DEM_FN uint32_t atomicMinU32(uint32_t* target, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicMin(target, value);
+#else
+    std::atomic_ref<uint32_t> reference(*target);
+    uint32_t before = reference.load(std::memory_order_relaxed);
+    while (value < before && !reference.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+    }
+    return before;
+#endif
+}
+
+/// Returns the value before. Positive floats keep their order when compared as their bits.
+DEM_FN uint32_t atomicMaxU32(uint32_t* target, uint32_t value) {
+#if defined(__CUDA_ARCH__)
+    return atomicMax(target, value);
+#else
+    std::atomic_ref<uint32_t> reference(*target);
+    uint32_t before = reference.load(std::memory_order_relaxed);
+    while (value > before && !reference.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+    }
+    return before;
+#endif
+}
+
+}  // namespace demolish

@@ -1,0 +1,73 @@
+// What of the CUDA backend needs no kernel of the caller: the stream, the prefix sum, the timer.
+#include "sim_cuda/backend/cuda_backend.cuh"
+
+#include <cub/device/device_scan.cuh>
+
+namespace demolish {
+namespace {
+
+/// out[n] = out[n-1] + in[n-1], which the scan itself leaves out. Started before the scan overwrites `in`.
+__global__ void keepLast(const uint32_t* in, size_t n, uint32_t* kept) {
+    *kept = in[n - 1];
+}
+__global__ void writeTotal(uint32_t* out, size_t n, const uint32_t* kept) {
+    out[n] = out[n - 1] + *kept;
+}
+
+}  // namespace
+
+CudaBackend::CudaBackend() {
+    int device = 0;
+    checkCuda(cudaGetDevice(&device), "looking for a GPU");
+    cudaDeviceProp properties{};
+    checkCuda(cudaGetDeviceProperties(&properties, device), "asking for the GPU's name");
+    device_name_ = properties.name;
+    multiprocessors_ = properties.multiProcessorCount;
+    checkCuda(cudaStreamCreate(&stream_), "making a stream");
+}
+
+CudaBackend::~CudaBackend() {
+    cudaStreamSynchronize(stream_);
+    cudaStreamDestroy(stream_);
+}
+
+void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
+    const size_t n = in.count;
+    if (n == 0) {
+        checkCuda(cudaMemsetAsync(out.data, 0, sizeof(uint32_t), stream_), "adding up");
+        return;
+    }
+    constexpr size_t kKeptBytes = 256;  // keeps CUB's part aligned
+    size_t bytes = 0;
+    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in.data, out.data, n, stream_), "adding up");
+    if (scan_memory_.size() < bytes + kKeptBytes) {
+        synchronize();
+        scan_memory_ = Buffer<unsigned char>(bytes + kKeptBytes);
+    }
+    auto* kept = reinterpret_cast<uint32_t*>(scan_memory_.span().data);
+    keepLast<<<1, 1, 0, stream_>>>(in.data, n, kept);
+    checkCuda(cub::DeviceScan::ExclusiveSum(scan_memory_.span().data + kKeptBytes, bytes, in.data, out.data,
+                                            n, stream_),
+              "adding up");
+    writeTotal<<<1, 1, 0, stream_>>>(out.data, n, kept);
+    checkCuda(cudaGetLastError(), "adding up");
+}
+
+CudaBackend::Timer::Timer() {
+    checkCuda(cudaEventCreate(&start_), "making a timer");
+    checkCuda(cudaEventCreate(&stop_), "making a timer");
+}
+
+CudaBackend::Timer::~Timer() {
+    cudaEventDestroy(start_);
+    cudaEventDestroy(stop_);
+}
+
+double CudaBackend::Timer::seconds() const {
+    checkCuda(cudaEventSynchronize(stop_), "timing");
+    float milliseconds = 0;
+    checkCuda(cudaEventElapsedTime(&milliseconds, start_, stop_), "timing");
+    return 1e-3 * static_cast<double>(milliseconds);
+}
+
+}  // namespace demolish

@@ -1,0 +1,203 @@
+// The GPU: device memory, one stream, kernels from function objects. Compiled by nvcc only.
+#pragma once
+#include <cuda_runtime.h>
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim_cuda/backend/atomics.h"
+#include "sim_cuda/backend/cuda_error.h"
+#include "sim_cuda/backend/reduction.h"
+#include "sim_cuda/backend/span.h"
+
+namespace demolish {
+
+inline constexpr unsigned kCudaBlock = 128;
+
+template <class Kernel>
+__global__ void __launch_bounds__(kCudaBlock) runForEach(uint32_t n, Kernel kernel) {
+    const uint32_t i = blockIdx.x * kCudaBlock + threadIdx.x;
+    if (i < n) kernel(i);
+}
+
+/// One block folds one chunk, in the order of reduction.h.
+template <class T, class Map, class Fold>
+__global__ void __launch_bounds__(kReductionChunk)
+    runReduce(uint32_t n, T zero, Map map, Fold fold, T* partial) {
+    __shared__ alignas(T) unsigned char memory[kReductionChunk * sizeof(T)];
+    T* lane = reinterpret_cast<T*>(memory);
+    const uint32_t l = threadIdx.x, i = blockIdx.x * kReductionChunk + l;
+    lane[l] = i < n ? map(i) : zero;
+    for (uint32_t step = kReductionChunk / 2; step > 0; step /= 2) {
+        __syncthreads();
+        if (l < step) fold(lane[l], lane[l + step]);
+    }
+    if (l == 0) partial[blockIdx.x] = lane[0];
+}
+
+template <class T>
+struct ElementOf {
+    const T* values;
+    DEM_FN T operator()(uint32_t i) const { return values[i]; }
+};
+
+class CudaBackend {
+  public:
+    static constexpr bool kOnGpu = true;
+
+    /// On the current device. Throws DeviceError without a usable GPU.
+    CudaBackend();
+    ~CudaBackend();
+    CudaBackend(const CudaBackend&) = delete;
+    CudaBackend& operator=(const CudaBackend&) = delete;
+
+    /// Owns n elements of device memory. Move-only; empty by default. T is trivially copyable.
+    template <class T>
+    class Buffer {
+      public:
+        Buffer() = default;
+        explicit Buffer(size_t n) : count_(n) {
+            if (n > 0) checkCuda(cudaMalloc(&memory_, n * sizeof(T)), "allocating memory");
+        }
+        Buffer(Buffer&& other) noexcept
+            : memory_(std::exchange(other.memory_, nullptr)), count_(std::exchange(other.count_, 0)) {}
+        Buffer& operator=(Buffer&& other) noexcept {
+            std::swap(memory_, other.memory_);
+            std::swap(count_, other.count_);
+            return *this;
+        }
+        ~Buffer() { cudaFree(memory_); }
+        size_t size() const { return count_; }
+        Span<T> span() { return {static_cast<T*>(memory_), count_}; }
+        Span<const T> span() const { return {static_cast<const T*>(memory_), count_}; }
+        Span<const T> view() const { return {static_cast<const T*>(memory_), count_}; }
+
+      private:
+        void* memory_ = nullptr;
+        size_t count_ = 0;
+    };
+
+    /// n elements, all bits zero.
+    template <class T>
+    Buffer<T> allocate(size_t n) {
+        Buffer<T> buffer(n);
+        if (n > 0)
+            checkCuda(cudaMemsetAsync(buffer.span().data, 0, n * sizeof(T), stream_), "clearing memory");
+        return buffer;
+    }
+    template <class T>
+    Buffer<T> uploaded(const std::vector<T>& values) {
+        Buffer<T> buffer(values.size());
+        upload(buffer.span(), values.data(), values.size());
+        return buffer;
+    }
+    template <class T>
+    void upload(Span<T> to, const T* from, size_t n) {
+        if (n > 0) transfer(to.data, from, n * sizeof(T), cudaMemcpyHostToDevice);
+    }
+    /// Waits for what was started before.
+    template <class T>
+    void download(Span<const T> from, T* to) {
+        if (from.count > 0) transfer(to, from.data, from.count * sizeof(T), cudaMemcpyDeviceToHost);
+        synchronize();
+    }
+    template <class T>
+    std::vector<std::remove_const_t<T>> downloaded(Span<T> from) {
+        std::vector<std::remove_const_t<T>> values(from.count);
+        download(Span<const std::remove_const_t<T>>(from.data, from.count), values.data());
+        return values;
+    }
+    /// Device to device; the sizes are the same.
+    template <class T>
+    void copy(Span<const T> from, Span<T> to) {
+        if (from.count > 0) transfer(to.data, from.data, from.count * sizeof(T), cudaMemcpyDeviceToDevice);
+    }
+    template <class T>
+    struct FillKernel {
+        Span<T> to;
+        T value;
+        DEM_FN void operator()(uint32_t i) const { to[i] = value; }
+    };
+    template <class T>
+    void fill(Span<T> to, const T& value) {
+        forEach(to.count, FillKernel<T>{to, value}, "fill");
+    }
+
+    /// kernel(i) for i in 0..n-1, in any order and at the same time, after what was started before. Does not
+    /// wait.
+    template <class Kernel>
+    void forEach(size_t n, const Kernel& kernel, const char* name) {
+        if (n == 0) return;
+        const auto blocks = static_cast<unsigned>((n + kCudaBlock - 1) / kCudaBlock);
+        runForEach<<<blocks, kCudaBlock, 0, stream_>>>(static_cast<uint32_t>(n), kernel);
+        checkCuda(cudaGetLastError(), name);
+    }
+
+    /// out[k] = in[0] + ... + in[k-1] for k = 0..n; out has n + 1 elements. `in` and `out` may be the same
+    /// memory. Does not wait; not inside a graph that is being recorded.
+    void exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out);
+
+    /// Folds map(0) .. map(n-1) in the order of reduction.h; `zero` where n is 0 and as the neutral element.
+    /// Waits.
+    template <class T, class Map, class Fold>
+    T reduce(size_t n, const T& zero, const Map& map, const Fold& fold, const char* name) {
+        if (n == 0) return zero;
+        size_t chunks = (n + kReductionChunk - 1) / kReductionChunk;
+        Buffer<T> partial(chunks);
+        launchReduce(n, chunks, zero, map, fold, partial, name);
+        while (chunks > 1) {
+            const size_t count = chunks;
+            chunks = (count + kReductionChunk - 1) / kReductionChunk;
+            Buffer<T> next(chunks);
+            launchReduce(count, chunks, zero, ElementOf<T>{partial.span().data}, fold, next, name);
+            synchronize();
+            partial = std::move(next);
+        }
+        T result;
+        download(partial.view(), &result);
+        return result;
+    }
+
+    /// Throws DeviceError when anything since the last call failed.
+    void synchronize() { checkCuda(cudaStreamSynchronize(stream_), "waiting for the GPU"); }
+    std::string deviceName() const { return device_name_; }
+    cudaStream_t stream() const { return stream_; }
+    int multiprocessors() const { return multiprocessors_; }
+
+    /// Stopwatch over work started on this backend.
+    class Timer {
+      public:
+        Timer();
+        ~Timer();
+        Timer(const Timer&) = delete;
+        Timer& operator=(const Timer&) = delete;
+        void start(CudaBackend& backend) { checkCuda(cudaEventRecord(start_, backend.stream_), "timing"); }
+        void stop(CudaBackend& backend) { checkCuda(cudaEventRecord(stop_, backend.stream_), "timing"); }
+        /// s; waits for the work between start and stop.
+        double seconds() const;
+
+      private:
+        cudaEvent_t start_ = nullptr, stop_ = nullptr;
+    };
+
+  private:
+    void transfer(void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
+        checkCuda(cudaMemcpyAsync(to, from, bytes, kind, stream_), "copying memory");
+    }
+    template <class T, class Map, class Fold>
+    void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold,
+                      Buffer<T>& partial, const char* name) {
+        runReduce<<<static_cast<unsigned>(chunks), kReductionChunk, 0, stream_>>>(
+            static_cast<uint32_t>(n), zero, map, fold, partial.span().data);
+        checkCuda(cudaGetLastError(), name);
+    }
+
+    cudaStream_t stream_ = nullptr;
+    std::string device_name_;
+    int multiprocessors_ = 0;
+    Buffer<unsigned char> scan_memory_;
+};
+
+}  // namespace demolish
