@@ -7,23 +7,26 @@
 
 namespace demolish {
 
+inline constexpr uint32_t kNoTriangle = 0xffffffffu;
+
 struct ClosestPoint {
     Double3 point;
-    double distance = 0;    ///< m, unsigned
+    double distance = 0;  ///< m, unsigned
     uint32_t triangle = 0;
 };
 
 /// Triangle BVH. Queries are const and may run on any number of threads.
 class MeshQueries {
   public:
-    explicit MeshQueries(const TriangleMesh& mesh);  // keeps a reference: the mesh must outlive it
+    explicit MeshQueries(const TriangleMesh& mesh);
     ~MeshQueries();
     MeshQueries(MeshQueries&&) noexcept;
 
-    /// Integer winding number by a signed ray: 1 inside, 0 outside a simple closed mesh. Exact for points in general
-    /// position; the direction is re-drawn (deterministically) when the ray grazes an edge.
+    /// Integer winding number by a signed ray: 1 inside, 0 outside a simple closed mesh. Exact for points in
+    /// general position; the direction is re-drawn (deterministically) when the ray grazes an edge.
     int windingNumber(const Double3& point) const;
-    /// Closest surface point; `bound` limits the search (m).
+    /// Closest surface point; `bound` limits the search (m): when nothing is that near, the distance is
+    /// infinite and the triangle kNoTriangle. Of equally near triangles the lowest id.
     ClosestPoint closestPoint(const Double3& point, double bound = 1e300) const;
 
   private:

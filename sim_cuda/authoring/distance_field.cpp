@@ -1,0 +1,172 @@
+// Band splat, sweeps and sign of the distance grid, each parallel over layers that only their own task
+// writes.
+#include "sim_cuda/authoring/distance_field.h"
+
+#include <tbb/parallel_for.h>
+
+#include <limits>
+
+#include "sim_cuda/authoring/point_triangle.h"
+#include "sim_cuda/authoring/row_crossings.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kBand =
+    1.8;  // steps; above the diagonal of a grid cell, so every cell the surface meets is exact
+constexpr int kSlabLayers = 4;
+
+/// Nearest surface point known so far, relative to the grid's origin.
+struct Nearest {
+    float x = 0, y = 0, z = 0, squared = std::numeric_limits<float>::infinity();
+};
+
+struct IndexRange {
+    int begin, end;
+};
+/// Nodes along one axis whose coordinate (relative to the origin) lies in [lower, upper].
+IndexRange nodesBetween(double lower, double upper, double step, int count) {
+    const double last = count - 1;
+    return {int(std::clamp(std::ceil(lower / step), 0.0, double(count))),
+            int(std::clamp(std::floor(upper / step), -1.0, last)) + 1};
+}
+
+/// One triangle relative to the grid's origin.
+struct SplatTriangle {
+    Double3 a, b, c, normal;  // unit normal, zero without area
+    Double3 lower, upper;
+    SplatTriangle(const TriangleMesh& mesh, uint32_t id, const Double3& origin)
+        : a(mesh.positions[mesh.triangles[id][0]] - origin),
+          b(mesh.positions[mesh.triangles[id][1]] - origin),
+          c(mesh.positions[mesh.triangles[id][2]] - origin),
+          normal(normalized(cross(b - a, c - a))),
+          lower(minimum(minimum(a, b), c)),
+          upper(maximum(maximum(a, b), c)) {}
+};
+
+/// Part of a row (y, z) within `band` of the triangle's plane: long triangles would visit their whole box
+/// otherwise.
+IndexRange rowNearPlane(const SplatTriangle& t, double y, double z, double band, const NodeFrame& frame) {
+    double lower = t.lower.x - band, upper = t.upper.x + band;
+    const double rest = t.normal.y * (y - t.a.y) + t.normal.z * (z - t.a.z);
+    if (std::abs(t.normal.x) > 1e-6) {
+        const double from = t.a.x + (-band - rest) / t.normal.x, to = t.a.x + (band - rest) / t.normal.x;
+        lower = std::max(lower, std::min(from, to) - 1e-9 * frame.step);
+        upper = std::min(upper, std::max(from, to) + 1e-9 * frame.step);
+    } else if (std::abs(rest) > band * 1.001 + 1e-6 * (std::abs(lower - t.a.x) + std::abs(upper - t.a.x))) {
+        return {0, 0};
+    }
+    return nodesBetween(lower, upper, frame.step, frame.nx);
+}
+
+void splatTriangle(const SplatTriangle& t, const NodeFrame& frame, IndexRange layers,
+                   std::vector<Nearest>& nearest) {
+    const double band = kBand * frame.step;
+    const IndexRange js = nodesBetween(t.lower.y - band, t.upper.y + band, frame.step, frame.ny);
+    const IndexRange ks = nodesBetween(t.lower.z - band, t.upper.z + band, frame.step, frame.nz);
+    for (int k = std::max(ks.begin, layers.begin); k < std::min(ks.end, layers.end); ++k)
+        for (int j = js.begin; j < js.end; ++j) {
+            const double y = j * frame.step, z = k * frame.step;
+            const IndexRange is = rowNearPlane(t, y, z, band, frame);
+            Nearest* row = nearest.data() + frame.index(0, j, k);
+            for (int i = is.begin; i < is.end; ++i) {
+                const Double3 p{i * frame.step, y, z};
+                const double from_plane = dot(t.normal, p - t.a);
+                if (from_plane * from_plane > double(row[i].squared)) continue;
+                const Double3 q = closestOnTriangle(p, t.a, t.b, t.c);
+                const float squared = float(lengthSquared(p - q));
+                if (squared < row[i].squared) row[i] = {float(q.x), float(q.y), float(q.z), squared};
+            }
+        }
+}
+
+/// Triangles by the slabs of layers that their band touches, in ascending order.
+std::vector<std::vector<uint32_t>> trianglesBySlab(const TriangleMesh& mesh, const NodeFrame& frame) {
+    std::vector<std::vector<uint32_t>> slabs(size_t((frame.nz + kSlabLayers - 1) / kSlabLayers));
+    const double band = kBand * frame.step;
+    for (uint32_t id = 0; id < mesh.triangles.size(); ++id) {
+        const auto& t = mesh.triangles[id];
+        const auto [low, high] =
+            std::minmax({mesh.positions[t[0]].z, mesh.positions[t[1]].z, mesh.positions[t[2]].z});
+        const IndexRange ks =
+            nodesBetween(low - frame.origin.z - band, high - frame.origin.z + band, frame.step, frame.nz);
+        if (ks.begin >= ks.end) continue;
+        for (int s = ks.begin / kSlabLayers; s <= (ks.end - 1) / kSlabLayers; ++s)
+            slabs[size_t(s)].push_back(id);
+    }
+    return slabs;
+}
+
+/// One axis of a sweep: the layers run along `along`, the nodes of a layer along the other two.
+struct SweepAxes {
+    ptrdiff_t along, row, column;  // index strides
+    int layers, rows, columns;
+};
+
+/// Hands nearest points from the previous layer to this one. `source` is -along or +along.
+void sweepLayer(const SweepAxes& axes, int layer, ptrdiff_t source, const NodeFrame& frame,
+                std::vector<Nearest>& nearest) {
+    const float exact = float(kBand * kBand * frame.step * frame.step), step = float(frame.step);
+    tbb::parallel_for(tbb::blocked_range<int>(0, axes.rows, 16), [&](const tbb::blocked_range<int>& rows) {
+        for (int r = rows.begin(); r < rows.end(); ++r)
+            for (int c = 0; c < axes.columns; ++c) {
+                const ptrdiff_t here = layer * axes.along + r * axes.row + c * axes.column;
+                Nearest& node = nearest[size_t(here)];
+                if (node.squared <= exact) continue;
+                const ptrdiff_t plane = frame.nx * ptrdiff_t(frame.ny);
+                const float x = float(here % frame.nx) * step, y = float(here / frame.nx % frame.ny) * step;
+                const float z = float(here / plane) * step;
+                for (int dr = r > 0 ? -1 : 0; dr <= (r + 1 < axes.rows ? 1 : 0); ++dr)
+                    for (int dc = c > 0 ? -1 : 0; dc <= (c + 1 < axes.columns ? 1 : 0); ++dc) {
+                        const Nearest& from =
+                            nearest[size_t(here + source + dr * axes.row + dc * axes.column)];
+                        if (from.squared == std::numeric_limits<float>::infinity()) continue;
+                        const float dx = from.x - x, dy = from.y - y, dz = from.z - z;
+                        const float squared = dx * dx + dy * dy + dz * dz;
+                        if (squared < node.squared) node = {from.x, from.y, from.z, squared};
+                    }
+            }
+    });
+}
+
+void sweepAll(const NodeFrame& frame, std::vector<Nearest>& nearest) {
+    const ptrdiff_t x = 1, y = frame.nx, z = ptrdiff_t(frame.nx) * frame.ny;
+    for (const SweepAxes& axes :
+         {SweepAxes{z, y, x, frame.nz, frame.ny, frame.nx}, SweepAxes{y, z, x, frame.ny, frame.nz, frame.nx},
+          SweepAxes{x, z, y, frame.nx, frame.nz, frame.ny}}) {
+        for (int layer = 1; layer < axes.layers; ++layer)
+            sweepLayer(axes, layer, -axes.along, frame, nearest);
+        for (int layer = axes.layers - 2; layer >= 0; --layer)
+            sweepLayer(axes, layer, axes.along, frame, nearest);
+    }
+}
+
+}  // namespace
+
+std::vector<float> signedDistances(const TriangleMesh& mesh, const MeshQueries& queries,
+                                   const NodeFrame& frame) {
+    std::vector<Nearest> nearest(frame.size());
+    const auto slabs = trianglesBySlab(mesh, frame);
+    RowCrossings crossings(frame);
+    tbb::parallel_for(size_t(0), slabs.size(), [&](size_t s) {
+        const IndexRange layers{int(s) * kSlabLayers, std::min(frame.nz, int(s + 1) * kSlabLayers)};
+        for (const uint32_t id : slabs[s]) {
+            const SplatTriangle t(mesh, id, frame.origin);
+            splatTriangle(t, frame, layers, nearest);
+            crossings.add({t.a, t.b, t.c}, layers.begin, layers.end);
+        }
+        crossings.finishLayers(queries, layers.begin, layers.end);
+    });
+    sweepAll(frame, nearest);
+    std::vector<float> distance(frame.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, frame.size(), 1 << 14),
+                      [&](const tbb::blocked_range<size_t>& range) {
+                          for (size_t n = range.begin(); n < range.end(); ++n) {
+                              const float unsigned_distance = std::sqrt(nearest[n].squared);
+                              distance[n] = crossings.winding(n) > 0 ? -unsigned_distance : unsigned_distance;
+                          }
+                      });
+    return distance;
+}
+
+}  // namespace demolish

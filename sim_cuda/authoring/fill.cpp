@@ -1,0 +1,75 @@
+// A solid and a particle count in, a breakable body out: the stages of authoring in order.
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/packing.h"
+#include "sim_cuda/authoring/solid_mesh.h"
+
+#include <cmath>
+
+namespace demolish {
+namespace {
+
+/// Passes the fraction on, scaled to the stage's share of the whole (measured shares of geometry.md 2.5).
+class Stages {
+  public:
+    explicit Stages(const ProgressCallback& callback) : callback_(callback) {}
+    void enter(const char* name, double begin, double end) {
+        name_ = name;
+        begin_ = begin;
+        end_ = end;
+        if (!tell(0)) throw Cancelled();
+    }
+    bool tell(double fraction) const {
+        return !callback_ || callback_(begin_ + fraction * (end_ - begin_), name_);
+    }
+
+  private:
+    const ProgressCallback& callback_;
+    const char* name_ = "";
+    double begin_ = 0, end_ = 0;
+};
+
+void requirePossibleCount(uint32_t count) {
+    if (count < kMinParticles || count > kMaxParticles)
+        throw UsageError("A body needs " + std::to_string(kMinParticles) + " to " +
+                         std::to_string(kMaxParticles) + " particles, not " + std::to_string(count) + ".");
+}
+
+}  // namespace
+
+std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, const FillOptions& options,
+                                                       const ProgressCallback& progress) {
+    requirePossibleCount(options.particles);
+    const SolidMeshInfo& info = solid.info();
+    const double spacing = std::cbrt(info.volume / options.particles);
+    Stages stages(progress);
+
+    stages.enter("Packing particles", 0, 0.2);
+    std::vector<Double3> seeds =
+        packSeeds(solid.mesh(), solid.queries(), solid.grid(), info.volume, options.particles, options.seed,
+                  [&](double fraction) { return stages.tell(fraction); });
+    stages.enter("Cutting cells", 0.2, 0.65);
+    const CellComplex complex =
+        buildCellComplex(solid.mesh(), solid.queries(), std::move(seeds), spacing, options.seed);
+
+    stages.enter("Weighing cells", 0.65, 0.72);
+    auto body = std::make_shared<BreakableBody>();
+    body->name = info.name;
+    body->particles = massProperties(solid.mesh(), solid.queries(), complex);
+    stages.enter("Bonding cells", 0.72, 0.78);
+    body->bonds = makeBonds(complex, spacing);
+    stages.enter("Making crack surfaces", 0.78, 1);
+    if (options.draw_geometry) body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds);
+
+    body->spacing = spacing;
+    body->mesh_volume = info.volume;
+    for (const Particle& particle : body->particles) body->cells_volume += particle.volume;
+    body->mesh_area = info.area;
+    body->bounds_min = info.bounds_min;
+    body->bounds_max = info.bounds_max;
+    body->open_cells = uint32_t(complex.open_cells.size());
+    if (!stages.tell(1)) throw Cancelled();
+    return body;
+}
+
+}  // namespace demolish

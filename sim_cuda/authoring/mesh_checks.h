@@ -1,0 +1,25 @@
+// What a mesh must satisfy before it can be filled: closed, and with a volume.
+#pragma once
+#include <cstddef>
+
+#include "sim_cuda/authoring/triangle_mesh.h"
+
+namespace demolish {
+
+/// Edges that are not used equally often in both directions (geometry.md 0.1); 0 for a closed, consistently
+/// turned mesh.
+size_t openEdgeCount(const TriangleMesh& mesh);
+
+/// m^3, by the divergence theorem about the middle of the bounds; negative when the triangles face inwards.
+double enclosedVolume(const TriangleMesh& mesh);
+
+/// m^2
+double surfaceArea(const TriangleMesh& mesh);
+
+struct Bounds {
+    Double3 lower, upper;
+};
+/// m; of a mesh with at least one vertex.
+Bounds boundsOf(const TriangleMesh& mesh);
+
+}  // namespace demolish

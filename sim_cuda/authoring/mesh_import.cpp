@@ -1,0 +1,219 @@
+// Reads model files with assimp and turns them into one welded mesh.
+#include "sim_cuda/authoring/mesh_import.h"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <assimp/Importer.hpp>
+#include <bit>
+#include <cmath>
+#include <system_error>
+#include <unordered_map>
+
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/authoring/double3.h"
+#include "sim_cuda/authoring/mesh_checks.h"
+
+namespace demolish {
+namespace {
+
+/// Affine map of one scene node, in doubles so that deep hierarchies lose nothing.
+struct Transform {
+    Double3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin;  // images of the axes
+
+    Double3 direction(const Double3& v) const { return x * v.x + y * v.y + z * v.z; }
+    Double3 point(const Double3& p) const { return direction(p) + origin; }
+    double determinant() const { return dot(x, cross(y, z)); }
+    /// Normals go with the cofactors; the sign keeps them outward under a mirror.
+    Double3 normal(const Double3& n) const {
+        const Double3 image = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
+        return normalized(determinant() < 0 ? -image : image);
+    }
+};
+
+Transform chained(const Transform& parent, const aiMatrix4x4& m) {
+    return {parent.direction({m.a1, m.b1, m.c1}), parent.direction({m.a2, m.b2, m.c2}),
+            parent.direction({m.a3, m.b3, m.c3}), parent.point({m.a4, m.b4, m.c4})};
+}
+
+struct PositionHash {
+    size_t operator()(const std::array<uint64_t, 3>& bits) const {
+        uint64_t h = 0;
+        for (const uint64_t b : bits) h = (h ^ (b >> 29) ^ b) * 0x9e3779b97f4a7c15ull;
+        return size_t(h ^ (h >> 32));
+    }
+};
+
+/// Gathers triangles and gives equal positions one id, in order of first use.
+class Welder {
+  public:
+    explicit Welder(std::string name) { mesh_.name = std::move(name); }
+
+    void add(const std::array<Double3, 3>& points, const std::array<CornerAttributes, 3>& corners) {
+        ++triangles_seen_;
+        const std::array<uint32_t, 3> ids{idOf(points[0]), idOf(points[1]), idOf(points[2])};
+        if (ids[0] == ids[1] || ids[1] == ids[2] || ids[2] == ids[0]) return;
+        mesh_.triangles.push_back(ids);
+        mesh_.corners.push_back(corners);
+    }
+    size_t trianglesSeen() const { return triangles_seen_; }
+    TriangleMesh take() && { return std::move(mesh_); }
+
+  private:
+    uint32_t idOf(const Double3& p) {
+        const auto bits = [](double v) {
+            return std::bit_cast<uint64_t>(v + 0.0);
+        };  // -0 and 0 are one place
+        const auto [it, is_new] =
+            ids_.try_emplace({bits(p.x), bits(p.y), bits(p.z)}, uint32_t(mesh_.positions.size()));
+        if (is_new) mesh_.positions.push_back(p);
+        return it->second;
+    }
+
+    TriangleMesh mesh_;
+    std::unordered_map<std::array<uint64_t, 3>, uint32_t, PositionHash> ids_;
+    size_t triangles_seen_ = 0;
+};
+
+Double3 fromAssimp(const aiVector3D& v) {
+    return {double(v.x), double(v.y), double(v.z)};
+}
+Float3 toFloat(const Double3& v) {
+    return {float(v.x), float(v.y), float(v.z)};
+}
+bool isFinite(const Double3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+std::string quoted(const std::filesystem::path& file) {
+    return "'" + file.string() + "'";
+}
+
+/// Unit normal of the corner, or `fallback` where the file gives none that can be used.
+Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const Transform& transform,
+                    const Double3& fallback) {
+    if (!mesh.HasNormals()) return toFloat(fallback);
+    const Double3 n = transform.normal(fromAssimp(mesh.mNormals[vertex]));
+    return isFinite(n) && lengthSquared(n) > 0 ? toFloat(n) : toFloat(fallback);
+}
+
+Float2 cornerUv(const aiMesh& mesh, unsigned vertex) {
+    if (!mesh.HasTextureCoords(0)) return {};
+    const aiVector3D& uv = mesh.mTextureCoords[0][vertex];
+    return std::isfinite(uv.x) && std::isfinite(uv.y) ? Float2{float(uv.x), float(uv.y)} : Float2{};
+}
+
+void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform,
+             const std::filesystem::path& file) {
+    const bool mirrored = transform.determinant() < 0;
+    for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
+        const aiFace& face = mesh.mFaces[f];
+        if (face.mNumIndices != 3) continue;  // points and lines
+        const unsigned ids[3] = {face.mIndices[0], face.mIndices[mirrored ? 2 : 1],
+                                 face.mIndices[mirrored ? 1 : 2]};
+        std::array<Double3, 3> points;
+        for (int k = 0; k < 3; ++k) {
+            points[k] = transform.point(fromAssimp(mesh.mVertices[ids[k]]));
+            if (!isFinite(points[k]))
+                throw InputFileError(
+                    "The model " + quoted(file) +
+                    " has a vertex that is not a finite number; export it again without broken vertices.");
+        }
+        const Double3 flat = normalized(cross(points[1] - points[0], points[2] - points[0]));
+        std::array<CornerAttributes, 3> corners;
+        for (int k = 0; k < 3; ++k)
+            corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, ids[k])};
+        welder.add(points, corners);
+    }
+}
+
+void addNode(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& parent,
+             const std::filesystem::path& file) {
+    const Transform transform = chained(parent, node.mTransformation);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i)
+        addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, file);
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+        addNode(welder, scene, *node.mChildren[i], transform, file);
+}
+
+/// What assimp said, as one line without a closing full stop.
+std::string reasonOf(const Assimp::Importer& importer) {
+    std::string reason = importer.GetErrorString();
+    if (const size_t end = reason.find('\n'); end != std::string::npos) reason.resize(end);
+    while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
+    return reason.empty() ? "it holds no scene" : reason;
+}
+
+[[noreturn]] void throwNoTriangles(const std::filesystem::path& file) {
+    throw InputFileError("The model " + quoted(file) + " has no triangles; export it with its faces.");
+}
+
+/// Vertices are numbered by first use, so those of dropped triangles have to go.
+void dropUnusedVertices(TriangleMesh& mesh) {
+    constexpr uint32_t kUnused = 0xffffffffu;
+    std::vector<uint32_t> new_id(mesh.positions.size(), kUnused);
+    for (const auto& t : mesh.triangles)
+        for (const uint32_t v : t) new_id[v] = 0;
+    uint32_t count = 0;
+    for (size_t v = 0; v < new_id.size(); ++v) {
+        if (new_id[v] == kUnused) continue;
+        mesh.positions[count] = mesh.positions[v];
+        new_id[v] = count++;
+    }
+    mesh.positions.resize(count);
+    for (auto& t : mesh.triangles)
+        for (uint32_t& v : t) v = new_id[v];
+}
+
+}  // namespace
+
+TriangleMesh importTriangles(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(file, error))
+        throw InputFileError("There is no model file " + quoted(file) + "; check the path.");
+    Assimp::Importer importer;
+    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+    const aiScene* scene = importer.ReadFile(
+        file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale);
+    if (!scene || !scene->mRootNode)
+        throw InputFileError("The model " + quoted(file) + " could not be read (" + reasonOf(importer) +
+                             "); use a format such as OBJ, PLY, STL, glTF or FBX.");
+    Welder welder(file.stem().string());
+    addNode(welder, *scene, *scene->mRootNode, {}, file);
+    if (welder.trianglesSeen() == 0) throwNoTriangles(file);
+    TriangleMesh mesh = std::move(welder).take();
+    dropUnusedVertices(mesh);
+    return mesh;
+}
+
+void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
+    if (mesh.triangles.empty()) throwNoTriangles(file);
+    if (const size_t open = openEdgeCount(mesh))
+        throw InputFileError("The model " + quoted(file) + " is not closed: " + std::to_string(open) +
+                             (open == 1 ? " open edge" : " open edges") +
+                             "; fill its holes and make its faces point outwards.");
+    const Bounds bounds = boundsOf(mesh);
+    const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
+    constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance
+    if (std::abs(volume) <= kFlat * size * size * size)
+        throw InputFileError("The model " + quoted(file) + " encloses no volume; give it thickness.");
+    if (volume < 0)
+        throw InputFileError("The model " + quoted(file) +
+                             " is inside out (its volume is negative); flip its faces.");
+}
+
+void standOnFloor(TriangleMesh& mesh, const MeshPlacement& placement) {
+    const Bounds bounds = boundsOf(mesh);
+    double scale = 1;
+    if (!placement.keep_units) {
+        if (!(placement.height > 0) || !std::isfinite(placement.height))
+            throw UsageError("The model height must be a positive number of metres.");
+        scale = placement.height / (bounds.upper.y - bounds.lower.y);
+    }
+    const Double3 foot{(bounds.lower.x + bounds.upper.x) / 2, bounds.lower.y,
+                       (bounds.lower.z + bounds.upper.z) / 2};
+    for (Double3& p : mesh.positions) p = (p - foot) * scale;
+}
+
+}  // namespace demolish
