@@ -87,6 +87,10 @@ struct StreamSizes {
 };
 StreamSizes streamSizes(const SceneSetup& setup);
 
+/// What the renderer uploads once: exterior, exterior_indices and crack_edges of all bodies, one after the other, with
+/// cells, vertices and bonds numbered through the scene as in the streams; the other members are empty.
+FractureGeometry sceneExterior(const SceneSetup& setup);
+
 /// Throws UsageError on values out of range. Uses all cores that oneTBB is allowed to use.
 std::unique_ptr<Solver> makeCpuSolver(const SceneSetup& setup, const ProgressCallback& progress = {});
 /// Throws DeviceError when there is no usable GPU, or when the program was built without CUDA.
