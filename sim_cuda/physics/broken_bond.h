@@ -1,0 +1,40 @@
+// Type 3, a broken bond whose faces still touch: (14), (15) as corrected in physics A.5. The normal is the
+// line of centres and the rest distance stays L0, so that the force does not jump at fracture and spinning in
+// place makes no overlap. Friction: tangential_spring.h with k_T and the limit below; M_N = 0.
+#pragma once
+#include "sim_cuda/physics/vector.h"
+
+namespace demolish {
+
+/// delta_b = L0 - |x_j - x_i|, m; > 0 while the faces press on each other.
+template <class T>
+DEM_FN T brokenOverlap(T rest_length, T distance) {
+    return rest_length - distance;
+}
+/// (14') compressive part k_N max(delta_b, 0), N.
+template <class T>
+DEM_FN T brokenRepulsion(T normal_stiffness, T overlap) {
+    return normal_stiffness * maxOf(overlap, T(0));
+}
+/// (15') |T_bb| <= mu k_N delta_b, N: of the repulsive part alone, so that adhesion never turns friction
+/// round.
+template <class T>
+DEM_FN T frictionLimit(T friction, T repulsive_force) {
+    return friction * repulsive_force;
+}
+/// |M_T| <= share N a_b, N m: a face without tension carries no more; share 0 (default, off) .. 1, of a round
+/// face 1/4.
+template <class T>
+DEM_FN Vec3<T> cappedBendingMoment(const Vec3<T>& moment, T share, T repulsive_force, T radius) {
+    const T limit = share * repulsive_force * radius, size2 = length2(moment);
+    return size2 > limit * limit ? (limit * inverseSqrt(size2)) * moment : moment;
+}
+/// Energy that leaves with the bond, J: its elastic energy less what the compressed faces keep (A.6). Booked
+/// as fracture.
+template <class T>
+DEM_FN T fractureEnergy(T elastic_energy, T normal_stiffness, T overlap) {
+    const T kept = maxOf(overlap, T(0));
+    return elastic_energy - T(0.5) * normal_stiffness * kept * kept;
+}
+
+}  // namespace demolish
