@@ -36,6 +36,9 @@ struct Material {
     double shear_ratio = 0.3;         ///< a = k_T / k_N of the beam law, 0..1
 };
 
+/// In one run, fired later ones included.
+inline constexpr uint32_t kMaxProjectiles = 16;
+
 /// A rigid sphere. It takes part in contacts from `start_time` on.
 struct Projectile {
     Double3 position;       ///< m, at start_time

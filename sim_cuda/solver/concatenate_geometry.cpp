@@ -1,0 +1,102 @@
+// Offsets, and nothing but offsets: the geometry of a body is copied with its numbers moved.
+#include "sim_cuda/solver/concatenate_geometry.h"
+
+namespace demolish {
+namespace {
+
+/// How much stands before the body that is being added.
+struct Offsets {
+    uint32_t cell = 0, bond = 0;
+};
+
+uint32_t count(const auto& elements) {
+    return static_cast<uint32_t>(elements.size());
+}
+
+uint32_t movedBond(uint32_t bond, const Offsets& offsets) {
+    return bond == kNoBond ? kNoBond : bond + offsets.bond;
+}
+
+void append(const std::vector<uint32_t>& from, uint32_t offset, std::vector<uint32_t>& to) {
+    to.reserve(to.size() + from.size());
+    for (const uint32_t id : from) to.push_back(id + offset);
+}
+
+void appendExterior(const FractureGeometry& from, const Offsets& offsets, FractureGeometry& to) {
+    const uint32_t first_vertex = count(to.exterior);
+    to.exterior.insert(to.exterior.end(), from.exterior.begin(), from.exterior.end());
+    for (uint32_t v = first_vertex; v < to.exterior.size(); ++v) to.exterior[v].cell += offsets.cell;
+    append(from.exterior_indices, first_vertex, to.exterior_indices);
+    for (const CrackEdge& edge : from.crack_edges)
+        to.crack_edges.push_back({edge.vertex_0 + first_vertex, edge.vertex_1 + first_vertex,
+                                  edge.cell_a + offsets.cell, edge.cell_b + offsets.cell,
+                                  movedBond(edge.bond, offsets)});
+}
+
+void appendInterior(const FractureGeometry& from, const Offsets& offsets, FractureGeometry& to) {
+    const uint32_t first_pool = count(to.pool), first_face = count(to.faces);
+    const uint32_t first_vertex = count(to.face_vertices), first_index = count(to.face_indices);
+    const uint32_t first_corner = count(to.pool_corner_face);
+    for (InteriorFace face : from.faces) {
+        face.cell_a += offsets.cell;
+        face.cell_b += offsets.cell;
+        face.first_vertex += first_vertex;
+        face.first_index += first_index;
+        face.bond = movedBond(face.bond, offsets);
+        to.faces.push_back(face);
+    }
+    to.pool.insert(to.pool.end(), from.pool.begin(), from.pool.end());
+    to.pool_on_surface.insert(to.pool_on_surface.end(), from.pool_on_surface.begin(),
+                              from.pool_on_surface.end());
+    append(from.face_vertices, first_pool, to.face_vertices);
+    to.face_indices.insert(to.face_indices.end(), from.face_indices.begin(), from.face_indices.end());
+    for (size_t v = 0; v < from.pool.size(); ++v)
+        to.pool_corner_start.push_back(from.pool_corner_start[v + 1] + first_corner);
+    append(from.pool_corner_face, first_face, to.pool_corner_face);
+    append(from.pool_corner_next, first_pool, to.pool_corner_next);
+    append(from.pool_corner_previous, first_pool, to.pool_corner_previous);
+}
+
+Offsets offsetsAfter(const Offsets& offsets, const BreakableBody& body) {
+    return {offsets.cell + count(body.particles), offsets.bond + count(body.bonds)};
+}
+
+}  // namespace
+
+SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies) {
+    SceneGeometry scene;
+    scene.geometry.pool_corner_start.push_back(0);
+    Offsets offsets;
+    for (const BodyInstance& instance : bodies) {
+        appendExterior(instance.body->geometry, offsets, scene.geometry);
+        appendInterior(instance.body->geometry, offsets, scene.geometry);
+        scene.pool_spacing.resize(scene.geometry.pool.size(), static_cast<float>(instance.body->spacing));
+        offsets = offsetsAfter(offsets, *instance.body);
+    }
+    return scene;
+}
+
+FractureGeometry sceneExterior(const SceneSetup& setup) {
+    FractureGeometry scene;
+    Offsets offsets;
+    for (const BodyInstance& instance : setup.bodies) {
+        appendExterior(instance.body->geometry, offsets, scene);
+        offsets = offsetsAfter(offsets, *instance.body);
+    }
+    return scene;
+}
+
+StreamSizes streamSizes(const SceneSetup& setup) {
+    StreamSizes sizes;
+    sizes.particles = kMaxProjectiles;
+    for (const BodyInstance& instance : setup.bodies) {
+        const FractureGeometry& geometry = instance.body->geometry;
+        sizes.particles += instance.body->particles.size();
+        sizes.interior_vertices += 2 * geometry.face_vertices.size();
+        sizes.interior_indices += 2 * geometry.face_indices.size();
+        sizes.crack_edges += geometry.crack_edges.size();
+    }
+    return sizes;
+}
+
+}  // namespace demolish
