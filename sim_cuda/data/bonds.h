@@ -1,0 +1,64 @@
+// Bonds as rows: every particle has one slot for each of its bonds, in the order of the other particle's id,
+// and each bond therefore two slots, one at each end. The record of a bond owns its pair for ever: bonded,
+// broken, at last plain contact; such a pair never appears in the contact list as well.
+#pragma once
+#include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/vec4.h"
+#include "sim_cuda/physics/pair_state.h"
+
+namespace demolish {
+
+/// The other end and the state of the pair in one word (up to 2^30 particles), and the bond's grade.
+struct alignas(8) BondLink {
+    uint32_t link = 0;  ///< id of the other particle | PairState << 30
+    uint32_t grade =
+        0;  ///< 2 x unorm16: low half radius a_b, high half strength factor, as shares of the body's largest
+};
+
+inline constexpr uint32_t kLinkIdMask = 0x3fffffffu;
+
+DEM_FN uint32_t linkedParticle(const BondLink& link) {
+    return link.link & kLinkIdMask;
+}
+DEM_FN PairState pairState(const BondLink& link) {
+    return static_cast<PairState>(link.link >> 30);
+}
+DEM_FN bool isBonded(const BondLink& link) {
+    return pairState(link) == PairState::kBonded;
+}
+DEM_FN uint32_t linkWord(uint32_t particle, PairState state) {
+    return particle | static_cast<uint32_t>(state) << 30;
+}
+DEM_FN uint32_t gradeRadius(uint32_t grade) {
+    return grade & 0xffffu;
+}
+DEM_FN uint32_t gradeStrength(uint32_t grade) {
+    return grade >> 16;
+}
+
+/// Slots of particle i: row_start[i] .. row_start[i + 1] - 1 (projectiles have none).
+template <class Real>
+struct BondRowsIn {
+    Span<const uint32_t> row_start;  ///< total + 1
+    Span<const BondLink> link;       ///< per slot
+    Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; k_N, N/m)
+    Span<const Vec4<Real>> spring;   ///< per slot, once broken: (tangential spring seen from i, m; 0)
+};
+
+template <class Backend, class Real>
+struct BondArrays {
+    template <class T>
+    using Buffer = typename Backend::template Buffer<T>;
+
+    uint32_t count = 0;  ///< bonds, half the slots
+    Buffer<uint32_t> row_start;
+    Buffer<BondLink> link;
+    Buffer<Vec4<Real>> rest;
+    Buffer<Vec4<Real>> spring;
+    Buffer<uint32_t> slot_of_bond;  ///< slot at the lower id; bonds of all bodies one after the other
+    Buffer<uint32_t> twin;          ///< per slot: the slot at the other end
+
+    BondRowsIn<Real> in() const { return {row_start.view(), link.view(), rest.view(), spring.view()}; }
+};
+
+}  // namespace demolish

@@ -1,0 +1,40 @@
+// Which pairs without a bond record may touch before the lists are built again: rows sorted by id, both ends
+// hold the pair. A projectile's row is long; it stands last, and the particles it may touch have it at the
+// end of theirs.
+#pragma once
+#include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/vec4.h"
+
+namespace demolish {
+
+template <class Real>
+struct ContactRowsIn {
+    Span<const uint32_t> row_start;  ///< total + 1
+    Span<const uint32_t> neighbour;  ///< ids, ascending in each row
+    Span<const Vec4<Real>>
+        spring;  ///< (tangential spring seen from the row's particle, m; 0), null when not touching
+};
+
+template <class Backend, class Real>
+struct ContactArrays {
+    template <class T>
+    using Buffer = typename Backend::template Buffer<T>;
+
+    Buffer<uint32_t> row_start;
+    Buffer<uint32_t> neighbour;  ///< capacity may exceed row_start[total]
+    Buffer<Vec4<Real>> spring;
+    Buffer<Vec4<Real>> built_position;  ///< total; high parts at the last build
+    uint32_t used = 0;                  ///< row_start[total]
+
+    ContactRowsIn<Real> in() const { return {row_start.view(), neighbour.view(), spring.view()}; }
+};
+
+/// Reach of the lists: a pair of body particles is listed when closer than R_c,i + R_c,j + skin; a pair with
+/// a projectile when closer than R_c,i + R_c,j + skin + projectile_skin.
+struct ContactReach {
+    double skin = 0;  ///< m; rebuilt before a particle has moved half of it (against the common motion)
+    double projectile_skin = 0;  ///< m; rebuilt before a projectile has moved that far
+    double largest_radius = 0;   ///< m, largest R_c of the bodies' particles (sets the grid's cells)
+};
+
+}  // namespace demolish
