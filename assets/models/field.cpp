@@ -35,7 +35,8 @@ Vec3 bladeCoordinates(const Frame& frame, const Part& part, Vec3 p) {
 
 }  // namespace
 
-Field::Field(const FieldRecipe& recipe) : bounds_{recipe.parts.front().a, recipe.parts.front().a} {
+Field::Field(const FieldRecipe& recipe)
+    : coat_(recipe.coat), bounds_{recipe.parts.front().a, recipe.parts.front().a} {
     for (const Part& part : recipe.parts) {
         Prepared prepared{part, Frame::of(part.turn), {}};
         if (part.kind == PartKind::kBlade) prepared.end = bladeCoordinates(prepared.frame, part, part.b);
@@ -70,6 +71,7 @@ double Field::at(Vec3 p) const {
         else
             body = part.carves ? smoothSubtraction(body, d, part.blend) : smoothUnion(body, d, part.blend);
     }
+    if (coat_ && std::abs(body) < coat_->reach) body -= coatRelief(*coat_, p);
     return body;
 }
 

@@ -33,6 +33,7 @@ class Field {
     static double distance(const Prepared& prepared, Vec3 p);
 
     std::vector<Prepared> parts_;
+    std::optional<Coat> coat_;
     Box bounds_;
 };
 

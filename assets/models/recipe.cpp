@@ -40,32 +40,23 @@ Part readPart(const toml::table& table) {
     return part;
 }
 
-const toml::table& asTable(const toml::node& node, std::string_view key) {
-    if (!node.is_table()) refuse(key, "must be a list of tables");
-    return *node.as_table();
-}
-
 FieldRecipe readField(const toml::table& table) {
     FieldRecipe recipe;
     recipe.grid = readPositive(table, "grid");
-    const toml::array* parts = table["part"].as_array();
-    if (!parts || parts->empty()) refuse("part", "must be a list of at least one table");
-    for (const auto& node : *parts) {
-        const toml::table& part = asTable(node, "part");
+    for (const toml::table* part : readTables(table, "part")) {
         try {
-            recipe.parts.push_back(readPart(part));
+            recipe.parts.push_back(readPart(*part));
         } catch (const std::runtime_error& error) {
-            throw std::runtime_error("part '" + part["name"].value_or(std::string("?")) +
+            throw std::runtime_error("part '" + (*part)["name"].value_or(std::string("?")) +
                                      "': " + error.what());
         }
     }
+    if (recipe.parts.empty()) refuse("part", "must be a list of at least one table");
     if (recipe.parts.front().carves) refuse("part", "must not begin with one that carves");
-    if (const toml::array* details = table["detail"].as_array())
-        for (const auto& node : *details) {
-            const toml::table& box = asTable(node, "detail");
-            recipe.details.push_back(
-                {readPoint(box, "low"), readPoint(box, "high"), readPositive(box, "factor")});
-        }
+    if (const toml::table* coat = table["coat"].as_table()) recipe.coat = readCoat(*coat);
+    for (const toml::table* box : readTables(table, "detail"))
+        recipe.details.push_back(
+            {readPoint(*box, "low"), readPoint(*box, "high"), readPositive(*box, "factor")});
     return recipe;
 }
 

@@ -1,10 +1,12 @@
 // What a recipe file says, checked: a body of blended shapes, a vessel, or a column.
 #pragma once
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "assets/models/coat.h"
 #include "assets/models/primitives.h"
 
 namespace demolish::sculptor {
@@ -35,6 +37,7 @@ struct DetailBox {
 struct FieldRecipe {
     double grid = 0;  ///< edge of a marching cube
     std::vector<Part> parts;
+    std::optional<Coat> coat;
     std::vector<DetailBox> details;
 };
 

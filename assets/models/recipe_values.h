@@ -50,6 +50,20 @@ inline Vec3 readPoint(const toml::table& table, std::string_view key) {
     return {numbers[0], numbers[1], numbers[2]};
 }
 
+/// The tables of a list; none when the key is missing.
+inline std::vector<const toml::table*> readTables(const toml::table& table, std::string_view key) {
+    std::vector<const toml::table*> tables;
+    if (!table.contains(key)) return tables;
+    const toml::array* array = table[key].as_array();
+    if (!array) refuse(key, "must be a list of tables");
+    for (const auto& node : *array) {
+        if (!node.is_table()) refuse(key, "must be a list of tables");
+        tables.push_back(node.as_table());
+    }
+    return tables;
+}
+
+Coat readCoat(const toml::table& table);
 VesselRecipe readVessel(const toml::table& table);
 ColumnRecipe readColumn(const toml::table& table);
 
