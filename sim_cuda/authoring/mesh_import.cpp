@@ -1,7 +1,6 @@
 // Reads model files with assimp and turns them into one welded mesh.
 #include "sim_cuda/authoring/mesh_import.h"
 
-#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -173,7 +172,6 @@ TriangleMesh importTriangles(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(file, error))
         throw InputFileError("There is no model file " + quoted(file) + "; check the path.");
     Assimp::Importer importer;
-    importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
     const aiScene* scene = importer.ReadFile(
         file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale);
     if (!scene || !scene->mRootNode)
