@@ -1,0 +1,60 @@
+// Plays the parts of solver and renderer round the fracture surface.
+#include "tests/unit/draw/drawn_surface.h"
+
+namespace demolish::test {
+
+DrawnSurface::DrawnSurface(const SceneSetup& setup)
+    : scene(concatenateGeometry(setup.bodies)), surface(backend, scene) {
+    const StreamSizes sizes = streamSizes(setup);
+    vertices.resize(sizes.interior_vertices);
+    indices.resize(sizes.interior_indices);
+    cracks.resize(sizes.crack_edges);
+    uint32_t first_cell = 0;
+    for (const BodyInstance& instance : setup.bodies) {
+        for (const BondGeometry& bond : instance.body->bonds)
+            bond_cells.push_back({first_cell + bond.i, first_cell + bond.j});
+        first_cell += static_cast<uint32_t>(instance.body->particles.size());
+    }
+    broken.resize(bond_cells.size());
+}
+
+void DrawnSurface::show(const std::vector<uint32_t>& fragment, const std::vector<uint32_t>& cracked) {
+    fragments = fragment;
+    for (size_t b = 0; b < bond_cells.size(); ++b)
+        broken[b] = fragment[bond_cells[b].first] != fragment[bond_cells[b].second];
+    for (const uint32_t b : cracked) broken[b] = 1;
+    surface.update({fragments.data(), fragments.size()}, {broken.data(), broken.size()});
+    writeStreams();
+}
+
+void DrawnSurface::writeStreams() {
+    RenderStreams streams;
+    streams.interior_vertices = {vertices.data(), vertices.size()};
+    streams.interior_indices = {indices.data(), indices.size()};
+    streams.crack_edges = {cracks.data(), cracks.size()};
+    streams.commands = {&commands, 1};
+    surface.write(streams, {fragments.data(), fragments.size()});
+}
+
+std::vector<Soup> DrawnSurface::soups(uint32_t fragment_count) const {
+    std::vector<Soup> made(fragment_count);
+    const auto add = [&](const std::vector<SurfaceVertex>& from, const std::vector<uint32_t>& triangles,
+                         size_t count) {
+        for (size_t i = 0; i < count; i += 3) {
+            const SurfaceVertex &u = from[triangles[i]], &v = from[triangles[i + 1]],
+                                &w = from[triangles[i + 2]];
+            made[fragments[u.cell]].push_back({u.position, v.position, w.position});
+        }
+    };
+    add(scene.geometry.exterior, scene.geometry.exterior_indices, scene.geometry.exterior_indices.size());
+    add(vertices, indices, commands.interior.count);
+    return made;
+}
+
+SceneSetup sceneOf(std::shared_ptr<const BreakableBody> body) {
+    SceneSetup setup;
+    setup.bodies.push_back({std::move(body), {}, {}, {}, {}, {}});
+    return setup;
+}
+
+}  // namespace demolish::test

@@ -1,0 +1,222 @@
+// The surface that fracture opens: lists by hand on slabs, and invariants on real bodies broken step by step.
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <numeric>
+
+#include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/solid_mesh.h"
+#include "sim_cuda/physics/vertex_packing.h"
+#include "tests/unit/draw/drawn_surface.h"
+#include "tests/unit/draw/slab_complex.h"
+#include "tests/unit/meshes/mesh_makers.h"
+
+namespace demolish {
+namespace {
+
+std::shared_ptr<const BreakableBody> slabs(const std::vector<double>& seed_x) {
+    const TriangleMesh mesh = test::makeCube(1);
+    const CellComplex complex = test::makeSlabComplex(mesh, seed_x);
+    auto body = std::make_shared<BreakableBody>();
+    body->particles.resize(seed_x.size());
+    for (uint32_t i = 0; i + 1 < seed_x.size(); ++i)
+        body->bonds.push_back({i, i + 1, 1.0, {}, {1, 0, 0}, 1.0});
+    body->geometry = makeFractureGeometry(mesh, complex, body->bonds);
+    body->spacing = std::cbrt(1.0 / static_cast<double>(seed_x.size()));
+    return body;
+}
+
+std::shared_ptr<const BreakableBody> filled(const TriangleMesh& mesh, uint32_t particles) {
+    FillOptions options;
+    options.particles = particles;
+    return fillWithParticles(SolidMesh(mesh), options);
+}
+
+double distanceBetween(const Float3& a, const Float3& b) {
+    return std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z);
+}
+
+TEST(FractureSurface, NothingShowsWhileWhole) {
+    test::DrawnSurface drawn(test::sceneOf(slabs({-0.3, 0.35})));
+    drawn.show({0, 0});
+    EXPECT_EQ(drawn.commands.interior.count, 0u);
+    EXPECT_EQ(drawn.commands.interior.instance_count, 1u);
+    EXPECT_EQ(drawn.commands.cracks.instance_count, 0u);
+    EXPECT_EQ(drawn.commands.cracks.count, 6u);
+}
+
+TEST(FractureSurface, ABrokenBondInsideOneFragmentShowsItsCrackAndNoFace) {
+    test::DrawnSurface drawn(test::sceneOf(slabs({-0.4, -0.1, 0.3})));
+    drawn.show({0, 0, 0}, {1});
+    EXPECT_EQ(drawn.commands.interior.count, 0u);
+    ASSERT_EQ(drawn.commands.cracks.instance_count, 8u);
+    for (uint32_t k = 0; k < 8; ++k) {
+        const CrackEdge& edge = drawn.scene.geometry.crack_edges[drawn.cracks[k]];
+        EXPECT_EQ(edge.cell_a, 1u);
+        EXPECT_EQ(edge.cell_b, 2u);
+        EXPECT_TRUE(k == 0 || drawn.cracks[k - 1] < drawn.cracks[k]);
+    }
+    drawn.show({0, 0, 1});  // run through: the crack stays, and the faces appear
+    EXPECT_EQ(drawn.commands.cracks.instance_count, 8u);
+    EXPECT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
+}
+
+TEST(FractureSurface, TwoHalvesGetOppositeFacesWithTheirNormals) {
+    test::DrawnSurface drawn(test::sceneOf(slabs({-0.3, 0.35})));
+    drawn.show({0, 1});
+    ASSERT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
+    const auto total = [](const test::Soup& soup) { return test::enclosedVolume(soup); };
+    const std::vector<test::Soup> soups = drawn.soups(2);
+    EXPECT_EQ(test::openEdges(soups[0]) + test::openEdges(soups[1]), 0u);
+    EXPECT_NEAR(total(soups[0]) + total(soups[1]), 1.0, 1e-6);
+    for (uint32_t v = 0; v < 18; ++v) {
+        float x, y, z;
+        unpackOctahedral(drawn.vertices[v].normal, x, y, z);
+        EXPECT_EQ(drawn.vertices[v].cell, v < 9 ? 0u : 1u);
+        EXPECT_GT(v < 9 ? x : -x, 0.5f) << "outwards of its own half, though the middle is rough";
+    }
+}
+
+TEST(FractureSurface, BentFragmentsStayClosedAndKeepTheVolumeTogether) {
+    for (const uint32_t particles : {40u, 700u}) {
+        const auto body = filled(test::makeTorus(0.5, 0.2, 48, 24), particles);
+        test::DrawnSurface drawn(test::sceneOf(body));
+        const uint32_t fragment_count = particles / 10;
+        drawn.show(test::randomFragments(body->geometry, particles, fragment_count, 1));
+        ASSERT_GT(drawn.commands.interior.count, 0u);
+        double volume = 0;
+        for (const test::Soup& soup : drawn.soups(fragment_count)) {
+            EXPECT_EQ(test::openEdges(soup), 0u);
+            volume += test::enclosedVolume(soup);
+        }
+        EXPECT_NEAR(volume, body->mesh_volume, 1e-6 * body->mesh_volume);
+    }
+}
+
+TEST(FractureSurface, NoCellTurnsInsideOutWhenAllComeLoose) {
+    const auto body = filled(test::makeSphere(0.5, 4), 600);
+    test::DrawnSurface drawn(test::sceneOf(body));
+    std::vector<uint32_t> alone(600);
+    std::iota(alone.begin(), alone.end(), 0u);
+    drawn.show(alone);
+    for (const test::Soup& soup : drawn.soups(600)) EXPECT_GT(test::enclosedVolume(soup), 0.0);
+}
+
+TEST(FractureSurface, TheOutsideStaysAndMovesKeepTheirLimit) {
+    const auto body = filled(test::makeVase(50, 30), 700);
+    test::DrawnSurface drawn(test::sceneOf(body));
+    drawn.show(test::randomFragments(body->geometry, 700, 60, 2));
+    const std::vector<Float3> positions = drawn.positions();
+    const double limit = kRelaxationLimit + kRoughness * kRoughnessNoiseBound;
+    size_t moved = 0;
+    for (size_t v = 0; v < positions.size(); ++v) {
+        const double distance = distanceBetween(positions[v], body->geometry.pool[v]);
+        EXPECT_TRUE(distance == 0.0 || !body->geometry.pool_on_surface[v]);
+        EXPECT_LE(distance, limit * body->spacing);
+        moved += distance > 0;
+    }
+    EXPECT_GT(moved, positions.size() / 20);
+}
+
+TEST(FractureSurface, WhatShowedBeforeNeverMovesAgain) {
+    const auto body = filled(test::makeSphere(0.5, 4), 600);
+    const FractureGeometry& geometry = body->geometry;
+    test::DrawnSurface drawn(test::sceneOf(body));
+    std::vector<uint32_t> fragment(600, 0);
+    std::vector<bool> shown(geometry.pool.size(), false);
+    std::vector<Float3> before = drawn.positions();
+    size_t moved_later = 0;
+    for (uint32_t stage = 1; stage <= 5; ++stage) {
+        const std::vector<uint32_t> finer = test::randomFragments(geometry, 600, 4, stage);
+        for (size_t cell = 0; cell < fragment.size(); ++cell)
+            fragment[cell] = 4 * fragment[cell] + finer[cell];
+        drawn.show(fragment);
+        const std::vector<Float3> now = drawn.positions();
+        for (size_t v = 0; v < now.size(); ++v) {
+            const bool moved = distanceBetween(now[v], before[v]) > 0;
+            EXPECT_FALSE(shown[v] && moved);
+            moved_later += stage > 1 && moved;
+        }
+        for (const InteriorFace& face : geometry.faces) {
+            if (fragment[face.cell_a] == fragment[face.cell_b]) continue;
+            for (uint32_t v = 0; v < face.vertex_count; ++v)
+                shown[geometry.face_vertices[face.first_vertex + v]] = true;
+        }
+        before = now;
+    }
+    EXPECT_GT(moved_later, 100u);
+    drawn.show(fragment);
+    const std::vector<Float3> again = drawn.positions();
+    EXPECT_EQ(std::memcmp(again.data(), before.data(), again.size() * sizeof(Float3)), 0);
+}
+
+TEST(FractureSurface, OneThreadAndTwoWriteTheSameStreams) {
+    const auto body = filled(test::makeTorus(0.5, 0.2, 48, 24), 700);
+    std::vector<SurfaceVertex> vertices[2];
+    std::vector<uint32_t> indices[2];
+    for (const size_t threads : {1, 2}) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        test::DrawnSurface drawn(test::sceneOf(body));
+        drawn.show(test::randomFragments(body->geometry, 700, 5, 1));
+        drawn.show(test::randomFragments(body->geometry, 700, 40, 2));
+        vertices[threads - 1] = drawn.vertices;
+        indices[threads - 1] = drawn.indices;
+        EXPECT_GT(drawn.commands.interior.count, 0u);
+    }
+    EXPECT_EQ(indices[0], indices[1]);
+    EXPECT_EQ(std::memcmp(vertices[0].data(), vertices[1].data(), vertices[0].size() * sizeof(SurfaceVertex)),
+              0);
+}
+
+TEST(FractureSurface, ASavedStateComesBackAndAResetIsWhole) {
+    const auto body = filled(test::makeSphere(0.5, 3), 300);
+    test::DrawnSurface drawn(test::sceneOf(body));
+    const std::vector<uint32_t> first = test::randomFragments(body->geometry, 300, 3, 1);
+    drawn.show(first);
+    const std::vector<SurfaceVertex> vertices = drawn.vertices;
+    const std::vector<uint8_t> broken = drawn.broken;
+    const uint32_t count = drawn.commands.interior.count;
+    const std::vector<std::byte> state = drawn.surface.saveState();
+
+    drawn.show(test::randomFragments(body->geometry, 300, 40, 2));
+    ASSERT_NE(drawn.commands.interior.count, count);
+    drawn.fragments = first;
+    drawn.surface.restoreState(state, {first.data(), first.size()}, {broken.data(), broken.size()});
+    drawn.writeStreams();
+    EXPECT_EQ(drawn.commands.interior.count, count);
+    EXPECT_EQ(std::memcmp(drawn.vertices.data(), vertices.data(), count / 3 * sizeof(SurfaceVertex)), 0);
+
+    drawn.surface.reset();
+    drawn.writeStreams();
+    EXPECT_EQ(drawn.commands.interior.count, 0u);
+    const std::vector<Float3> positions = drawn.positions();
+    EXPECT_EQ(std::memcmp(positions.data(), body->geometry.pool.data(), positions.size() * sizeof(Float3)),
+              0);
+}
+
+TEST(FractureSurface, BodiesOfASceneAreNumberedThrough) {
+    const auto two = slabs({-0.3, 0.35});
+    const auto three = slabs({-0.4, -0.1, 0.3});
+    SceneSetup setup = test::sceneOf(two);
+    setup.bodies.push_back(test::sceneOf(three).bodies[0]);
+    test::DrawnSurface drawn(setup);
+    drawn.show({0, 0, 1, 1, 2}, {1});  // the second body's first bond is cracked, its second run through
+    EXPECT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
+    ASSERT_EQ(drawn.commands.cracks.instance_count, 16u);
+    for (uint32_t k = 0; k < 16; ++k) EXPECT_GE(drawn.scene.geometry.crack_edges[drawn.cracks[k]].cell_a, 2u);
+    const std::vector<test::Soup> soups = drawn.soups(3);
+    const double volumes[] = {1.0, 0.6, 0.4};
+    for (int f = 0; f < 3; ++f) {
+        EXPECT_EQ(test::openEdges(soups[f]), 0u);
+        EXPECT_NEAR(test::enclosedVolume(soups[f]), volumes[f], f == 0 ? 1e-6 : 0.05);
+    }
+    const FractureGeometry exterior = sceneExterior(setup);
+    EXPECT_EQ(exterior.exterior.size(), two->geometry.exterior.size() + three->geometry.exterior.size());
+    EXPECT_EQ(exterior.exterior_indices, drawn.scene.geometry.exterior_indices);
+    EXPECT_EQ(streamSizes(setup).particles, 5u + kMaxProjectiles);
+}
+
+}  // namespace
+}  // namespace demolish
