@@ -1,0 +1,82 @@
+// Device memory, pinned host memory that grows with what is in use, GL.
+#include "app/bridge/cuda_copy_bridge.h"
+
+#include <algorithm>
+
+#include "app/bridge/cuda_check.h"
+#include "app/bridge/host_bridge.h"
+
+namespace demolish {
+using engine::StreamId;
+
+struct CudaCopyBridge::Memory {
+    std::array<size_t, kStreamCount> bytes{};
+    std::array<void*, kStreamCount> device{};
+    std::array<void*, kStreamCount> pinned{};
+    std::array<size_t, kStreamCount> pinned_bytes{};
+
+    explicit Memory(const std::array<size_t, kStreamCount>& sizes) : bytes(sizes) {}
+    Memory(const Memory&) = delete;
+    Memory& operator=(const Memory&) = delete;
+    ~Memory() {
+        for (auto* block : device) cudaFree(block);
+        for (auto* block : pinned) cudaFreeHost(block);
+    }
+
+    void allocate() {
+        for (size_t i = 0; i < kStreamCount; ++i)
+            checkCuda(cudaMalloc(&device[i], bytes[i]), "allocating the copy path's memory");
+    }
+
+    std::byte* pinnedFor(size_t stream, size_t wanted) {
+        if (pinned_bytes[stream] < wanted) {
+            checkCuda(cudaFreeHost(pinned[stream]), "freeing pinned memory");
+            pinned[stream] = nullptr;
+            pinned_bytes[stream] = std::min(bytes[stream], wanted + wanted / 2);
+            checkCuda(cudaMallocHost(&pinned[stream], pinned_bytes[stream]), "allocating pinned memory");
+        }
+        return static_cast<std::byte*>(pinned[stream]);
+    }
+};
+
+CudaCopyBridge::CudaCopyBridge(engine::FractureMesh& mesh, const std::string& why_not_interop)
+    : mesh_(mesh), memory_(std::make_unique<Memory>(streamBytes(mesh))) {
+    note_ = why_not_interop;
+    memory_->allocate();
+}
+
+CudaCopyBridge::~CudaCopyBridge() = default;
+
+const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements) {
+    const auto index = static_cast<size_t>(id);
+    const size_t wanted = std::min(elements * kStreamElementBytes[index], memory_->bytes[index]);
+    if (wanted == 0) return nullptr;
+    std::byte* host = memory_->pinnedFor(index, wanted);
+    checkCuda(cudaMemcpy(host, memory_->device[index], wanted, cudaMemcpyDeviceToHost), "copying the frame");
+    mesh_.stream(id).upload({host, wanted});
+    return host;
+}
+
+void CudaCopyBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
+    solver.exportFrame(streamsAt(memory_->device, memory_->bytes, colour), fresh);
+    solver.synchronize();
+    const size_t count = mesh_.particleCount();
+    const auto* particles =
+        reinterpret_cast<const ParticleInstance*>(bring(StreamId::kParticles, count + projectiles));
+    bring(StreamId::kParticleFragment, count);
+    bring(StreamId::kTransforms, count);
+    const uint32_t broken = solver.stats().bonds_broken;
+    if (fresh || broken != broken_before_) {
+        const auto& commands = *reinterpret_cast<const DrawCommands*>(bring(StreamId::kCommands, 1));
+        const auto* indices =
+            reinterpret_cast<const uint32_t*>(bring(StreamId::kInteriorIndices, commands.interior.count));
+        const DrawListUse use =
+            drawListUse(commands, {indices, indices == nullptr ? 0 : commands.interior.count});
+        bring(StreamId::kInteriorVertices, use.interior_vertices);
+        bring(StreamId::kCrackEdges, use.crack_edges);
+        broken_before_ = broken;
+    }
+    projectiles_.assign(particles + count, particles + count + projectiles);
+}
+
+}  // namespace demolish

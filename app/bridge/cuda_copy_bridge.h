@@ -1,0 +1,31 @@
+// The way of a GPU solver's frame where GL cannot share memory with CUDA: device, pinned host memory, GL.
+#pragma once
+#include <array>
+#include <memory>
+#include <string>
+
+#include "app/bridge/frame_bridge.h"
+#include "app/bridge/stream_layout.h"
+
+namespace demolish {
+
+class CudaCopyBridge : public FrameBridge {
+  public:
+    /// `why_not_interop`: one clause. Throws DeviceError when the GPU's memory does not suffice.
+    CudaCopyBridge(engine::FractureMesh& mesh, const std::string& why_not_interop);
+    ~CudaCopyBridge() override;
+
+    void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) override;
+    Transfer kind() const override { return Transfer::kCopy; }
+
+  private:
+    struct Memory;
+    /// Copies the first `elements` of a stream to the host and on to GL; returns the host copy.
+    const std::byte* bring(engine::StreamId id, size_t elements);
+
+    engine::FractureMesh& mesh_;
+    std::unique_ptr<Memory> memory_;
+    uint32_t broken_before_ = 0;
+};
+
+}  // namespace demolish

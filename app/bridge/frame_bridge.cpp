@@ -1,0 +1,65 @@
+// Choice of the way that a frame travels.
+#include "app/bridge/frame_bridge.h"
+
+#include <charconv>
+#include <cstring>
+
+#include "app/bridge/host_bridge.h"
+#if DEMOLISH_WITH_CUDA
+#include "app/bridge/cuda_copy_bridge.h"
+#include "app/bridge/cuda_interop_bridge.h"
+#endif
+
+namespace demolish {
+
+const char* transferName(Transfer transfer) {
+    switch (transfer) {
+        case Transfer::kInterop:
+            return "interop";
+        case Transfer::kCopy:
+            return "copy";
+        case Transfer::kHost:
+            return "host";
+    }
+    return "";
+}
+
+std::unique_ptr<FrameBridge> makeFrameBridge(engine::FractureMesh& mesh, const Solver& solver) {
+#if DEMOLISH_WITH_CUDA
+    if (solver.onGpu()) {
+        std::string why_not;
+        if (auto bridge = CudaInteropBridge::tryMake(mesh, why_not)) return bridge;
+        return std::make_unique<CudaCopyBridge>(mesh, why_not);
+    }
+#else
+    (void)solver;
+#endif
+    return std::make_unique<HostBridge>(mesh);
+}
+
+TransferProbe probeTransfer(bool solver_on_gpu) {
+#if DEMOLISH_WITH_CUDA
+    if (solver_on_gpu) {
+        TransferProbe probe;
+        probe.transfer = interopWorks(probe.note) ? Transfer::kInterop : Transfer::kCopy;
+        return probe;
+    }
+#endif
+    return {Transfer::kHost, solver_on_gpu ? "this program was built without CUDA" : ""};
+}
+
+int eglOrdinal(int cuda_ordinal, const char* cuda_visible_devices) {
+    if (cuda_visible_devices == nullptr) return cuda_ordinal;
+    const char* at = cuda_visible_devices;
+    const char* end = at + std::strlen(at);
+    for (int position = 0; at < end; ++position) {
+        int device = 0;
+        const auto [next, error] = std::from_chars(at, end, device);
+        if (error != std::errc{}) return cuda_ordinal;  // UUIDs: no mapping without asking the driver
+        if (position == cuda_ordinal) return device;
+        at = next < end ? next + 1 : next;
+    }
+    return cuda_ordinal;
+}
+
+}  // namespace demolish

@@ -1,0 +1,53 @@
+// The one place where simulation and drawing meet: a solver's frame reaches the renderer's buffers.
+#pragma once
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/render/fracture_mesh.h"
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+/// How a frame travels. kInterop: the GPU writes GL's buffers itself. kCopy: GPU, pinned host memory, GL.
+/// kHost: the CPU solver's memory, GL.
+enum class Transfer { kInterop, kCopy, kHost };
+const char* transferName(Transfer transfer);
+
+class FrameBridge {
+  public:
+    virtual ~FrameBridge() = default;
+
+    /// Brings the solver's present frame into the mesh's streams. `projectiles` is how many the solver has;
+    /// `fresh` says that the streams hold nothing of this solver's yet (new solver, restored snapshot,
+    /// replayed frame). The GL context of the mesh must be current. Throws DeviceError.
+    virtual void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) = 0;
+    virtual Transfer kind() const = 0;
+
+    /// Why the transfer is not the fastest one; empty when it is.
+    const std::string& note() const { return note_; }
+    /// Where the projectiles are in the frame that was brought last.
+    std::span<const ParticleInstance> projectiles() const { return projectiles_; }
+
+  protected:
+    std::string note_;
+    std::vector<ParticleInstance> projectiles_;
+};
+
+/// Interop if the GPU that draws is the GPU that computes and registration works; else the copy path; the
+/// host path for a solver on the CPU. `mesh` must outlive the bridge.
+std::unique_ptr<FrameBridge> makeFrameBridge(engine::FractureMesh& mesh, const Solver& solver);
+
+/// What makeFrameBridge would choose for the current GL context, tried on a small buffer.
+struct TransferProbe {
+    Transfer transfer = Transfer::kHost;
+    std::string note;
+};
+TransferProbe probeTransfer(bool solver_on_gpu);
+
+/// The ordinal by which EGL knows a CUDA device: CUDA_VISIBLE_DEVICES renumbers CUDA's ordinals and not
+/// EGL's.
+int eglOrdinal(int cuda_ordinal, const char* cuda_visible_devices);
+
+}  // namespace demolish

@@ -1,0 +1,37 @@
+// Byte counts of the streams and the solver's view of them.
+#include "app/bridge/stream_layout.h"
+
+namespace demolish {
+namespace {
+
+template <class T>
+Stream<T> streamOf(const std::array<void*, kStreamCount>& data, const std::array<size_t, kStreamCount>& bytes,
+                   engine::StreamId id) {
+    const auto index = static_cast<size_t>(id);
+    return {static_cast<T*>(data[index]), bytes[index] / sizeof(T)};
+}
+
+}  // namespace
+
+RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
+                        const std::array<size_t, kStreamCount>& bytes, ParticleColour colour) {
+    using engine::StreamId;
+    RenderStreams streams;
+    streams.particles = streamOf<ParticleInstance>(data, bytes, StreamId::kParticles);
+    streams.particle_fragment = streamOf<uint32_t>(data, bytes, StreamId::kParticleFragment);
+    streams.transforms = streamOf<FragmentTransform>(data, bytes, StreamId::kTransforms);
+    streams.interior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kInteriorVertices);
+    streams.interior_indices = streamOf<uint32_t>(data, bytes, StreamId::kInteriorIndices);
+    streams.crack_edges = streamOf<uint32_t>(data, bytes, StreamId::kCrackEdges);
+    streams.commands = streamOf<DrawCommands>(data, bytes, StreamId::kCommands);
+    streams.colour = colour;
+    return streams;
+}
+
+std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh) {
+    std::array<size_t, kStreamCount> bytes{};
+    for (size_t i = 0; i < kStreamCount; ++i) bytes[i] = mesh.stream(static_cast<engine::StreamId>(i)).size();
+    return bytes;
+}
+
+}  // namespace demolish

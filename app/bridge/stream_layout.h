@@ -1,0 +1,24 @@
+// The seven streams in one order, with the size of their elements, so that the three bridges count bytes
+// alike.
+#pragma once
+#include <array>
+#include <cstddef>
+
+#include "engine/render/fracture_mesh.h"
+#include "sim_cuda/api/render_streams.h"
+
+namespace demolish {
+
+inline constexpr size_t kStreamCount = static_cast<size_t>(engine::StreamId::kCount);
+
+inline constexpr std::array<size_t, kStreamCount> kStreamElementBytes = {
+    sizeof(ParticleInstance), sizeof(uint32_t), sizeof(FragmentTransform), sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(uint32_t), sizeof(DrawCommands)};
+
+/// Points the solver's streams at seven blocks of memory, given in the order of StreamId.
+RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
+                        const std::array<size_t, kStreamCount>& bytes, ParticleColour colour);
+
+std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh);
+
+}  // namespace demolish

@@ -1,0 +1,74 @@
+// Mesh, cells, solver: one after the other, each part reused when nothing it depends on has changed.
+#include "app/session/built_shot.h"
+
+#include <chrono>
+
+#include "app/session/shot_setup.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
+    if (shot.fineness.particles) return *shot.fineness.particles;
+    if (shot.fineness.particle_size) return particlesForSize(mesh, *shot.fineness.particle_size);
+    return on_gpu ? shot.fineness.full : shot.fineness.draft;
+}
+
+/// Maps a stage's own 0..1 into its share of the whole bar.
+ProgressCallback part(const ProgressCallback& progress, double from, double to) {
+    if (!progress) return {};
+    return [&progress, from, to](double fraction, const char* stage) {
+        return progress(from + (to - from) * fraction, stage);
+    };
+}
+
+bool sameMesh(const Shot& a, const Shot& b) {
+    return a.model == b.model && a.height == b.height;
+}
+
+}  // namespace
+
+bool choosesCuda(const Shot& shot) {
+    if (shot.device == DeviceChoice::kCpu) return false;
+    const CudaDevice device = findCudaDevice();
+    if (device.usable) return true;
+    if (shot.device == DeviceChoice::kAuto) return false;
+    throw DeviceError("--device cuda, but " +
+                      (device.problem.empty() ? "there is no usable GPU" : device.problem) +
+                      "; use --device cpu or auto");
+}
+
+BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {
+    const auto begun = std::chrono::steady_clock::now();
+    validate(shot);
+    const bool on_gpu = choosesCuda(shot);
+    const BuiltShot* reuse = options.reuse;
+    BuiltShot built;
+    built.shot = shot;
+    built.has_draw_geometry = options.draw_geometry;
+
+    if (progress && !progress(0, "reading the model")) throw Cancelled();
+    built.mesh = reuse != nullptr && sameMesh(reuse->shot, shot)
+                     ? reuse->mesh
+                     : loadSolidMesh(shot.model, {.height = shot.height});
+    const uint32_t particles = particlesWanted(shot, *built.mesh, on_gpu);
+    const bool same_body = reuse != nullptr && reuse->mesh == built.mesh && reuse->shot.seed == shot.seed &&
+                           reuse->body->particles.size() == particles &&
+                           reuse->has_draw_geometry == options.draw_geometry;
+    if (same_body) {
+        built.body = reuse->body;
+    } else {
+        const FillOptions fill{
+            .particles = particles, .seed = shot.seed, .draw_geometry = options.draw_geometry};
+        built.body = fillWithParticles(*built.mesh, fill, part(progress, 0.05, 0.75));
+    }
+    built.setup = makeSetup(shot, built.body);
+    const ProgressCallback last_part = part(progress, 0.75, 1);
+    built.solver = on_gpu ? makeCudaSolver(built.setup, last_part) : makeCpuSolver(built.setup, last_part);
+    built.start = built.solver->save();
+    built.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    return built;
+}
+
+}  // namespace demolish

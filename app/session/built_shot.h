@@ -1,0 +1,36 @@
+// A shot made ready to run: mesh, cells, solver, and the state that a reset returns to.
+#pragma once
+#include <memory>
+#include <string>
+
+#include "app/session/shot.h"
+#include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+struct BuiltShot {
+    Shot shot;
+    std::shared_ptr<const SolidMesh> mesh;
+    std::shared_ptr<const BreakableBody> body;
+    SceneSetup setup;
+    std::unique_ptr<Solver> solver;
+    Snapshot start;  ///< settled, before the ball is fired
+    double build_seconds = 0;
+    bool has_draw_geometry = true;
+};
+
+struct BuildOptions {
+    bool draw_geometry = true;
+    /// Parts that may be taken over instead of made again: the mesh if file and height agree, the body if all
+    /// that shapes it agrees.
+    const BuiltShot* reuse = nullptr;
+};
+
+/// True if the shot is to run on the GPU; throws DeviceError when it was asked for and there is none.
+bool choosesCuda(const Shot& shot);
+
+/// Throws the errors of authoring and solver; Cancelled when `progress` says so.
+BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress);
+
+}  // namespace demolish

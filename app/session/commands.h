@@ -1,0 +1,29 @@
+// What a person can ask of a running session.
+#pragma once
+#include <variant>
+
+#include "app/session/shot.h"
+
+namespace demolish::command {
+
+struct Play {};
+struct Pause {};
+struct TogglePlay {};
+struct Step {};   ///< one frame, then pause
+struct Reset {};  ///< back to frame 0, with the impact as it is chosen now
+struct Fire {};   ///< the shot's ball, now
+struct ShootAt {  ///< a ball from `from` through `target`, m
+    Double3 from, target;
+};
+struct ChangeShot {  ///< live values act at once, the others rebuild after a rest
+    Shot shot;
+};
+struct CancelRebuild {};
+struct Scrub {  ///< shows a recorded frame and pauses
+    size_t frame = 0;
+};
+
+using Any =
+    std::variant<Play, Pause, TogglePlay, Step, Reset, Fire, ShootAt, ChangeShot, CancelRebuild, Scrub>;
+
+}  // namespace demolish::command

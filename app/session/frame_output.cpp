@@ -1,0 +1,29 @@
+// Buffers of one body, sized by what the solver may write.
+#include "app/session/frame_output.h"
+
+namespace demolish {
+
+FrameOutput::FrameOutput(const BuiltShot& built) {
+    const FractureGeometry& geometry = built.body->geometry;
+    const StreamSizes sizes = streamSizes(built.setup);
+    engine::FractureMeshData data;
+    data.exterior_vertices = std::as_bytes(std::span(geometry.exterior));
+    data.exterior_indices = geometry.exterior_indices;
+    data.crack_edges = std::as_bytes(std::span(geometry.crack_edges));
+    data.particle_count = built.body->particles.size();
+    data.particle_capacity = sizes.particles;
+    data.interior_vertex_capacity = sizes.interior_vertices;
+    data.interior_index_capacity = sizes.interior_indices;
+    data.crack_capacity = sizes.crack_edges;
+    mesh_ = std::make_unique<engine::FractureMesh>(data);
+    bridge_ = makeFrameBridge(*mesh_, *built.solver);
+}
+
+std::vector<engine::SphereDraw> spheresOf(std::span<const ParticleInstance> projectiles) {
+    std::vector<engine::SphereDraw> spheres;
+    for (const auto& ball : projectiles)
+        spheres.push_back({{ball.position.x, ball.position.y, ball.position.z}, ball.radius});
+    return spheres;
+}
+
+}  // namespace demolish

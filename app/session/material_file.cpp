@@ -1,0 +1,45 @@
+// Material keys, with units in their names and the ranges of sim_cuda/api/params.h.
+#include "app/session/material_file.h"
+
+namespace demolish {
+namespace {
+
+void readFloat(TomlReader& reader, const std::string& path, float& value, const Range& range) {
+    double number = value;
+    reader.read(path, number, range);
+    value = static_cast<float>(number);
+}
+
+}  // namespace
+
+void readMaterial(TomlReader& reader, const std::string& prefix, Material& material) {
+    reader.read(prefix + "density_kgpm3", material.density, {1, 30000});
+    reader.read(prefix + "youngs_modulus_pa", material.youngs_modulus, {1e3, 1e13});
+    reader.read(prefix + "poisson_ratio", material.poisson_ratio, {0, 0.49});
+    reader.read(prefix + "friction", material.friction, {0, 1.5});
+    reader.read(prefix + "restitution", material.restitution, {0.05, 0.95});
+    reader.read(prefix + "rolling_friction", material.rolling_friction, {0, 1});
+    reader.read(prefix + "damping_ratio", material.damping_ratio, {0.05, 0.6});
+    reader.read(prefix + "critical_velocity_mps", material.critical_velocity, {0.01, 1000});
+    reader.read(prefix + "beta", material.beta, {0.1, 5});
+    reader.read(prefix + "weibull_modulus", material.weibull_modulus, {0, 100});
+    reader.read(prefix + "tough_cells", material.tough_cells, {0, 100000});
+    reader.read(prefix + "tough_factor", material.tough_factor, {1, 100});
+    reader.read(prefix + "adhesion_energy_jpm2", material.adhesion_energy, {0, 1000});
+    reader.read(prefix + "shear_ratio", material.shear_ratio, {0, 1});
+    std::string law = material.bond_law == BondLaw::kBeam ? "beam" : "paper";
+    reader.read(prefix + "bond_law", law);
+    if (law != "beam" && law != "paper") reader.fail(prefix + "bond_law", "must be \"beam\" or \"paper\"");
+    material.bond_law = law == "beam" ? BondLaw::kBeam : BondLaw::kPaper;
+}
+
+void readLook(TomlReader& reader, const std::string& prefix, engine::SurfaceLook& look) {
+    reader.readColour(prefix + "exterior_colour", look.exterior_colour);
+    reader.readColour(prefix + "interior_colour", look.interior_colour);
+    readFloat(reader, prefix + "exterior_roughness", look.exterior_roughness, {0.02, 1});
+    readFloat(reader, prefix + "interior_roughness", look.interior_roughness, {0.02, 1});
+    readFloat(reader, prefix + "noise_strength", look.noise_strength, {0, 1});
+    readFloat(reader, prefix + "crack_width_m", look.crack_width, {0, 0.1});
+}
+
+}  // namespace demolish

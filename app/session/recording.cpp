@@ -1,0 +1,115 @@
+// Read-back and replay of the streams. The draw lists are large but change only while something breaks.
+#include "app/session/recording.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <glm/gtc/quaternion.hpp>
+#include <numbers>
+
+namespace demolish {
+using engine::StreamId;
+namespace {
+
+template <class T>
+std::vector<T> download(const engine::FractureMesh& mesh, StreamId id, size_t count) {
+    const auto& buffer = mesh.stream(id);
+    std::vector<T> values(std::min(count, buffer.size() / sizeof(T)));
+    if (!values.empty()) buffer.download(std::as_writable_bytes(std::span(values)));
+    return values;
+}
+
+template <class T>
+void upload(engine::FractureMesh& mesh, StreamId id, const std::vector<T>& values) {
+    if (!values.empty()) mesh.stream(id).upload(std::as_bytes(std::span(values)));
+}
+
+std::vector<std::byte> bytesOf(const std::vector<uint32_t>& values) {
+    std::vector<std::byte> bytes(values.size() * sizeof(uint32_t));
+    if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
+    return bytes;
+}
+
+Float3 moved(const FragmentTransform& motion, const Double3& rest) {
+    const glm::quat rotation(motion.rotation.w, motion.rotation.x, motion.rotation.y, motion.rotation.z);
+    const glm::vec3 turned = rotation * glm::vec3(rest.x, rest.y, rest.z);
+    return {turned.x + motion.translation.x, turned.y + motion.translation.y,
+            turned.z + motion.translation.z};
+}
+
+std::vector<ParticleInstance> instancesOf(const RecordedFrame& frame,
+                                          const std::vector<FragmentTransform>& transforms,
+                                          const BreakableBody& body) {
+    std::vector<ParticleInstance> instances;
+    instances.reserve(body.particles.size() + frame.projectiles.size());
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        const Particle& particle = body.particles[i];
+        const uint32_t slot = frame.draw_list->particle_fragment[i];
+        const auto radius = static_cast<float>(std::cbrt(3 * particle.volume / (4 * std::numbers::pi)));
+        instances.push_back({moved(transforms[slot], particle.seed), radius, 0.0f, slot, {}});
+    }
+    instances.insert(instances.end(), frame.projectiles.begin(), frame.projectiles.end());
+    return instances;
+}
+
+}  // namespace
+
+size_t RecordedDrawList::bytes() const {
+    return sizeof(*this) + 4 * (particle_fragment.size() + slots.size()) + interior_vertices.size() +
+           interior_indices.size() + crack_edges.size();
+}
+
+void Recording::clear() {
+    frames_.clear();
+    bytes_ = 0;
+}
+
+std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const engine::FractureMesh& mesh) const {
+    auto list = std::make_shared<RecordedDrawList>();
+    list->particle_fragment = download<uint32_t>(mesh, StreamId::kParticleFragment, mesh.particleCount());
+    list->slots = list->particle_fragment;
+    std::sort(list->slots.begin(), list->slots.end());
+    list->slots.erase(std::unique(list->slots.begin(), list->slots.end()), list->slots.end());
+    list->commands = download<DrawCommands>(mesh, StreamId::kCommands, 1).at(0);
+    const auto indices = download<uint32_t>(mesh, StreamId::kInteriorIndices, list->commands.interior.count);
+    const size_t vertices =
+        indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end()) + size_t{1};
+    list->interior_indices = bytesOf(indices);
+    list->interior_vertices =
+        download<std::byte>(mesh, StreamId::kInteriorVertices, vertices * sizeof(SurfaceVertex));
+    list->crack_edges =
+        bytesOf(download<uint32_t>(mesh, StreamId::kCrackEdges, list->commands.cracks.instance_count));
+    return list;
+}
+
+void Recording::add(const engine::FractureMesh& mesh, std::span<const ParticleInstance> projectiles,
+                    const FrameStats& stats) {
+    if (full()) return;
+    RecordedFrame frame;
+    const bool changed = frames_.empty() || frames_.back().stats.bonds_broken != stats.bonds_broken;
+    frame.draw_list = changed ? readDrawList(mesh) : frames_.back().draw_list;
+    const auto all = download<FragmentTransform>(mesh, StreamId::kTransforms, mesh.particleCount());
+    frame.transforms.reserve(frame.draw_list->slots.size());
+    for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
+    frame.projectiles.assign(projectiles.begin(), projectiles.end());
+    frame.stats = stats;
+    bytes_ += sizeof(frame) + frame.transforms.size() * sizeof(FragmentTransform) +
+              frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes() : 0);
+    frames_.push_back(std::move(frame));
+}
+
+void Recording::replay(size_t index, engine::FractureMesh& mesh, const BreakableBody& body) const {
+    const RecordedFrame& frame = frames_[index];
+    const RecordedDrawList& list = *frame.draw_list;
+    std::vector<FragmentTransform> transforms(mesh.particleCount());
+    for (size_t i = 0; i < list.slots.size(); ++i) transforms[list.slots[i]] = frame.transforms[i];
+    upload(mesh, StreamId::kTransforms, transforms);
+    upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, body));
+    upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
+    upload(mesh, StreamId::kInteriorVertices, list.interior_vertices);
+    upload(mesh, StreamId::kInteriorIndices, list.interior_indices);
+    upload(mesh, StreamId::kCrackEdges, list.crack_edges);
+    upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});
+}
+
+}  // namespace demolish

@@ -1,0 +1,57 @@
+// The frames of a run as they were drawn, so that a person can scrub back.
+#pragma once
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "engine/render/fracture_mesh.h"
+#include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/api/render_streams.h"
+#include "sim_cuda/api/stats.h"
+
+namespace demolish {
+
+/// Streams that change only when something breaks; frames in between share them.
+struct RecordedDrawList {
+    std::vector<uint32_t> particle_fragment;
+    std::vector<std::byte> interior_vertices, interior_indices, crack_edges;
+    DrawCommands commands{};
+    std::vector<uint32_t> slots;  ///< slots in use, ascending
+    size_t bytes() const;
+};
+
+struct RecordedFrame {
+    std::shared_ptr<const RecordedDrawList> draw_list;
+    std::vector<FragmentTransform> transforms;  ///< of draw_list->slots
+    std::vector<ParticleInstance> projectiles;
+    FrameStats stats;
+};
+
+class Recording {
+  public:
+    /// Beyond `memory_limit` bytes nothing more is recorded.
+    explicit Recording(size_t memory_limit) : memory_limit_(memory_limit) {}
+
+    void clear();
+    /// Reads the present frame back from the mesh's streams.
+    void add(const engine::FractureMesh& mesh, std::span<const ParticleInstance> projectiles,
+             const FrameStats& stats);
+    /// Writes a recorded frame into the mesh's streams. The particle view's spheres come from the body's
+    /// seeds, which move with their fragments; their colour channel is not recorded and reads 0.
+    void replay(size_t frame, engine::FractureMesh& mesh, const BreakableBody& body) const;
+
+    size_t size() const { return frames_.size(); }
+    const RecordedFrame& frame(size_t index) const { return frames_[index]; }
+    size_t bytes() const { return bytes_; }
+    size_t memoryLimit() const { return memory_limit_; }
+    bool full() const { return bytes_ >= memory_limit_; }
+
+  private:
+    std::shared_ptr<const RecordedDrawList> readDrawList(const engine::FractureMesh& mesh) const;
+
+    size_t memory_limit_;
+    size_t bytes_ = 0;
+    std::vector<RecordedFrame> frames_;
+};
+
+}  // namespace demolish

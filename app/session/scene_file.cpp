@@ -1,0 +1,125 @@
+// Reading of scene and material files.
+#include "app/session/scene_file.h"
+
+#include <algorithm>
+
+#include "app/session/data_folder.h"
+#include "app/session/material_file.h"
+#include "app/session/toml_reader.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+
+std::string listed(const std::vector<std::string>& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::filesystem::path findAsset(const std::string& folder, const std::string& kind, const std::string& name) {
+    const auto names = assetNames(folder);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        throw UsageError("there is no " + kind + " '" + name + "'; choose one of: " + listed(names));
+    return dataFolder() / "assets" / folder / (name + ".toml");
+}
+
+void readImpact(TomlReader& reader, Impact& impact) {
+    std::string kind = "ball";
+    reader.read("impact.kind", kind);
+    if (kind == "ball")
+        impact.kind = ImpactKind::kBall;
+    else if (kind == "drop")
+        impact.kind = ImpactKind::kDrop;
+    else if (kind == "none")
+        impact.kind = ImpactKind::kNone;
+    else
+        reader.fail("impact.kind", "must be \"ball\", \"drop\" or \"none\"");
+    reader.read("impact.velocity_mps", impact.velocity, kVelocityRange);
+    reader.read("impact.ball_radius_m", impact.ball_radius, {0, 100});
+    reader.read("impact.direction", impact.direction);
+    reader.read("impact.height_fraction", impact.height_fraction, {0, 1});
+    reader.read("impact.arrival_s", impact.arrival_time, {0.01, 2});
+    reader.read("impact.tilt_rad", impact.tilt);
+    reader.read("impact.threshold_ball", impact.threshold_ball, {0, 100});
+    reader.read("impact.threshold_drop", impact.threshold_drop, {0, 100});
+}
+
+void readPicture(TomlReader& reader, Shot& shot) {
+    if (reader.has("camera")) {
+        engine::Camera camera;
+        reader.readVector("camera.eye_m", camera.eye);
+        reader.readVector("camera.target_m", camera.target);
+        double degrees = camera.fov_y / kDegree;
+        reader.read("camera.field_of_view_deg", degrees, {5, 120});
+        camera.fov_y = static_cast<float>(degrees * kDegree);
+        shot.camera = camera;
+    }
+    reader.readVector("light.sun_direction", shot.lighting.sun_direction);
+    reader.readVector("light.sun_colour", shot.lighting.sun_colour);
+    reader.readVector("light.floor_colour", shot.lighting.floor_colour);
+    double exposure = shot.lighting.exposure;
+    reader.read("light.exposure", exposure, {0.01, 20});
+    shot.lighting.exposure = static_cast<float>(exposure);
+    readLook(reader, "look.", shot.look);
+}
+
+}  // namespace
+
+void applyMaterial(Shot& shot, const std::string& name) {
+    TomlReader reader(findAsset("materials", "material", name));
+    Material material;
+    material.name = name;
+    std::string title;
+    uint32_t version = kSceneFileVersion;
+    reader.read("version", version, {1, kSceneFileVersion});
+    reader.read("name", material.name);
+    reader.read("title", title);
+    readMaterial(reader, "", material);
+    readLook(reader, "look.", shot.look);
+    reader.requireAllRead();
+    shot.material = material;
+    shot.material_name = name;
+}
+
+Shot loadSceneFile(const std::filesystem::path& file) {
+    TomlReader reader(file);
+    Shot shot;
+    shot.scene = file.stem().string();
+    uint32_t version = 0;
+    reader.read("version", version, {1, kSceneFileVersion});
+    if (version == 0) throw InputFileError(file.string() + ": 'version' is missing; write version = 1");
+    std::string title, model, preset = shot.material_name;
+    reader.read("title", title);
+    reader.read("model", model);
+    if (model.empty())
+        throw InputFileError(file.string() + ": 'model' is missing; name a mesh file relative to assets");
+    shot.model = dataFolder() / "assets" / model;
+    reader.read("height_m", shot.height, kHeightRange);
+    reader.read("material_preset", preset);
+    applyMaterial(shot, preset);
+    readMaterial(reader, "material.", shot.material);
+
+    reader.read("particles.full", shot.fineness.full, {2, 4e6});
+    reader.read("particles.draft", shot.fineness.draft, {2, 4e6});
+    uint32_t seed = static_cast<uint32_t>(shot.seed);
+    reader.read("particles.seed", seed, {0, 4294967295.0});
+    shot.seed = seed;
+    reader.read("solver.wave_speed_mps", shot.wave_speed, {0, 10000});
+    reader.read("solver.settle_s", shot.settle_time, {0, 10});
+    reader.read("solver.scene_radius_m", shot.scene_radius, {0.1, 1e4});
+    reader.read("solver.fps", shot.fps, kFpsRange);
+    reader.read("solver.time_scale", shot.time_scale, kTimeScaleRange);
+    readImpact(reader, shot.impact);
+    readPicture(reader, shot);
+    reader.requireAllRead();
+    return shot;
+}
+
+Shot loadScene(const std::string& name) {
+    return loadSceneFile(findAsset("scenes", "scene", name));
+}
+
+}  // namespace demolish

@@ -1,0 +1,217 @@
+// Stepping, commands, replay.
+#include "app/session/session.h"
+
+#include <chrono>
+
+#include "app/session/shot_setup.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+
+/// One overload a command.
+struct Session::Obey {
+    Session& session;
+    double now;
+
+    void operator()(const command::Play&) const { session.playing_ = true; }
+    void operator()(const command::Pause&) const { session.playing_ = false; }
+    void operator()(const command::TogglePlay&) const { session.playing_ = !session.playing_; }
+    void operator()(const command::Step&) const {
+        session.playing_ = false;
+        if (!session.atEnd())
+            session.showRecorded(session.cursor_ + 1);
+        else
+            session.advance();
+    }
+    void operator()(const command::Reset&) const { session.restart(); }
+    void operator()(const command::Fire&) const {
+        if (const auto ball = makeBall(session.wanted_, *session.built_.body)) {
+            session.fire(*ball);
+            session.user_fired_ = session.playing_ = true;
+        } else {
+            session.message_ = "nothing to fire: the impact velocity is 0 or the body is dropped";
+        }
+    }
+    void operator()(const command::ShootAt& shot) const {
+        session.fire(makeBallAt(session.wanted_, *session.built_.body, shot.from, shot.target));
+        session.user_fired_ = session.playing_ = true;
+    }
+    void operator()(const command::ChangeShot& changed) const { session.change(changed.shot, now); }
+    void operator()(const command::CancelRebuild&) const {
+        session.worker_.cancel();
+        session.debounce_.clear();
+        session.wanted_ = session.built_.shot;
+    }
+    void operator()(const command::Scrub& scrub) const {
+        session.playing_ = false;
+        if (scrub.frame < session.recording_.size()) session.showRecorded(scrub.frame);
+    }
+};
+
+Session::Session(BuiltShot built, const SessionOptions& options)
+    : options_(options), recording_(options.memory_limit) {
+    adopt(std::move(built));
+    wanted_ = built_.shot;
+}
+
+void Session::adopt(BuiltShot built) {
+    output_.reset();  // before its solver: it may hold registered buffers
+    built_ = std::move(built);
+    if (options_.draw) output_ = std::make_unique<FrameOutput>(built_);
+    restart();
+}
+
+void Session::restart() {
+    built_.solver->restore(built_.start);
+    projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
+    user_fired_ = false;
+    recording_.clear();
+    message_.clear();
+    Shot impact = built_.shot;
+    impact.impact = built_.shot.impact.kind == wanted_.impact.kind ? wanted_.impact : built_.shot.impact;
+    if (const auto ball = makeBall(impact, *built_.body)) fire(*ball);
+    bringFrame(true);
+}
+
+/// A new velocity acts on the impact that is still to come.
+void Session::restartIfNotHit() {
+    if (!user_fired_ && shown_.bonds_broken == 0 && shown_.time < wanted_.impact.arrival_time) {
+        const bool was_playing = playing_;
+        restart();
+        playing_ = was_playing;
+    }
+}
+
+void Session::fire(const Projectile& ball) {
+    try {
+        if (!atEnd()) showRecorded(recording_.size() - 1);
+        built_.solver->fire(ball);
+        ++projectiles_;
+    } catch (const UsageError& error) {
+        message_ = error.what();
+    }
+}
+
+void Session::bringFrame(bool fresh) {
+    shown_ = built_.solver->stats();
+    if (!output_) return;
+    output_->bridge().transfer(*built_.solver, colour_, projectiles_, fresh);
+    spheres_ = spheresOf(output_->bridge().projectiles());
+    if (!options_.record) return;
+    recording_.add(output_->mesh(), output_->bridge().projectiles(), shown_);
+    cursor_ = recording_.size() - 1;
+}
+
+StepStatus Session::advance() {
+    using Clock = std::chrono::steady_clock;
+    const auto begun = Clock::now();
+    const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
+    built_.solver->synchronize();
+    last_sim_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    if (status != StepStatus::kOk) {
+        playing_ = false;
+        message_ = describe(status);
+        shown_.status = status;
+        return status;
+    }
+    const bool seen_frame_is_older = options_.record && cursor_ + 1 < recording_.size();
+    bringFrame(seen_frame_is_older);
+    return status;
+}
+
+void Session::apply(const command::Any& command, double now) {
+    std::visit(Obey{*this, now}, command);
+}
+
+void Session::update(double now, bool may_step) {
+    if (auto shot = debounce_.take(now)) worker_.start(*shot, built_);
+    takeRebuild();
+    if (!playing_ || !may_step) return;
+    if (!atEnd())
+        showRecorded(cursor_ + 1);
+    else
+        advance();
+}
+
+void Session::showRecorded(size_t frame) {
+    if (!output_ || frame >= recording_.size()) return;
+    recording_.replay(frame, output_->mesh(), *built_.body);
+    const RecordedFrame& recorded = recording_.frame(frame);
+    spheres_ = spheresOf(recorded.projectiles);
+    shown_ = recorded.stats;
+    cursor_ = frame;
+    last_sim_ms_ = 0;
+    // The newest frame may be coloured by another channel: bring it afresh so that stepping goes on from it.
+    if (atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, true);
+}
+
+void Session::change(const Shot& shot, double now) {
+    try {
+        validate(shot);
+    } catch (const UsageError& error) {
+        message_ = error.what();
+        return;
+    }
+    const Change since_wanted = changeBetween(wanted_, shot);
+    wanted_ = shot;
+    const Change since_built = changeBetween(built_.shot, shot);
+    if (since_built >= Change::kSolver) {
+        if (since_wanted >= Change::kSolver)
+            debounce_.push(shot, now);
+        else if (debounce_.waiting())
+            debounce_.push(shot, now);
+        return;
+    }
+    debounce_.clear();
+    worker_.cancel();
+    if (since_wanted >= Change::kLive) restartIfNotHit();
+}
+
+void Session::takeRebuild() {
+    try {
+        auto built = worker_.take();
+        if (!built) return;
+        const bool was_playing = playing_;
+        adopt(std::move(*built));
+        playing_ = was_playing;
+    } catch (const std::exception& error) {
+        message_ = error.what();
+        wanted_ = built_.shot;
+    }
+}
+
+void Session::setColour(ParticleColour colour) {
+    if (colour == colour_) return;
+    colour_ = colour;
+    if (output_ && atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, false);
+}
+
+const char* Session::transfer() const {
+    return output_ ? transferName(output_->bridge().kind()) : "none";
+}
+
+SessionStatus Session::status() const {
+    SessionStatus status;
+    status.stats = shown_;
+    status.softening = built_.solver->softening();
+    status.device = built_.solver->deviceName();
+    status.transfer = transfer();
+    if (output_) status.transfer_note = output_->bridge().note();
+    status.on_gpu = built_.solver->onGpu();
+    status.playing = playing_;
+    status.replaying = !atEnd();
+    status.cursor = cursor_;
+    status.recorded_frames = recording_.size();
+    status.recorded_bytes = recording_.bytes();
+    status.memory_limit = recording_.memoryLimit();
+    status.substeps_per_frame = built_.solver->stats().substeps;
+    status.particle_size = built_.body->spacing;
+    status.build_seconds = built_.build_seconds;
+    status.waiting = debounce_.waiting();
+    status.rebuilding = worker_.busy();
+    status.rebuild = worker_.progress();
+    status.message = message_;
+    return status;
+}
+
+}  // namespace demolish

@@ -1,0 +1,97 @@
+// One shot being simulated: steps it, brings its frames to the renderer's buffers, records them, rebuilds it
+// on a worker.
+#pragma once
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/session/built_shot.h"
+#include "app/session/commands.h"
+#include "app/session/debounce.h"
+#include "app/session/frame_output.h"
+#include "app/session/rebuild_worker.h"
+#include "app/session/recording.h"
+
+namespace demolish {
+
+struct SessionOptions {
+    bool draw = true;                       ///< false: no GL at all
+    bool record = false;                    ///< keep frames for the timeline
+    size_t memory_limit = size_t{1} << 30;  ///< bytes of recording
+};
+
+/// Everything that a panel or report shows, as values.
+struct SessionStatus {
+    FrameStats stats;  ///< of the frame on screen
+    SofteningReport softening;
+    std::string device, transfer, transfer_note;
+    bool on_gpu = false;
+    bool playing = false, replaying = false;
+    size_t cursor = 0, recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
+    uint32_t substeps_per_frame = 0;
+    double particle_size = 0;  ///< m, h
+    double build_seconds = 0;
+    bool waiting = false;  ///< a change rests before its rebuild starts
+    bool rebuilding = false;
+    RebuildWorker::Progress rebuild;
+    std::string message;  ///< last thing that went wrong, or ""
+};
+
+class Session {
+  public:
+    /// With options.draw the GL context must be current, here and in every other call. Fires the shot's ball.
+    Session(BuiltShot built, const SessionOptions& options);
+
+    /// One simulated frame, brought to the buffers. A status other than kOk leaves the picture as it was.
+    StepStatus advance();
+
+    /// Obeys; `now` in s on any steady clock.
+    void apply(const command::Any& command, double now);
+    /// Starts and takes over rebuilds; then, while playing, one frame: replayed up to the end of the
+    /// recording, simulated from there. `may_step` false: no frame is due yet.
+    void update(double now, bool may_step = true);
+
+    const Shot& shot() const { return wanted_; }  ///< as chosen, perhaps not yet built
+    const BuiltShot& built() const { return built_; }
+    Solver& solver() { return *built_.solver; }
+    const engine::FractureMesh* mesh() const { return output_ ? &output_->mesh() : nullptr; }
+    const std::vector<engine::SphereDraw>& spheres() const { return spheres_; }
+    const char* transfer() const;
+    SessionStatus status() const;
+    double lastSimMs() const { return last_sim_ms_; }
+
+    /// Which channel the particle view is coloured by; acts with the next frame brought over.
+    void setColour(ParticleColour colour);
+
+  private:
+    struct Obey;
+    void restart();
+    void restartIfNotHit();
+    void fire(const Projectile& ball);
+    void bringFrame(bool fresh);
+    void showRecorded(size_t frame);
+    void change(const Shot& shot, double now);
+    void takeRebuild();
+    void adopt(BuiltShot built);
+    bool atEnd() const { return !options_.record || cursor_ + 1 >= recording_.size(); }
+
+    SessionOptions options_;
+    BuiltShot built_;
+    Shot wanted_;
+    std::unique_ptr<FrameOutput> output_;
+    std::vector<engine::SphereDraw> spheres_;
+    Recording recording_;
+    RebuildWorker worker_;
+    Debounce<Shot> debounce_{0.25};
+    ParticleColour colour_ = ParticleColour::kFragment;
+    FrameStats shown_;
+    std::string message_;
+    uint32_t projectiles_ = 0;
+    size_t cursor_ = 0;
+    double last_sim_ms_ = 0;
+    bool playing_ = false;
+    bool user_fired_ = false;
+};
+
+}  // namespace demolish

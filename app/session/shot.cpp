@@ -1,0 +1,82 @@
+// Ranges of a shot's values and what a change of them costs.
+#include "app/session/shot.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+bool same(const Double3& a, const Double3& b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+bool sameBody(const Shot& a, const Shot& b) {
+    return a.model == b.model && a.height == b.height && a.seed == b.seed && a.device == b.device &&
+           a.fineness.particles == b.fineness.particles &&
+           a.fineness.particle_size == b.fineness.particle_size && a.fineness.full == b.fineness.full &&
+           a.fineness.draft == b.fineness.draft;
+}
+
+bool sameMaterial(const Material& a, const Material& b) {
+    return a.density == b.density && a.youngs_modulus == b.youngs_modulus &&
+           a.poisson_ratio == b.poisson_ratio && a.friction == b.friction && a.restitution == b.restitution &&
+           a.rolling_friction == b.rolling_friction && a.damping_ratio == b.damping_ratio &&
+           a.critical_velocity == b.critical_velocity && a.beta == b.beta &&
+           a.weibull_modulus == b.weibull_modulus && a.tough_cells == b.tough_cells &&
+           a.tough_factor == b.tough_factor && a.adhesion_energy == b.adhesion_energy &&
+           a.bond_law == b.bond_law && a.shear_ratio == b.shear_ratio;
+}
+
+/// A drop's velocity is the body's own from the start; a ball is fired afterwards.
+bool sameImpactForSolver(const Impact& a, const Impact& b) {
+    if (a.kind != b.kind) return false;
+    return a.kind != ImpactKind::kDrop || (a.velocity == b.velocity && same(a.tilt, b.tilt));
+}
+
+bool sameBall(const Impact& a, const Impact& b) {
+    return a.velocity == b.velocity && a.ball_radius == b.ball_radius && same(a.direction, b.direction) &&
+           a.height_fraction == b.height_fraction && a.arrival_time == b.arrival_time;
+}
+
+}  // namespace
+
+void requireInRange(const std::string& name, double value, const Range& range, const std::string& unit) {
+    if (std::isfinite(value) && value >= range.least && value <= range.most) return;
+    std::ostringstream text;
+    const std::string space = unit.empty() ? "" : " ";
+    text << name << " is " << value << space << unit << "; it must be between " << range.least << " and "
+         << range.most << space << unit;
+    throw UsageError(text.str());
+}
+
+void validate(const Shot& shot) {
+    requireInRange("the impact velocity", shot.impact.velocity, kVelocityRange, "m/s");
+    requireInRange("the height", shot.height, kHeightRange, "m");
+    requireInRange("the frame rate", shot.fps, kFpsRange, "frames/s");
+    requireInRange("the time scale", shot.time_scale, kTimeScaleRange, "");
+    requireInRange("the ball's radius", shot.impact.ball_radius, {0, 100}, "m");
+    if (shot.fineness.particle_size)
+        requireInRange("the particle size", *shot.fineness.particle_size, kParticleSizeRange, "m");
+    if (shot.fineness.particles)
+        requireInRange("the number of particles", *shot.fineness.particles, {kMinParticles, kMaxParticles},
+                       "");
+    if (shot.substeps) requireInRange("the number of substeps", *shot.substeps, kSubstepRange, "");
+}
+
+Change changeBetween(const Shot& before, const Shot& after) {
+    if (!sameBody(before, after)) return Change::kBody;
+    const bool same_solver = sameMaterial(before.material, after.material) &&
+                             before.wave_speed == after.wave_speed && before.substeps == after.substeps &&
+                             before.settle_time == after.settle_time &&
+                             before.scene_radius == after.scene_radius && before.fps == after.fps &&
+                             sameImpactForSolver(before.impact, after.impact);
+    if (!same_solver) return Change::kSolver;
+    const bool same_live = sameBall(before.impact, after.impact) && before.time_scale == after.time_scale;
+    return same_live ? Change::kNothing : Change::kLive;
+}
+
+}  // namespace demolish

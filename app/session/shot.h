@@ -1,0 +1,88 @@
+// Everything that a person chooses about one shot, as plain values. The panel and the command line edit it;
+// the session turns it into solver calls.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/render/renderer.h"
+#include "engine/scene/camera.h"
+#include "engine/scene/lighting.h"
+#include "sim_cuda/api/params.h"
+
+namespace demolish {
+
+enum class ImpactKind { kNone, kBall, kDrop };
+
+struct Impact {
+    ImpactKind kind = ImpactKind::kBall;
+    double velocity = 10;          ///< m/s at the moment of impact; 0 = nothing hits the body
+    double ball_radius = 0;        ///< m; 0 = a twelfth of the body's height (a sixth across)
+    Double3 direction{0, 0, 0};    ///< the way the ball flies, any length; 0 = across the body's longer side
+    double height_fraction = 0.5;  ///< of the body's height, where the ball hits
+    double arrival_time = 0.12;    ///< s from the start of the shot to the impact
+    Double3 tilt;                  ///< rad about x, y, z: how a dropped body lies in the air
+    double threshold_ball = 0;     ///< v_th / v_c of this body (models.md E.2); 0 = not known
+    double threshold_drop = 0;
+};
+
+/// How finely the body is divided: the first that is set counts, in this order.
+struct Fineness {
+    std::optional<uint32_t> particles;    ///< N
+    std::optional<double> particle_size;  ///< m, h = (V / N)^(1/3)
+    uint32_t full = 10000, draft = 1200;  ///< N for the GPU and for the CPU
+};
+
+enum class DeviceChoice { kAuto, kCpu, kCuda };
+
+struct Shot {
+    std::string scene = "model";  ///< name of the scene file, "model" for a bare mesh
+    std::filesystem::path model;  ///< mesh file
+    double height = 1.0;          ///< m
+    std::string material_name = "ceramic";
+    Material material;
+    Impact impact;
+    Fineness fineness;
+    double wave_speed =
+        0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
+    std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
+    double settle_time = 0;            ///< s
+    double scene_radius = 50;          ///< m, what flies farther ends the run
+    double fps = 60;                   ///< frames per simulated second
+    double time_scale = 1;             ///< slow motion, 0 < time_scale <= 1
+    uint64_t seed = 1;
+    DeviceChoice device = DeviceChoice::kAuto;
+
+    engine::SurfaceLook look;
+    engine::Lighting lighting;
+    std::optional<engine::Camera> camera;  ///< none: framed on the body
+};
+
+/// Limits that the panel's sliders and the command line share.
+struct Range {
+    double least, most;
+};
+inline constexpr Range kVelocityRange{0, 200};        // m/s
+inline constexpr Range kHeightRange{0.01, 100};       // m
+inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
+inline constexpr Range kFpsRange{1, 1000};
+inline constexpr Range kTimeScaleRange{0.01, 1};
+inline constexpr Range kSubstepRange{1, 20000};
+
+/// Throws UsageError, "NAME is VALUE UNIT; it must be between A and B UNIT", also for NaN. `name` as the user
+/// wrote it.
+void requireInRange(const std::string& name, double value, const Range& range, const std::string& unit);
+/// The same for every value of the shot.
+void validate(const Shot& shot);
+
+/// What a changed shot asks for. Each level includes the ones above it.
+enum class Change {
+    kNothing,
+    kLive,    ///< looks, velocity of a ball, time scale
+    kSolver,  ///< material, substeps, fps, velocity of a drop: same cells, new solver
+    kBody,    ///< particle size, seed, model: everything
+};
+Change changeBetween(const Shot& before, const Shot& after);
+
+}  // namespace demolish

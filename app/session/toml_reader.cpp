@@ -1,0 +1,125 @@
+// toml++ behind a small face.
+#include "app/session/toml_reader.h"
+
+#include <toml++/toml.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+
+struct TomlReader::State {
+    std::filesystem::path file;
+    toml::table table;
+    std::set<std::string> asked;
+
+    toml::node_view<toml::node> at(std::string_view path) {
+        asked.emplace(path);
+        return table.at_path(path);
+    }
+    std::string place(const toml::node* node) const {
+        std::string text = file.string();
+        if (node != nullptr && node->source().begin)
+            text.append(":").append(std::to_string(node->source().begin.line));
+        return text;
+    }
+    void requireAsked(const toml::table& level, const std::string& prefix) const {
+        for (const auto& [key, node] : level) {
+            const std::string path = prefix + std::string(key.str());
+            if (const auto* below = node.as_table()) {
+                requireAsked(*below, path + ".");
+            } else if (!asked.count(path)) {
+                throw InputFileError(place(&node) + ": there is no setting '" + path +
+                                     "'; remove it or mend its name");
+            }
+        }
+    }
+};
+
+TomlReader::TomlReader(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+    state_->file = file;
+    try {
+        state_->table = toml::parse_file(file.string());
+    } catch (const toml::parse_error& error) {
+        std::ostringstream text;
+        text << file.string();
+        if (error.source().begin) text << ":" << error.source().begin.line;
+        text << ": " << error.description();
+        throw InputFileError(text.str());
+    }
+}
+
+TomlReader::~TomlReader() = default;
+
+bool TomlReader::has(std::string_view path) const {
+    return static_cast<bool>(state_->table.at_path(path));
+}
+
+void TomlReader::fail(std::string_view path, const std::string& what) const {
+    const auto node = state_->table.at_path(path);
+    throw InputFileError(state_->place(node.node()) + ": " + std::string(path) + " " + what);
+}
+
+void TomlReader::read(std::string_view path, double& value, const Range& range) {
+    const auto node = state_->at(path);
+    if (!node) return;
+    const auto number = node.value<double>();
+    std::ostringstream wanted;
+    wanted << "must be a number between " << range.least << " and " << range.most;
+    if (!number || !std::isfinite(*number) || *number < range.least || *number > range.most)
+        fail(path, wanted.str());
+    value = *number;
+}
+
+void TomlReader::read(std::string_view path, uint32_t& value, const Range& range) {
+    double number = value;
+    read(path, number, range);
+    if (number != std::floor(number)) fail(path, "must be a whole number");
+    value = static_cast<uint32_t>(number);
+}
+
+void TomlReader::read(std::string_view path, std::string& value) {
+    const auto node = state_->at(path);
+    if (!node) return;
+    const auto text = node.value<std::string>();
+    if (!text) fail(path, "must be a text in quotes");
+    value = *text;
+}
+
+void TomlReader::read(std::string_view path, Double3& value) {
+    const auto node = state_->at(path);
+    if (!node) return;
+    const auto* list = node.as_array();
+    if (list == nullptr || list->size() != 3) fail(path, "must be three numbers, [x, y, z]");
+    double* const parts[3] = {&value.x, &value.y, &value.z};
+    for (size_t i = 0; i < 3; ++i) {
+        const auto number = list->get(i)->value<double>();
+        if (!number || !std::isfinite(*number)) fail(path, "must be three numbers, [x, y, z]");
+        *parts[i] = *number;
+    }
+}
+
+void TomlReader::readVector(std::string_view path, glm::vec3& value) {
+    Double3 numbers{value.x, value.y, value.z};
+    read(path, numbers);
+    value = glm::vec3(numbers.x, numbers.y, numbers.z);
+}
+
+void TomlReader::readColour(std::string_view path, float (&colour)[3]) {
+    Double3 numbers{colour[0], colour[1], colour[2]};
+    read(path, numbers);
+    for (const double part : {numbers.x, numbers.y, numbers.z})
+        if (part < 0 || part > 1) fail(path, "must be three numbers between 0 and 1");
+    colour[0] = static_cast<float>(numbers.x);
+    colour[1] = static_cast<float>(numbers.y);
+    colour[2] = static_cast<float>(numbers.z);
+}
+
+void TomlReader::requireAllRead() const {
+    state_->requireAsked(state_->table, "");
+}
+
+}  // namespace demolish

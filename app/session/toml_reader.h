@@ -1,0 +1,38 @@
+// Reads typed, ranged values out of one TOML file; every complaint names file and line.
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app/session/shot.h"
+
+namespace demolish {
+
+/// Paths are dotted ("impact.velocity_mps"). Throws InputFileError: unreadable, bad TOML, wrong type, out of
+/// range, key that nobody asked for (a misspelt key must not be ignored).
+class TomlReader {
+  public:
+    explicit TomlReader(const std::filesystem::path& file);
+    ~TomlReader();
+
+    bool has(std::string_view path) const;
+    void read(std::string_view path, double& value, const Range& range);
+    void read(std::string_view path, uint32_t& value, const Range& range);
+    void read(std::string_view path, std::string& value);
+    void read(std::string_view path, Double3& value);
+    void readColour(std::string_view path, float (&colour)[3]);  ///< linear, each 0..1
+    void readVector(std::string_view path, glm::vec3& value);
+
+    /// A complaint about one value of this file.
+    [[noreturn]] void fail(std::string_view path, const std::string& what) const;
+    /// Call at the end: complains about keys that no read() asked for.
+    void requireAllRead() const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace demolish
