@@ -23,18 +23,19 @@ struct ContactArrays {
     Buffer<uint32_t> row_start;
     Buffer<uint32_t> neighbour;  ///< capacity may exceed row_start[total]
     Buffer<Vec4<Real>> spring;
-    Buffer<Vec4<Real>> built_position;  ///< total; high parts at the last build
+    Buffer<Vec4<Real>> built_position;  ///< total; state.position at the last build
+    Buffer<Real> skin;                  ///< m, total; chosen from each particle's speed before every build
     uint32_t used = 0;                  ///< row_start[total]
 
     ContactRowsIn<Real> in() const { return {row_start.view(), neighbour.view(), spring.view()}; }
 };
 
-/// Reach of the lists: a pair of body particles is listed when closer than R_c,i + R_c,j + skin; a pair with
-/// a projectile when closer than R_c,i + R_c,j + skin + projectile_skin.
+/// A pair is listed when its distance at the build is below R_c,i + skin_i + R_c,j + skin_j, unless the pair
+/// has a bond record; the lists are built again before any particle has moved by its skin (against the common
+/// motion of all).
 struct ContactReach {
-    double skin = 0;  ///< m; rebuilt before a particle has moved half of it (against the common motion)
-    double projectile_skin = 0;  ///< m; rebuilt before a projectile has moved that far
-    double largest_radius = 0;   ///< m, largest R_c of the bodies' particles (sets the grid's cells)
+    double largest_in_bodies =
+        0;  ///< m, upper bound of R_c + skin of the bodies' particles: sets the grid's cells
 };
 
 }  // namespace demolish

@@ -2,12 +2,11 @@
 // kMaxProjectiles slots for projectiles (inverse mass 0 while a slot is unused or its projectile has not
 // started).
 #pragma once
+#include "sim_cuda/api/params.h"
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/vec4.h"
 
 namespace demolish {
-
-inline constexpr uint32_t kMaxProjectiles = 16;
 
 /// How many there are; every per-particle array has `total` elements.
 struct ParticleCounts {
