@@ -1,0 +1,101 @@
+// Bad files: each is refused with one sentence that names the file and what is wrong with it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/errors.h"
+#include "tests/unit/mesh/mesh_files.h"
+#include "tests/unit/meshes/mesh_makers.h"
+
+namespace demolish {
+namespace {
+
+using test::FileTest;
+using test::objText;
+using ::testing::EndsWith;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+void expectRefused(const std::filesystem::path& file, const std::string& reason) {
+    SCOPED_TRACE(file.filename());
+    try {
+        loadSolidMesh(file);
+        FAIL() << "accepted";
+    } catch (const InputFileError& error) {
+        EXPECT_THAT(error.what(), HasSubstr(reason));
+        EXPECT_THAT(error.what(), HasSubstr(file.string()));
+        EXPECT_THAT(error.what(), EndsWith("."));
+        EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
+        EXPECT_EQ(error.code(), ExitCode::kInputFile);
+    }
+}
+
+TEST_F(FileTest, MissingFileAndFolder) {
+    const auto file = write("there.obj", "");
+    expectRefused(file.parent_path() / "not_there.obj", "There is no model file");
+    expectRefused(file.parent_path(), "There is no model file");
+}
+
+TEST_F(FileTest, EmptyFiles) {
+    for (const char* name :
+         {"empty.obj", "empty.ply", "empty.stl", "empty.glb", "empty.fbx", "empty.3ds", "empty"})
+        expectRefused(write(name, ""), name);
+}
+
+TEST_F(FileTest, Garbage) {
+    const std::string garbage = "Lorem ipsum dolor sit amet,\n consectetur adipiscing elit 1 2 3\n";
+    for (const char* name :
+         {"text.obj", "text.ply", "text.stl", "text.glb", "text.gltf", "text.fbx", "text.xyz"})
+        expectRefused(write(name, garbage), name);
+    std::string bytes;
+    for (int i = 0; i < 4000; ++i) bytes += char(i * 7919 >> 3);
+    for (const char* name : {"bytes.obj", "bytes.ply", "bytes.stl", "bytes.glb", "bytes.fbx", "bytes.3ds"})
+        expectRefused(write(name, bytes), name);
+}
+
+TEST_F(FileTest, TruncatedBinaryStl) {
+    const auto file = exportMesh(test::makeSphere(1, 2), "half.stl", "stlb");
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    expectRefused(file, "half.stl");
+}
+
+TEST_F(FileTest, NoFaces) {
+    expectRefused(write("points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n"), "points.obj");
+    expectRefused(write("lines.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nl 1 2 3\n"), "no triangles");
+}
+
+TEST_F(FileTest, OpenBoxNamesItsOpenEdges) {
+    expectRefused(write("lidless.obj", objText(test::makeCube(1), 2)), "not closed: 4 open edges");
+    expectRefused(write("one_missing.obj", objText(test::makeSphere(1, 2), 1)), "not closed: 3 open edges");
+}
+
+TEST_F(FileTest, OneFaceTurnedIsNotClosed) {
+    TriangleMesh cube = test::makeCube(1);
+    std::swap(cube.triangles[5][0], cube.triangles[5][1]);
+    expectRefused(write("turned.obj", objText(cube)), "not closed: 3 open edges");
+}
+
+TEST_F(FileTest, SheetHasNoVolume) {
+    expectRefused(write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 4 3 2 1\n"),
+                  "no volume");
+    expectRefused(write("all_equal.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n"), "no triangles");
+}
+
+TEST_F(FileTest, InsideOutIsRefused) {
+    expectRefused(write("inverted.obj", objText(test::turnedInsideOut(test::makeTorus(1, 0.3, 12, 8)))),
+                  "inside out");
+}
+
+TEST_F(FileTest, VerticesThatAreNotNumbers) {
+    std::string text = objText(test::makeCube(1));
+    for (const char* bad : {"nan", "inf"}) {
+        const std::string line = "v " + std::string(bad) + " 0 0\n";
+        EXPECT_NO_THROW(loadSolidMesh(write(std::string(bad) + "_unused.obj", text + line)));
+        std::string broken = text;
+        broken.replace(0, broken.find('\n') + 1, line);
+        expectRefused(write(std::string(bad) + "_used.obj", broken), "not a finite number");
+    }
+}
+
+}  // namespace
+}  // namespace demolish

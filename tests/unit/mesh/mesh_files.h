@@ -1,0 +1,31 @@
+// Writes model files for the import tests into a folder of their own.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "sim_cuda/authoring/triangle_mesh.h"
+
+struct aiScene;
+
+namespace demolish::test {
+
+/// A fresh folder for each test, removed afterwards.
+class FileTest : public ::testing::Test {
+  protected:
+    FileTest();
+    ~FileTest() override;
+    std::filesystem::path write(const std::string& name, const std::string& text) const;
+    /// The mesh through assimp's exporter under a node that moves, turns and stretches it, or mirrors it.
+    std::filesystem::path exportMesh(const TriangleMesh& mesh, const std::string& name,
+                                     const std::string& format, bool mirrored = false) const;
+
+  private:
+    std::filesystem::path folder_;
+};
+
+/// Wavefront text; triangles[i] is left out when i < skip.
+std::string objText(const TriangleMesh& mesh, size_t skip = 0);
+
+}  // namespace demolish::test
