@@ -1,6 +1,7 @@
 // Owning OpenGL buffer: immutable or resizable storage.
 #pragma once
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "engine/gl/object.h"

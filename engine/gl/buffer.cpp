@@ -1,0 +1,59 @@
+// Direct state access only, so that no binding of the caller is disturbed.
+#include "engine/gl/buffer.h"
+
+#include <cassert>
+#include <cstdint>
+
+namespace demolish::engine::gl {
+namespace {
+
+GLuint createBuffer() {
+    GLuint id = 0;
+    glCreateBuffers(1, &id);
+    return id;
+}
+
+}  // namespace
+
+Buffer Buffer::immutable(size_t size, const void* data, GLbitfield flags) {
+    assert(size > 0);
+    Buffer buffer;
+    buffer.object_ = Object<BufferTraits>(createBuffer());
+    buffer.size_ = size;
+    glNamedBufferStorage(buffer.id(), static_cast<GLsizeiptr>(size), data, flags);
+    return buffer;
+}
+
+Buffer Buffer::resizable(size_t size, GLenum usage) {
+    Buffer buffer;
+    buffer.object_ = Object<BufferTraits>(createBuffer());
+    buffer.usage_ = usage;
+    buffer.resize(size);
+    return buffer;
+}
+
+void Buffer::resize(size_t size) {
+    assert(usage_ != 0);
+    size_ = size;
+    glNamedBufferData(id(), static_cast<GLsizeiptr>(size), nullptr, usage_);
+}
+
+void Buffer::upload(std::span<const std::byte> data, size_t offset) {
+    assert(offset + data.size() <= size_);
+    if (data.empty()) return;
+    glNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
+                         data.data());
+}
+
+void Buffer::fill(uint32_t word) {
+    glClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
+}
+
+void Buffer::download(std::span<std::byte> data, size_t offset) const {
+    assert(offset + data.size() <= size_);
+    if (data.empty()) return;
+    glGetNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
+                            data.data());
+}
+
+}  // namespace demolish::engine::gl

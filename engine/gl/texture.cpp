@@ -1,0 +1,53 @@
+// Storage is immutable: a resized target is a new texture, which drivers like better and which cannot be half
+// made.
+#include "engine/gl/texture.h"
+
+namespace demolish::engine::gl {
+
+Texture::Texture(GLenum target, int width, int height) : width_(width), height_(height) {
+    GLuint id = 0;
+    glCreateTextures(target, 1, &id);
+    object_ = Object<TextureTraits>(id);
+}
+
+Texture Texture::make2d(GLenum format, int width, int height, int levels) {
+    Texture texture(GL_TEXTURE_2D, width, height);
+    glTextureStorage2D(texture.id(), levels, format, width, height);
+    texture.setFilter(GL_NEAREST, GL_NEAREST);
+    texture.setWrap(GL_CLAMP_TO_EDGE);
+    return texture;
+}
+
+Texture Texture::makeTarget(GLenum format, int width, int height, int samples) {
+    if (samples <= 1) return make2d(format, width, height);
+    Texture texture(GL_TEXTURE_2D_MULTISAMPLE, width, height);
+    glTextureStorage2DMultisample(texture.id(), samples, format, width, height, GL_TRUE);
+    return texture;
+}
+
+Texture Texture::make3d(GLenum format, int size, int levels) {
+    Texture texture(GL_TEXTURE_3D, size, size);
+    glTextureStorage3D(texture.id(), levels, format, size, size, size);
+    texture.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
+    texture.setWrap(GL_REPEAT);
+    return texture;
+}
+
+void Texture::setFilter(GLenum minify, GLenum magnify) {
+    glTextureParameteri(id(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
+    glTextureParameteri(id(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnify));
+}
+
+void Texture::setWrap(GLenum wrap) {
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTextureParameteri(id(), axis, static_cast<GLint>(wrap));
+    }
+}
+
+Sampler::Sampler() {
+    GLuint id = 0;
+    glCreateSamplers(1, &id);
+    object_ = Object<SamplerTraits>(id);
+}
+
+}  // namespace demolish::engine::gl

@@ -1,0 +1,50 @@
+// Owning textures (immutable storage) and samplers.
+#pragma once
+#include "engine/gl/object.h"
+
+namespace demolish::engine::gl {
+
+struct TextureTraits {
+    static void destroy(GLuint id) { glDeleteTextures(1, &id); }
+};
+struct SamplerTraits {
+    static void destroy(GLuint id) { glDeleteSamplers(1, &id); }
+};
+
+class Texture {
+  public:
+    Texture() = default;
+    static Texture make2d(GLenum format, int width, int height, int levels = 1);
+    /// `samples` > 1: a multisample texture, else a plain one.
+    static Texture makeTarget(GLenum format, int width, int height, int samples);
+    static Texture make3d(GLenum format, int size, int levels);
+
+    void setFilter(GLenum minify, GLenum magnify);
+    void setWrap(GLenum wrap);
+    void bind(GLuint unit) const { glBindTextureUnit(unit, id()); }
+
+    GLuint id() const { return object_.id(); }
+    int width() const { return width_; }
+    int height() const { return height_; }
+    explicit operator bool() const { return static_cast<bool>(object_); }
+
+  private:
+    Texture(GLenum target, int width, int height);
+    Object<TextureTraits> object_;
+    int width_ = 0, height_ = 0;
+};
+
+class Sampler {
+  public:
+    Sampler();
+    void set(GLenum parameter, GLint value) { glSamplerParameteri(object_.id(), parameter, value); }
+    void setBorder(const float (&colour)[4]) {
+        glSamplerParameterfv(object_.id(), GL_TEXTURE_BORDER_COLOR, colour);
+    }
+    void bind(GLuint unit) const { glBindSampler(unit, object_.id()); }
+
+  private:
+    Object<SamplerTraits> object_;
+};
+
+}  // namespace demolish::engine::gl

@@ -1,0 +1,108 @@
+// libpng behind two functions. Its errors come back by longjmp, so everything with a destructor lives outside
+// the jump.
+#include "engine/image/png.h"
+
+#include <png.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <system_error>
+
+namespace demolish::engine {
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string reason() {
+    return std::strerror(errno != 0 ? errno : EIO);
+}
+
+/// Opaque rows lose their fourth byte.
+std::vector<uint8_t> packedRows(const Image& image, bool alpha) {
+    if (alpha) return image.pixels;
+    std::vector<uint8_t> rgb(image.pixels.size() / 4 * 3);
+    for (size_t i = 0, pixels = image.pixels.size() / 4; i < pixels; ++i) {
+        for (size_t c = 0; c < 3; ++c) rgb[3 * i + c] = image.pixels[4 * i + c];
+    }
+    return rgb;
+}
+
+/// False on any libpng or disk error.
+bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha, int compression) {
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
+    if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, file);
+    png_set_compression_level(png, compression);
+    png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
+                 alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    const size_t row = static_cast<size_t>(image.width) * (alpha ? 4 : 3);
+    for (int y = 0; y < image.height; ++y) png_write_row(png, rows + row * y);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return true;
+}
+
+void removeQuietly(const std::filesystem::path& file) {
+    std::error_code ignored;  // the error that led here is the one to report
+    std::filesystem::remove(file, ignored);
+}
+
+}  // namespace
+
+void writePng(const std::filesystem::path& file, const Image& image, bool alpha, int compression) {
+    if (image.width <= 0 || image.height <= 0)
+        throw ImageError("An empty picture cannot be written to " + file.string() + ".");
+    // The process id keeps two programs that write the same picture apart.
+    const std::filesystem::path temporary = file.string() + "." + std::to_string(getpid()) + ".part";
+    errno = 0;
+    File stream(std::fopen(temporary.c_str(), "wb"));
+    if (!stream) throw ImageError("Cannot write " + file.string() + ": " + reason() + ".");
+    const std::vector<uint8_t> rows = packedRows(image, alpha);
+    bool written = encode(stream.get(), image, rows.data(), alpha, compression);
+    written = std::fflush(stream.get()) == 0 && written;
+    const std::string why = reason();
+    // The last blocks may reach the disk, or fail to, at close only.
+    written = std::fclose(stream.release()) == 0 && written;
+    if (!written) {
+        removeQuietly(temporary);
+        throw ImageError("Cannot write " + file.string() + ": " + why + "; is the disk full?");
+    }
+    std::error_code error;
+    std::filesystem::rename(temporary, file, error);
+    if (error) {
+        removeQuietly(temporary);
+        throw ImageError("Cannot write " + file.string() + ": " + error.message() + ".");
+    }
+}
+
+Image readPng(const std::filesystem::path& file) {
+    png_image reader{};
+    reader.version = PNG_IMAGE_VERSION;
+    if (png_image_begin_read_from_file(&reader, file.c_str()) == 0) {
+        throw ImageError("Cannot read " + file.string() + ": " + reader.message + ".");
+    }
+    reader.format = PNG_FORMAT_RGBA;
+    Image image;
+    image.width = static_cast<int>(reader.width);
+    image.height = static_cast<int>(reader.height);
+    image.pixels.resize(PNG_IMAGE_SIZE(reader));
+    if (png_image_finish_read(&reader, nullptr, image.pixels.data(), 0, nullptr) == 0) {
+        throw ImageError("Cannot read " + file.string() + ": " + reader.message + ".");
+    }
+    return image;
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,43 @@
+// One vertex layout for the outside and the broken faces: 24 bytes, position, octahedral normal, uv, cell.
+#include "engine/passes/body_geometry.h"
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLsizei kVertexBytes = 24;
+constexpr GLuint kNormalOffset = 12, kCellOffset = 20;
+
+}  // namespace
+
+void bindStorage(StorageBinding binding, const gl::Buffer& buffer) {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.id());
+}
+
+BodyGeometry::BodyGeometry() {
+    layout_.floatAttribute(0, 3, GL_FLOAT, false, 0);
+    layout_.floatAttribute(1, 2, GL_SHORT, true, kNormalOffset);
+    layout_.integerAttribute(2, 1, GL_UNSIGNED_INT, kCellOffset);
+}
+
+void BodyGeometry::bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices) {
+    bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
+    bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
+    layout_.setVertices(vertices, kVertexBytes);
+    layout_.setIndices(indices);
+    layout_.bind();
+}
+
+void BodyGeometry::drawExterior(const FractureMesh& mesh) {
+    if (mesh.exteriorIndexCount() == 0) return;
+    bind(mesh, mesh.exteriorVertices(), mesh.exteriorIndices());
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.exteriorIndexCount()), GL_UNSIGNED_INT, nullptr);
+}
+
+void BodyGeometry::drawInterior(const FractureMesh& mesh) {
+    bind(mesh, mesh.stream(StreamId::kInteriorVertices), mesh.stream(StreamId::kInteriorIndices));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,33 @@
+// How a FractureMesh is fed to the vertex stage; shared by the shadow, surface and id passes.
+#pragma once
+#include "engine/gl/vertex_array.h"
+#include "engine/render/fracture_mesh.h"
+
+namespace demolish::engine {
+
+/// Shader storage bindings of shaders/common/body.glsl and the passes.
+enum class StorageBinding : GLuint {
+    kParticleFragment = 0,
+    kTransforms = 1,
+    kParticles = 2,
+    kCrackList = 3,
+    kCrackEdges = 4,
+    kExteriorVertices = 5,
+};
+
+void bindStorage(StorageBinding binding, const gl::Buffer& buffer);
+
+class BodyGeometry {
+  public:
+    BodyGeometry();
+    /// The model's own surface.
+    void drawExterior(const FractureMesh& mesh);
+    /// Exposed broken faces; the count comes from the mesh's command buffer.
+    void drawInterior(const FractureMesh& mesh);
+
+  private:
+    void bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices);
+    gl::VertexArray layout_;
+};
+
+}  // namespace demolish::engine

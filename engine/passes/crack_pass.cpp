@@ -1,0 +1,45 @@
+// One ribbon of two triangles an edge, instanced; the device decides which edges and how many.
+#include "engine/passes/crack_pass.h"
+
+#include <array>
+
+#include "engine/passes/body_geometry.h"
+
+namespace demolish::engine {
+namespace {
+
+constexpr std::array<uint32_t, 6> kCorners{0, 1, 2, 2, 1, 3};
+constexpr GLint kWidth = 0;
+constexpr uintptr_t kCrackCommandOffset = 20;  // behind the command of the broken faces
+
+}  // namespace
+
+CrackPass::CrackPass(const std::filesystem::path& shaders)
+    : program_(shaders, {"crack.vert", "crack.frag"}),
+      corners_(gl::Buffer::immutable(sizeof(kCorners), kCorners.data())) {
+    layout_.setIndices(corners_);
+}
+
+void CrackPass::draw(const FractureMesh& mesh, float width) {
+    bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
+    bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
+    bindStorage(StorageBinding::kCrackList, mesh.stream(StreamId::kCrackEdges));
+    bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
+    bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
+    program_.set(kWidth, width);
+    program_.use();
+    layout_.bind();
+    glEnable(GL_BLEND);
+    // Alpha holds the share of ambient light: leave it to what lies below.
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    glDepthMask(GL_FALSE);
+    glDisable(GL_CULL_FACE);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(kCrackCommandOffset));
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    glEnable(GL_CULL_FACE);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace demolish::engine

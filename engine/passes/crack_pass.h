@@ -1,0 +1,24 @@
+// Hairlines where bonds are broken inside one fragment.
+#pragma once
+#include <filesystem>
+
+#include "engine/gl/program.h"
+#include "engine/gl/vertex_array.h"
+#include "engine/render/fracture_mesh.h"
+
+namespace demolish::engine {
+
+class CrackPass {
+  public:
+    explicit CrackPass(const std::filesystem::path& shaders);
+    /// Width in m; a line never gets thinner than about a pixel. The number of lines comes from the command
+    /// buffer.
+    void draw(const FractureMesh& mesh, float width);
+
+  private:
+    gl::Program program_;
+    gl::VertexArray layout_;
+    gl::Buffer corners_;
+};
+
+}  // namespace demolish::engine

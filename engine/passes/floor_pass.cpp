@@ -1,0 +1,34 @@
+// A strip of two triangles; seen from below it is not there, so that a camera under the floor still sees the
+// body.
+#include "engine/passes/floor_pass.h"
+
+#include "engine/passes/quality_defines.h"
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLint kTileSize = 0;
+constexpr GLint kId = 0;
+
+}  // namespace
+
+FloorPass::FloorPass(const std::filesystem::path& shaders, RenderQuality quality)
+    : shaded_(shaders, {"floor.vert", "floor.frag"}, qualityDefines(quality)),
+      ids_(shaders, {"floor.vert", "id.frag"}, "#define CONSTANT_ID\n") {
+    glProgramUniform1ui(ids_.id(), kId, kFloorId);
+}
+
+void FloorPass::draw(float tile_size) {
+    shaded_.set(kTileSize, tile_size);
+    shaded_.use();
+    no_attributes_.bind();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+void FloorPass::drawIds() {
+    ids_.use();
+    no_attributes_.bind();
+    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,30 @@
+// The sun's depth map, and its binding for the passes that ask whether a point is lit.
+#pragma once
+#include <filesystem>
+
+#include "engine/gl/framebuffer.h"
+#include "engine/gl/program.h"
+#include "engine/gl/texture.h"
+#include "engine/passes/body_geometry.h"
+
+namespace demolish::engine {
+
+class ShadowPass {
+  public:
+    explicit ShadowPass(const std::filesystem::path& shaders);
+    /// Binds and clears the map of `size` x `size` texels; passes that cast shadows draw next. Then finish().
+    void begin(int size);
+    void drawBody(BodyGeometry& body, const FractureMesh& mesh);
+    void finish();
+    /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
+    void bindMap() const;
+    static void unbindMap();
+
+  private:
+    gl::Program body_;
+    gl::Texture map_;
+    gl::Framebuffer framebuffer_;
+    gl::Sampler compare_, plain_;
+};
+
+}  // namespace demolish::engine

@@ -1,0 +1,35 @@
+// Spheres: every particle in the particle view, and projectiles in every view. Each is one square facing the
+// camera in which the sphere is found exactly.
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "engine/gl/program.h"
+#include "engine/gl/vertex_array.h"
+#include "engine/render/renderer.h"
+
+namespace demolish::engine {
+
+class SpherePass {
+  public:
+    SpherePass(const std::filesystem::path& shaders, RenderQuality quality);
+
+    /// Projectiles of the coming frame.
+    void setSpheres(std::span<const SphereDraw> spheres);
+    void drawSpheres();
+    void drawSphereShadows();
+    void drawSphereIds();
+    /// Particles of the body, from the mesh's particle stream.
+    void drawParticles(const FractureMesh& mesh, ColourMap colours);
+    void drawParticleShadows(const FractureMesh& mesh);
+    void drawParticleIds(const FractureMesh& mesh);
+
+  private:
+    void drawInstances(const gl::Program& program, const gl::Buffer& instances, size_t count);
+    gl::Program shaded_, shadows_, ids_;
+    gl::VertexArray no_attributes_;
+    gl::Buffer spheres_;
+    size_t sphere_count_ = 0;
+};
+
+}  // namespace demolish::engine

@@ -1,0 +1,20 @@
+// Draws the body: outside and broken faces, each with its material.
+#pragma once
+#include <filesystem>
+
+#include "engine/gl/program.h"
+#include "engine/passes/body_geometry.h"
+#include "engine/render/renderer.h"
+
+namespace demolish::engine {
+
+class SurfacePass {
+  public:
+    SurfacePass(const std::filesystem::path& shaders, RenderQuality quality);
+    void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
+
+  private:
+    gl::Program exterior_, interior_;
+};
+
+}  // namespace demolish::engine

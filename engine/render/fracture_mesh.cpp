@@ -1,0 +1,62 @@
+// Allocates the buffers of one body. Streams are resizable storage, the kind that CUDA registers.
+#include "engine/render/fracture_mesh.h"
+
+#include <algorithm>
+
+namespace demolish::engine {
+namespace {
+
+constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kCommandBytes = 40;
+
+gl::Buffer fixedBuffer(std::span<const std::byte> data) {
+    // A body without, say, crack edges still has a buffer to bind.
+    gl::Buffer buffer =
+        gl::Buffer::immutable(std::max<size_t>(data.size(), 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    buffer.upload(data);
+    return buffer;
+}
+
+size_t streamBytes(StreamId id, const FractureMeshData& data) {
+    const size_t particles = std::max(data.particle_capacity, data.particle_count);
+    switch (id) {
+        case StreamId::kParticles:
+            return particles * kParticleBytes;
+        case StreamId::kParticleFragment:
+            return particles * sizeof(uint32_t);
+        case StreamId::kTransforms:
+            return particles * kTransformBytes;
+        case StreamId::kInteriorVertices:
+            return data.interior_vertex_capacity * kVertexBytes;
+        case StreamId::kInteriorIndices:
+            return data.interior_index_capacity * sizeof(uint32_t);
+        case StreamId::kCrackEdges:
+            return data.crack_capacity * sizeof(uint32_t);
+        case StreamId::kCommands:
+            return kCommandBytes;
+        case StreamId::kCount:
+            break;
+    }
+    return 0;
+}
+
+}  // namespace
+
+FractureMesh::FractureMesh(const FractureMeshData& data)
+    : exterior_vertices_(fixedBuffer(data.exterior_vertices)),
+      exterior_indices_(fixedBuffer(std::as_bytes(data.exterior_indices))),
+      crack_edges_(fixedBuffer(data.crack_edges)),
+      exterior_index_count_(static_cast<uint32_t>(data.exterior_indices.size())),
+      particle_count_(data.particle_count),
+      particle_capacity_(std::max(data.particle_capacity, data.particle_count)) {
+    for (size_t i = 0; i < streams_.size(); ++i) {
+        streams_[i] =
+            gl::Buffer::resizable(std::max<size_t>(streamBytes(static_cast<StreamId>(i), data), 64));
+        streams_[i].fill(0);
+    }
+    // Until the first frame is written the body stands whole where it was made: all cells in slot 0, which
+    // does not move.
+    const float identity[8] = {0, 0, 0, 1, 0, 0, 0, 0};
+    stream(StreamId::kTransforms).upload(std::as_bytes(std::span(identity)));
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,23 @@
+// The pictures that a frame is drawn into before it reaches the caller's framebuffer; remade when the size
+// changes.
+#pragma once
+#include "engine/gl/framebuffer.h"
+#include "engine/gl/texture.h"
+
+namespace demolish::engine {
+
+struct RenderTargets {
+    /// Sizes in px, samples 1, 2 or 4. Throws gl::GlError.
+    RenderTargets(int width_px, int height_px, int sample_count);
+    bool fits(int width_px, int height_px, int sample_count) const {
+        return width == width_px && height == height_px && samples == sample_count;
+    }
+
+    int width, height, samples;
+    gl::Texture hdr;      ///< RGBA16F; alpha: share of ambient light
+    gl::Texture depth;    ///< 32 bit float, reversed
+    gl::Texture display;  ///< RGBA8, sRGB encoded, single sample
+    gl::Framebuffer scene, resolved;
+};
+
+}  // namespace demolish::engine

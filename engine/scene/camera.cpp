@@ -1,0 +1,83 @@
+// Camera moves and matrices. Depth is reversed (near 1, far 0) in a zero-to-one clip range: float depth is
+// then fine everywhere.
+#include "engine/scene/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace demolish::engine {
+namespace {
+
+constexpr glm::vec3 kUp{0, 1, 0};
+constexpr float kSteepest =
+    1.55f;  // rad; short of the pole, where the view direction would be parallel to "up"
+constexpr float kNearestDistance = 1e-3f;  // m
+
+}  // namespace
+
+glm::mat4 Camera::view() const {
+    return glm::lookAt(eye, target, kUp);
+}
+
+glm::mat4 Camera::projection(float aspect) const {
+    const float f = 1.0f / std::tan(0.5f * fov_y);
+    const float range = far_plane - near_plane;
+    glm::mat4 m(0.0f);
+    m[0][0] = f / aspect;
+    m[1][1] = f;
+    m[2][2] = near_plane / range;
+    m[2][3] = -1.0f;
+    m[3][2] = near_plane * far_plane / range;
+    return m;
+}
+
+void Camera::orbit(float yaw, float pitch) {
+    const glm::vec3 offset = eye - target;
+    const float distance = std::max(glm::length(offset), kNearestDistance);
+    const float new_yaw = std::atan2(offset.x, offset.z) + yaw;
+    const float old_pitch = std::asin(std::clamp(offset.y / distance, -1.0f, 1.0f));
+    const float new_pitch = std::clamp(old_pitch + pitch, -kSteepest, kSteepest);
+    eye = target + distance * glm::vec3(std::cos(new_pitch) * std::sin(new_yaw), std::sin(new_pitch),
+                                        std::cos(new_pitch) * std::cos(new_yaw));
+}
+
+void Camera::pan(float right, float up) {
+    const glm::mat4 v = view();
+    const glm::vec3 right_axis(v[0][0], v[1][0], v[2][0]);
+    const glm::vec3 up_axis(v[0][1], v[1][1], v[2][1]);
+    const float height = 2.0f * glm::length(target - eye) * std::tan(0.5f * fov_y);
+    const glm::vec3 move = height * (right * right_axis + up * up_axis);
+    eye += move;
+    target += move;
+}
+
+void Camera::dolly(float factor) {
+    const glm::vec3 offset = eye - target;
+    const float distance = glm::length(offset);
+    if (factor <= 0.0f || distance <= 0.0f) return;
+    const float wanted =
+        std::clamp(distance * factor, std::max(2.0f * near_plane, kNearestDistance), 0.5f * far_plane);
+    eye = target + offset * (wanted / distance);
+}
+
+void Camera::frame(glm::vec3 centre, float radius) {
+    const glm::vec3 offset = eye - target;
+    const float length = glm::length(offset);
+    const glm::vec3 direction = length > 0.0f ? offset / length : glm::vec3(0, 0, 1);
+    target = centre;
+    eye = centre + direction * (std::max(radius, kNearestDistance) / std::sin(0.5f * fov_y));
+}
+
+Ray pixelRay(const Camera& camera, int width, int height, float x, float y) {
+    const glm::mat4 v = camera.view();
+    const float half = std::tan(0.5f * camera.fov_y);
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const float ndc_x = 2.0f * (x + 0.5f) / static_cast<float>(width) - 1.0f;
+    const float ndc_y = 1.0f - 2.0f * (y + 0.5f) / static_cast<float>(height);
+    const glm::vec3 in_view(ndc_x * half * aspect, ndc_y * half, -1.0f);
+    return {camera.eye, glm::normalize(glm::transpose(glm::mat3(v)) * in_view)};
+}
+
+}  // namespace demolish::engine

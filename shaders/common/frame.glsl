@@ -1,0 +1,34 @@
+// What every pass of a frame knows; the C++ side is engine/render/frame_uniforms.h.
+layout(std140, binding = 0) uniform Frame {
+    mat4 view_projection;  // world to clip, reversed depth in 0..1
+    mat4 view;             // world to view
+    mat4 light_matrix;     // world to shadow map: u, v, depth in 0..1
+    vec4 eye;              // xyz: camera, m
+    vec4 ray_right;        // rays through the picture: forward + x * right + y * up, x and y in -1..1
+    vec4 ray_up;
+    vec4 ray_forward;
+    vec4 to_sun;           // xyz: unit; w: tangent of the sun's apparent radius
+    vec4 sun_colour;       // rgb linear; w: exposure
+    vec4 sky_zenith;
+    vec4 sky_horizon;
+    vec4 floor_colour;     // rgb; w: 1 when the floor is drawn
+    vec4 viewport;         // width, height, 1/width, 1/height, px
+    vec4 shadow;           // x: m per texel, y: 1/texels, z: width of the map in m, w: depth range in m
+    vec4 depth_range;      // x: near, y: far, m; z: tan(fov_y / 2); w: aspect
+    vec4 scene;            // xyz: centre, w: radius, m
+} frame;
+
+// Distance along the view axis from reversed depth.
+float linearDepth(float depth) {
+    float near = frame.depth_range.x, far = frame.depth_range.y;
+    return near * far / (near + depth * (far - near));
+}
+
+vec3 rayThrough(vec2 uv) {
+    vec2 ndc = 2.0 * uv - 1.0;
+    return normalize(frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz);
+}
+
+// A value in 0..1 for each pixel that differs most from its neighbours' (interleaved gradient noise, Jimenez 2014);
+// depends on the pixel alone, so a frame is the same every time.
+float pixelNoise(vec2 pixel) { return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715)))); }

@@ -1,0 +1,22 @@
+// Band-limited noise of rest position from a small repeating volume: rgb = gradient, a = value, both mapped to 0..1.
+layout(binding = 2) uniform sampler3D noise_volume;
+const float kNoisePeriod = 8.0;  // lattice cells along one side of the volume
+
+// xyz: gradient per lattice cell, w: value, about -1..1. `p` in lattice cells.
+vec4 noise(vec3 p) {
+    vec4 t = texture(noise_volume, p / kNoisePeriod) * 2.0 - 1.0;
+    return vec4(t.xyz * 2.0, t.w);
+}
+
+// Turns so that the octaves' lattices do not line up.
+const mat3 kTurn1 = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.00, 0.48, 0.64, 0.60);
+const mat3 kTurn2 = mat3(0.60, 0.00, 0.80, 0.48, 0.80, -0.36, -0.64, 0.60, 0.48);
+
+// Three octaves; gradients keep their weight from octave to octave, values halve.
+vec4 fractureNoise(vec3 p) {
+    vec4 a = noise(p);
+    vec4 b = noise(kTurn1 * p * 2.03);
+    vec4 c = noise(kTurn2 * p * 4.11);
+    vec3 gradient = a.xyz + 0.8 * (transpose(kTurn1) * b.xyz) + 0.6 * (transpose(kTurn2) * c.xyz);
+    return vec4(gradient, (a.w + 0.5 * b.w + 0.25 * c.w) / 1.75);
+}

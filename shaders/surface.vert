@@ -1,0 +1,21 @@
+#version 450 core
+// Body vertex: rest position moved by its fragment; rest position goes on for the noise.
+#include "common/frame.glsl"
+#include "common/body.glsl"
+layout(location = 0) in vec3 rest_position;
+layout(location = 1) in vec2 rest_normal;
+layout(location = 2) in uint cell;
+
+out vec3 world_position;
+out vec3 world_normal;
+out vec3 rest;
+flat out vec4 rotation;
+
+void main() {
+    FragmentTransform t = transforms[particle_fragment[cell]];
+    world_position = moved(t, rest_position);
+    world_normal = rotate(t.rotation, decodeNormal(rest_normal));
+    rest = rest_position;
+    rotation = t.rotation;
+    gl_Position = frame.view_projection * vec4(world_position, 1.0);
+}

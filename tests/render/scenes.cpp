@@ -1,0 +1,163 @@
+// Each scene shows one thing that can go wrong.
+#include "tests/render/scenes.h"
+
+#include <functional>
+#include <map>
+#include <stdexcept>
+
+#include "engine/render/frame_capture.h"
+
+namespace demolish::engine::test {
+namespace {
+
+constexpr int kWidth = 480, kHeight = 270;
+
+FrameView standardView() {
+    FrameView view;
+    view.camera.eye = {1.75f, 1.2f, 2.35f};
+    view.camera.target = {0.0f, 0.42f, 0.0f};
+    view.width = kWidth;
+    view.height = kHeight;
+    view.scene_radius = 1.8f;
+    view.look.noise_scale = 0.03f;
+    view.look.crack_width = 0.004f;
+    return view;
+}
+
+float random(uint32_t h) {
+    h = (h ^ (h >> 16)) * 0x7feb352du;
+    h = (h ^ (h >> 15)) * 0x846ca68bu;
+    return static_cast<float>((h ^ (h >> 16)) & 0xffffu) / 65535.0f;
+}
+
+/// Pieces fly apart from where they were hit: near ones far and turning, the others hardly.
+Motion scatter(const BlockBody& body, uint32_t slot, glm::vec3 hit) {
+    const glm::vec3 centre = body.cellCentre(slot), away = centre - hit;
+    const float near = std::exp(-4.0f * glm::dot(away, away));
+    const glm::vec3 axis =
+        glm::normalize(glm::vec3(random(slot * 3 + 1), random(slot * 3 + 2), random(slot * 3 + 3)) - 0.48f);
+    Motion motion;
+    motion.rotation = glm::angleAxis(1.6f * near * (0.3f + random(slot)), axis);
+    const glm::vec3 jump =
+        near * (0.55f + 0.5f * random(slot + 77)) * glm::normalize(away + glm::vec3(0, 0.25f, 0));
+    motion.translation = centre + jump - motion.rotation * centre;
+    return motion;
+}
+
+Scene blockScene(const BlockOptions& options) {
+    Scene scene;
+    scene.body = std::make_unique<BlockBody>(options);
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+    scene.view = standardView();
+    return scene;
+}
+
+bool noCracks(uint32_t, uint32_t) {
+    return false;
+}
+
+constexpr glm::vec3 kHit{0.55f, 0.75f, 0.35f};
+
+/// Cells far from the hit stay one fragment, those near fly alone or in pairs.
+uint32_t brokenSlot(const BlockBody& body, uint32_t cell) {
+    if (glm::distance(body.cellCentre(cell), kHit) > 0.62f) return 0;
+    return cell - (cell % 8 == 1 ? 1 : 0);
+}
+
+Scene ball(ViewMode mode, ColourMap colours) {
+    Scene scene = blockScene({.cells = 8, .jitter = 0.6f, .roundness = 1.0f, .subdivisions = 4});
+    const BlockBody& body = *scene.body;
+    body.write(
+        *scene.mesh, [&](uint32_t cell) { return brokenSlot(body, cell); },
+        [&](uint32_t slot) { return slot == 0 ? Motion{} : scatter(body, slot, kHit); },
+        [](uint32_t a, uint32_t b) { return (a * 7 + b * 3) % 5 == 0; });
+    scene.spheres = {{{0.86f, 0.86f, 0.78f}, 0.13f}};
+    scene.view.mode = mode;
+    scene.view.colour_map = colours;
+    return scene;
+}
+
+Scene crackedBlock() {
+    Scene scene = wholeBlock();
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
+        [](uint32_t a, uint32_t b) { return (a + b) % 3 != 0; });
+    return scene;
+}
+
+Scene draft() {
+    Scene scene = brokenBlock();
+    scene.view.quality = RenderQuality::kDraft;
+    scene.view.samples = 1;
+    return scene;
+}
+
+Scene emptyFloor() {
+    Scene scene;
+    scene.view = standardView();
+    return scene;
+}
+
+const std::map<std::string, std::function<Scene()>>& table() {
+    static const std::map<std::string, std::function<Scene()>> scenes{
+        {"whole_block", wholeBlock},
+        {"cracked_block", crackedBlock},
+        {"broken_block", brokenBlock},
+        {"broken_block_draft", draft},
+        {"broken_ball", [] { return ball(ViewMode::kSurface, ColourMap::kFragment); }},
+        {"ball_particles_fragment", [] { return ball(ViewMode::kParticles, ColourMap::kFragment); }},
+        {"ball_particles_value", [] { return ball(ViewMode::kParticles, ColourMap::kDamage); }},
+        {"empty_floor", emptyFloor},
+    };
+    return scenes;
+}
+
+}  // namespace
+
+Scene wholeBlock() {
+    Scene scene = blockScene({.cells = 4, .jitter = 0.5f});
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; }, noCracks);
+    return scene;
+}
+
+Scene brokenBlock() {
+    Scene scene = blockScene({.cells = 2, .size = 0.8f, .jitter = 0.4f, .subdivisions = 2});
+    const BlockBody& body = *scene.body;
+    body.write(
+        *scene.mesh, [](uint32_t cell) { return cell; },
+        [&](uint32_t slot) {
+            Motion motion;
+            const glm::vec3 centre = body.cellCentre(slot);
+            motion.rotation = glm::angleAxis(0.25f + 0.1f * static_cast<float>(slot),
+                                             glm::normalize(glm::vec3(1, 2, 0.5f)));
+            motion.translation = centre * 1.45f + glm::vec3(0, 0.08f, 0) - motion.rotation * centre;
+            return motion;
+        },
+        noCracks);
+    return scene;
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> names;
+    for (const auto& [name, make] : table()) names.push_back(name);
+    return names;
+}
+
+Scene makeScene(const std::string& name) {
+    const auto found = table().find(name);
+    if (found == table().end()) throw std::invalid_argument("No test scene is called " + name);
+    return found->second();
+}
+
+Image drawPicture(Renderer& renderer, const Scene& scene) {
+    Image picture;
+    FrameCapture capture(scene.view.width, scene.view.height,
+                         [&](uint64_t, Image image) { picture = std::move(image); });
+    renderer.draw(scene.mesh.get(), scene.spheres, scene.view, capture.framebuffer());
+    capture.submit(0);
+    capture.finish();
+    return picture;
+}
+
+}  // namespace demolish::engine::test

@@ -1,0 +1,32 @@
+// The test pictures: named scenes that goldens, facts and the eye all use.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/image/image.h"
+#include "engine/render/renderer.h"
+#include "tests/render/block_body.h"
+
+namespace demolish::engine::test {
+
+struct Scene {
+    std::unique_ptr<BlockBody> body;
+    std::unique_ptr<FractureMesh> mesh;
+    std::vector<SphereDraw> spheres;
+    FrameView view;
+};
+
+/// 480 x 270 and smaller scenes; the context must be current.
+Scene makeScene(const std::string& name);
+/// Names that makeScene knows.
+std::vector<std::string> sceneNames();
+
+/// Draws one frame into a picture.
+Image drawPicture(Renderer& renderer, const Scene& scene);
+
+/// A block in one piece, and the same broken into flying pieces.
+Scene wholeBlock();
+Scene brokenBlock();
+
+}  // namespace demolish::engine::test
