@@ -1,0 +1,89 @@
+// Softening, strength, time step: formulas of models E.1-E.2 and physics B.3 against their own tables and
+// small exact cases.
+#include "sim_cuda/physics/softening.h"
+
+#include <gtest/gtest.h>
+
+#include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/physics/time_step.h"
+
+namespace demolish {
+namespace {
+
+TEST(Softening, ModulusMakesTheStepTheWantedShareOfTheCriticalOne) {
+    const double trial = 1e6, omega = 4000, dt = 1.0 / 60 / 300, safety = 0.5;
+    const double modulus = bondModulusForStep(trial, omega, safety, dt);
+    const double softened_omega = omega * std::sqrt(modulus / trial);
+    EXPECT_NEAR(dt / criticalStep(softened_omega), safety, 1e-12);
+}
+
+TEST(Softening, EffectiveModulusOfTheBeamLaw) {  // (E4) against the measured bars, 3 %
+    EXPECT_NEAR(effectiveModulus(1, 0.3), 0.674, 5e-4);
+    EXPECT_NEAR(effectiveModulus(1, 0.3) / 0.682, 1, 0.03);
+    EXPECT_NEAR(effectiveModulus(1, 0.0) / 0.465, 1, 0.08);
+    EXPECT_NEAR(effectiveModulus(1, 1.0) / 0.990, 1, 0.03);
+    EXPECT_NEAR(bondModulusFor(effectiveModulus(3e6, 0.3), 0.3), 3e6, 1e-6);
+}
+
+TEST(Softening, CalibrationMeetsTheMeasuredSpheres) {  // E.2, within the stated scatter
+    const double rows[][3] = {{500, .596, .359}, {1000, .662, .369}, {2000, .704, .403}, {4000, .773, .419}};
+    for (const auto& [particles, plain, cells] : rows) {
+        const double ratio = diameterOverSpacing(particles);
+        EXPECT_NEAR(calibratedBeta(ratio) / plain, 1, 0.04) << particles;
+        EXPECT_NEAR(calibratedBetaToughCells(ratio) / cells, 1, 0.06) << particles;
+    }
+    EXPECT_NEAR(diameterOverSpacing(1000), 12.4, 0.05);
+}
+
+TEST(Softening, RabbitRowOfTheDesignTable) {  // E.3: N 1500, v_c 2.5, beta 0.4, c 91 m/s
+    const double strength = bondStrength(0.4, 2400, 91, 2.5);
+    EXPECT_NEAR(strength, 0.22e6, 0.01e6);
+    const double modulus = 2400 * 91.0 * 91.0;
+    EXPECT_NEAR(waveSpeed(modulus, 2400), 91, 1e-12);
+    EXPECT_NEAR(strainAtFailure(strength, modulus), 0.011, 0.0005);
+    EXPECT_NEAR(substepsForStrain(0.4, 2.5, 0.011, 0.5, 14.9e-3) / 300, 1, 0.05);
+}
+
+TEST(Softening, ThresholdsOfTheTable) {
+    EXPECT_EQ(thresholdFactor(ThresholdCase::kSphereDrop), 1);
+    EXPECT_NEAR(thresholdFactor(ThresholdCase::kVaseBall) / thresholdFactor(ThresholdCase::kVaseDrop), 40, 1);
+}
+
+TEST(TimeStep, BoundIsExactForOneSymmetricBondAndNeverBelow) {  // B.3
+    const double m = 1.3, inertia = 9e-4, arm = 0.042;
+    const auto k = paperBond(5e7, 0.25, 0.5, 0.021);
+    const BondEnd end{m, inertia, 1, arm};
+    const double bound = frequencyBoundSquared(k, end, end);
+    // Free pair: stretch 2k_N/m; twist 2k_P/I; bending 2k_B/I; shear with both rotations 2k_T(1/m + arm^2/I).
+    const double shear = 2 * k.shear * (1 / m + arm * arm / inertia);
+    const double largest =
+        std::max({2 * k.normal / m, 2 * k.torsion / inertia, 2 * k.bending / inertia, shear});
+    EXPECT_NEAR(bound / largest, 1, 1e-12);
+    const BondEnd heavier{3 * m, 5 * inertia, 1, 0.7 * arm};
+    EXPECT_LT(frequencyBoundSquared(k, end, heavier), bound);
+    const BondEnd crowded{m, inertia, 7, arm};
+    EXPECT_NEAR(frequencyBoundSquared(k, crowded, crowded) / bound, 7, 1e-9);
+}
+
+TEST(TimeStep, DampedLeapfrogIsStableJustBelowItsLimitAndNotAbove) {  // B.3, lagged damping
+    const double omega = 100;
+    for (const double zeta : {0.1, 0.3, 0.6}) {
+        for (const double share : {0.99, 1.01}) {
+            const double dt = share * dampedStepShare(zeta) * criticalStep(omega),
+                         beta = stiffnessDamping(zeta, omega);
+            double x = 1, v = 0, largest = 0;
+            for (int step = 0; step < 20000; ++step) {
+                v -= dt * omega * omega * (x + beta * v);
+                x += dt * v;
+                largest = std::max(largest, std::abs(x));
+                if (largest > 1e6) break;
+            }
+            EXPECT_EQ(largest > 1e6, share > 1) << zeta;
+        }
+        EXPECT_LE(stableStep(omega, zeta), dampedStepShare(zeta) * criticalStep(omega));
+    }
+    EXPECT_NEAR(dampedStepShare(0.75), 0.5, 1e-12);
+}
+
+}  // namespace
+}  // namespace demolish
