@@ -2,6 +2,7 @@
 #include "assets/models/field.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace demolish::sculptor {
 namespace {
@@ -38,11 +39,32 @@ Vec3 bladeCoordinates(const Frame& frame, const Part& part, Vec3 p) {
 Field::Field(const FieldRecipe& recipe)
     : coat_(recipe.coat), bounds_{recipe.parts.front().a, recipe.parts.front().a} {
     for (const Part& part : recipe.parts) {
-        Prepared prepared{part, Frame::of(part.turn), {}};
-        if (part.kind == PartKind::kBlade) prepared.end = bladeCoordinates(prepared.frame, part, part.b);
-        parts_.push_back(prepared);
+        parts_.push_back(prepare(part));
         if (!part.carves) include(bounds_, part);
     }
+}
+
+Field::Prepared Field::prepare(const Part& part) {
+    Prepared prepared{part, Frame::of(part.turn), {}, part.a};
+    if (part.kind == PartKind::kEllipsoid) {
+        // k0 / k1 is at least the smallest radius and k0 at least |p| over the largest.
+        const double smallest = std::min({part.radii.x, part.radii.y, part.radii.z});
+        prepared.slope = smallest / std::max({part.radii.x, part.radii.y, part.radii.z});
+        prepared.offset = smallest;
+    } else if (part.kind == PartKind::kCone) {
+        prepared.centre = 0.5 * (part.a + part.b);
+        prepared.slope = 1;
+        prepared.offset = 0.5 * length(part.b - part.a) + std::max(part.ra, part.rb);
+    } else {
+        prepared.end = bladeCoordinates(prepared.frame, part, part.b);
+        prepared.offset = std::numeric_limits<double>::infinity();  // few enough to ask always
+    }
+    return prepared;
+}
+
+double Field::leastDistance(const Prepared& prepared, Vec3 p) {
+    if (prepared.part.mirrored && (p.x < 0) != (prepared.centre.x < 0)) p.x = -p.x;
+    return prepared.slope * length(p - prepared.centre) - prepared.offset;
 }
 
 double Field::distance(const Prepared& prepared, Vec3 p) {
@@ -64,6 +86,9 @@ double Field::at(Vec3 p) const {
     double body = 0;
     for (size_t i = 0; i < parts_.size(); ++i) {
         const Part& part = parts_[i].part;
+        // A part farther away than this leaves the value as it is, to the bit; most are.
+        const double out_of_reach = part.blend + (part.carves ? -body : body) + 1e-9;
+        if (i > 0 && leastDistance(parts_[i], p) > out_of_reach) continue;
         double d = distance(parts_[i], p);
         if (part.mirrored) d = std::min(d, distance(parts_[i], {-p.x, p.y, p.z}));
         if (i == 0)

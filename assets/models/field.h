@@ -29,7 +29,12 @@ class Field {
         Part part;
         Frame frame;
         Vec3 end;  ///< second end of a blade in its own coordinates
+        /// The part's distance is nowhere less than slope * |p - centre| - offset.
+        Vec3 centre;
+        double slope = 0, offset = 0;
     };
+    static Prepared prepare(const Part& part);
+    static double leastDistance(const Prepared& prepared, Vec3 p);
     static double distance(const Prepared& prepared, Vec3 p);
 
     std::vector<Prepared> parts_;
