@@ -42,7 +42,8 @@ struct FillOptions {
 /// N = round(V / h^3). Throws UsageError when outside kMinParticles..kMaxParticles, naming the sizes that are possible.
 uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m);
 
-/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled.
+/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled, UsageError when options.particles is out of range,
+/// InputFileError when the walls are too thin to hold any particle.
 std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& mesh, const FillOptions& options,
                                                        const ProgressCallback& progress = {});
 
