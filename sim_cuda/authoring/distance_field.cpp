@@ -97,47 +97,58 @@ std::vector<std::vector<uint32_t>> trianglesBySlab(const TriangleMesh& mesh, con
     return slabs;
 }
 
-/// One axis of a sweep: the layers run along `along`, the nodes of a layer along the other two.
+/// One grid axis: how many nodes, how far apart in the index, and the way from one to the next (m).
+struct Axis {
+    int count;
+    ptrdiff_t stride;
+    float x, y, z;
+};
+/// Layers follow each other along the first axis; the nodes of a layer lie along the other two.
 struct SweepAxes {
-    ptrdiff_t along, row, column;  // index strides
-    int layers, rows, columns;
+    Axis along, row, column;
 };
 
-/// Hands nearest points from the previous layer to this one. `source` is -along or +along.
-void sweepLayer(const SweepAxes& axes, int layer, ptrdiff_t source, const NodeFrame& frame,
-                std::vector<Nearest>& nearest) {
-    const float exact = float(kBand * kBand * frame.step * frame.step), step = float(frame.step);
-    tbb::parallel_for(tbb::blocked_range<int>(0, axes.rows, 16), [&](const tbb::blocked_range<int>& rows) {
-        for (int r = rows.begin(); r < rows.end(); ++r)
-            for (int c = 0; c < axes.columns; ++c) {
-                const ptrdiff_t here = layer * axes.along + r * axes.row + c * axes.column;
-                Nearest& node = nearest[size_t(here)];
-                if (node.squared <= exact) continue;
-                const ptrdiff_t plane = frame.nx * ptrdiff_t(frame.ny);
-                const float x = float(here % frame.nx) * step, y = float(here / frame.nx % frame.ny) * step;
-                const float z = float(here / plane) * step;
-                for (int dr = r > 0 ? -1 : 0; dr <= (r + 1 < axes.rows ? 1 : 0); ++dr)
-                    for (int dc = c > 0 ? -1 : 0; dc <= (c + 1 < axes.columns ? 1 : 0); ++dc) {
-                        const Nearest& from =
-                            nearest[size_t(here + source + dr * axes.row + dc * axes.column)];
-                        if (from.squared == std::numeric_limits<float>::infinity()) continue;
-                        const float dx = from.x - x, dy = from.y - y, dz = from.z - z;
-                        const float squared = dx * dx + dy * dy + dz * dz;
-                        if (squared < node.squared) node = {from.x, from.y, from.z, squared};
-                    }
+/// Takes over the nearest points of the previous layer (`source` is its index distance) where they are
+/// nearer.
+void sweepRow(const SweepAxes& axes, int layer, int r, ptrdiff_t source, float exact,
+              std::vector<Nearest>& nearest) {
+    const auto& [along, row, column] = axes;
+    const ptrdiff_t first = layer * along.stride + r * row.stride;
+    const int r_first = r > 0 ? -1 : 0, r_last = r + 1 < row.count ? 1 : 0;
+    const float layer_f = float(layer), r_f = float(r);
+    for (int c = 0; c < column.count; ++c) {
+        const ptrdiff_t here = first + c * column.stride;
+        Nearest& node = nearest[size_t(here)];
+        if (node.squared <= exact) continue;
+        const float c_f = float(c);
+        const float x = layer_f * along.x + r_f * row.x + c_f * column.x;
+        const float y = layer_f * along.y + r_f * row.y + c_f * column.y;
+        const float z = layer_f * along.z + r_f * row.z + c_f * column.z;
+        const int c_first = c > 0 ? -1 : 0, c_last = c + 1 < column.count ? 1 : 0;
+        for (int dr = r_first; dr <= r_last; ++dr)
+            for (int dc = c_first; dc <= c_last; ++dc) {
+                const Nearest& from = nearest[size_t(here + source + dr * row.stride + dc * column.stride)];
+                if (from.squared == std::numeric_limits<float>::infinity()) continue;
+                const float dx = from.x - x, dy = from.y - y, dz = from.z - z;
+                const float squared = dx * dx + dy * dy + dz * dz;
+                if (squared < node.squared) node = {from.x, from.y, from.z, squared};
             }
-    });
+    }
 }
 
 void sweepAll(const NodeFrame& frame, std::vector<Nearest>& nearest) {
-    const ptrdiff_t x = 1, y = frame.nx, z = ptrdiff_t(frame.nx) * frame.ny;
-    for (const SweepAxes& axes :
-         {SweepAxes{z, y, x, frame.nz, frame.ny, frame.nx}, SweepAxes{y, z, x, frame.ny, frame.nz, frame.nx},
-          SweepAxes{x, z, y, frame.nx, frame.nz, frame.ny}}) {
-        for (int layer = 1; layer < axes.layers; ++layer)
-            sweepLayer(axes, layer, -axes.along, frame, nearest);
-        for (int layer = axes.layers - 2; layer >= 0; --layer)
-            sweepLayer(axes, layer, axes.along, frame, nearest);
+    const float step = float(frame.step), exact = float(kBand * kBand) * step * step;
+    const Axis x{frame.nx, 1, step, 0, 0}, y{frame.ny, frame.nx, 0, step, 0};
+    const Axis z{frame.nz, ptrdiff_t(frame.nx) * frame.ny, 0, 0, step};
+    for (const SweepAxes& axes : {SweepAxes{z, y, x}, SweepAxes{y, z, x}, SweepAxes{x, z, y}}) {
+        const auto sweepLayer = [&](int layer, ptrdiff_t source) {
+            tbb::parallel_for(tbb::blocked_range<int>(0, axes.row.count, 16), [&](const auto& rows) {
+                for (int r = rows.begin(); r < rows.end(); ++r)
+                    sweepRow(axes, layer, r, source, exact, nearest);
+            });
+        };
+        for (int layer = 1; layer < axes.along.count; ++layer) sweepLayer(layer, -axes.along.stride);
+        for (int layer = axes.along.count - 2; layer >= 0; --layer) sweepLayer(layer, axes.along.stride);
     }
 }
 
