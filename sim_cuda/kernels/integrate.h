@@ -1,0 +1,61 @@
+// Leapfrog, kick then drift (physics B.1), and the ledger's share of a particle.
+#pragma once
+#include "sim_cuda/kernels/own_particle.h"
+
+namespace demolish {
+
+/// hi + lo + change as a new unevaluated sum (compensated addition).
+template <class Real>
+DEM_FN void addToPosition(Real change, Real& high, Real& low) {
+    const Real step = low + change, sum = high + step;
+    low = step - (sum - high);
+    high = sum;
+}
+
+/// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. A slot with inverse mass 0 stays as it is.
+template <class Real>
+DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench<Real>& load,
+                                      const StepParams<Real>& params) {
+    LoadedState<Real> next = own.state;
+    if (!(own.constants.inverse_mass > Real(0))) return next;
+    const Real dt = params.dt, keep = params.velocity_keep;
+    const Vec3<Real> acceleration = axpy(own.constants.inverse_mass, load.force, params.gravity);
+    const Vec3<Real> velocity = keep * axpy(dt, acceleration, xyz(own.state.velocity));
+    const Vec3<Real> spin = keep * axpy(dt * own.constants.inverse_inertia, load.torque, xyz(own.state.spin));
+    Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
+    addToPosition(dt * velocity.x, next.position.x, low.x);
+    addToPosition(dt * velocity.y, next.position.y, low.y);
+    addToPosition(dt * velocity.z, next.position.z, low.z);
+    next.position.w = low.x;
+    next.velocity = withW(velocity, low.y);
+    next.spin = withW(spin, low.z);
+    next.rotation = asVec4(advanced(asQuat(own.state.rotation), spin, dt));
+    return next;
+}
+
+template <class Real>
+DEM_FN void storeState(const StateOut<Real>& out, uint32_t i, const LoadedState<Real>& state) {
+    out.position[i] = state.position;
+    out.rotation[i] = state.rotation;
+    out.velocity[i] = state.velocity;
+    out.spin[i] = state.spin;
+}
+
+/// W: what `part` of a load gives to the particle at the mean velocity of the kick.
+template <class Real>
+DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
+                      const LoadedState<Real>& after) {
+    const Vec3<Real> velocity = Real(0.5) * (xyz(before.velocity) + xyz(after.velocity));
+    const Vec3<Real> spin = Real(0.5) * (xyz(before.spin) + xyz(after.spin));
+    return dot(part.force, velocity) + dot(part.torque, spin);
+}
+
+template <class Real>
+DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
+                       const LoadedState<Real>& after, Real dt) {
+    ledger.x -= dt * meanPower(tally.damping, before, after);
+    ledger.y -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
+    ledger.z += tally.fracture;
+}
+
+}  // namespace demolish

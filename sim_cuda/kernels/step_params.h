@@ -1,0 +1,75 @@
+// Constants of a substep that are the same for all particles, and the law constants of each body and of each
+// pair of owners.
+#pragma once
+#include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/bonds.h"
+#include "sim_cuda/data/particles.h"
+#include "sim_cuda/data/planes.h"
+
+namespace demolish {
+
+/// Law constants of the bonds of one body (models E.1). Radius and strength come as 16-bit shares of these
+/// units.
+template <class Real>
+struct BodyLaw {
+    Real shear_ratio{};    ///< a = k_T / k_N; k_P = 2 a k_B
+    Real beta_r{};         ///< s, of (E3)
+    Real radius_unit{};    ///< m: a_b = radius_unit * share
+    Real strength_unit{};  ///< Pa: s_b sigma_c = strength_unit * share
+    Real friction{};       ///< mu of its broken bonds
+    Real rolling{};        ///< mu_r of its broken bonds
+    Real adhesion{};       ///< w, J/m^2
+};
+
+/// Law constants of a contact between two owners (bodies, projectiles, or a body and a wall).
+template <class Real>
+struct PairLaw {
+    Real stiffness{};      ///< N/m, linear law
+    Real damping{};        ///< c^ of the linear law, alpha of the Hertz law (physics A.2 table)
+    Real friction{};       ///< mu
+    Real rolling{};        ///< mu_r
+    Real adhesion{};       ///< w, J/m^2
+    Real modulus{};        ///< Pa, E* (Hertz law)
+    Real shear_modulus{};  ///< Pa, G* (Hertz law)
+};
+
+/// k_t / k_n of the linear contact law (models E.4).
+inline constexpr double kContactShearRatio = 0.8;
+/// A contact never gets stiffer than this times m_e / dt^2: light slivers between stiff cells stay stable.
+inline constexpr double kContactStiffnessShare = 0.3;
+
+template <class Real>
+struct StepParams {
+    Real dt{};           ///< s
+    Vec3<Real> gravity;  ///< m/s^2
+    Real velocity_keep{
+        1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
+    Real stiffness_cap{};    ///< 1/s^2: k <= stiffness_cap * m_e
+    Real largest_radius{};   ///< m, of R_c among the bodies' particles
+    uint32_t hertz = 0;      ///< 1: Hertz contacts
+    uint32_t breaking = 1;   ///< 0: bonds hold whatever happens (settling)
+    uint32_t owners = 0;     ///< bodies + projectile slots: rows of the table of pair laws
+    uint32_t in_bodies = 0;  ///< particles of bodies
+    uint32_t total = 0;      ///< with projectile slots
+    PlaneSet<Real> planes;
+};
+
+/// Everything that is gathered from in a substep, and what it writes.
+template <class Real>
+struct SubstepArrays {
+    StateIn<Real> in;
+    StateOut<Real> out;
+    Span<const Vec4<Real>> constants;
+    Span<const uint32_t> owner;
+    Span<const uint32_t> bond_row, contact_row;
+    Span<const Vec4<Real>> rest;
+    Span<const uint32_t> neighbour;
+    Span<const BodyLaw<Real>> body_laws;                         ///< per body
+    Span<const PairLaw<Real>> pair_laws;                         ///< owners x owners
+    Span<const PairLaw<Real>> wall_laws;                         ///< per owner, against planes
+    Span<BondLink> link;                                         ///< own slots only
+    Span<Vec4<Real>> bond_spring, contact_spring, plane_spring;  ///< own slots only
+    Span<Vec4<Real>> ledger;  ///< J since it was cleared: (damping, friction, fracture, 0)
+};
+
+}  // namespace demolish

@@ -1,0 +1,81 @@
+// One substep on the CPU: solid bonds in lanes, then every particle sums its slots in the fixed order and
+// moves.
+#pragma once
+#include "sim_cuda/kernels/bond_lanes.h"
+#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+/// Slot k of a row goes to partial sum k mod kPartials, contacts after bonds into the same ones; then a fixed
+/// tree. A projectile's long row has kLongPartials. The same on every device, whatever the number of threads
+/// a particle.
+inline constexpr uint32_t kPartials = 4, kLongPartials = 128;
+
+template <uint32_t kCount, class Real>
+class PartialSums {
+  public:
+    void add(uint32_t k, const Wrench<Real>& term) { demolish::add(sums_[k % kCount], term); }
+    Wrench<Real> total() {
+        for (uint32_t step = kCount / 2; step > 0; step /= 2)
+            for (uint32_t l = 0; l < step; ++l) demolish::add(sums_[l], sums_[l + step]);
+        return sums_[0];
+    }
+
+  private:
+    Wrench<Real> sums_[kCount];
+};
+
+template <bool kLedger, class Real>
+class CpuParticleStep {
+  public:
+    CpuParticleStep(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                    const BondPairs<Real>& pairs)
+        : arrays_(arrays), params_(params), pairs_(pairs) {}
+
+    void operator()(uint32_t i) const {
+        const OwnParticle<Real> own = loadOwn(arrays_, i);
+        Tally<Real> tally;
+        Wrench<Real> load =
+            i < params_.in_bodies ? sumRow<kPartials>(own, tally) : sumRow<kLongPartials>(own, tally);
+        if (own.constants.inverse_mass > Real(0))
+            for (uint32_t p = 0; p < params_.planes.count; ++p)
+                add(load, planeContact<kLedger>(arrays_, params_, own, p, tally));
+        const LoadedState<Real> next = kickAndDrift(own, load, params_);
+        if constexpr (kLedger) bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
+        storeState(arrays_.out, i, next);
+    }
+
+  private:
+    template <uint32_t kCount>
+    Wrench<Real> sumRow(const OwnParticle<Real>& own, Tally<Real>& tally) const {
+        PartialSums<kCount, Real> sums;
+        const uint32_t first_bond = arrays_.bond_row[own.id], last_bond = arrays_.bond_row[own.id + 1];
+        for (uint32_t slot = first_bond; slot < last_bond; ++slot)
+            sums.add(slot - first_bond, isBonded(arrays_.link[slot])
+                                            ? recorded(slot, tally)
+                                            : formerBondSlot<kLedger>(arrays_, params_, own, slot, tally));
+        const uint32_t first = arrays_.contact_row[own.id], last = arrays_.contact_row[own.id + 1];
+        for (uint32_t slot = first; slot < last; ++slot)
+            sums.add(slot - first, contactSlot<kLedger>(arrays_, params_, own, slot, tally));
+        return sums.total();
+    }
+
+    Wrench<Real> recorded(uint32_t slot, Tally<Real>& tally) const {
+        const BondRecord<Real>& record = pairs_.record[slot];
+        if (record.breaks > Real(0))
+            arrays_.link[slot].link = linkWord(linkedParticle(arrays_.link[slot]), PairState::kBroken);
+        if constexpr (kLedger) {
+            const DampingRecord<Real>& damping = pairs_.damping[slot];
+            add(tally.damping, {damping.force, damping.torque});
+            tally.fracture += record.fracture;
+        }
+        return {record.force, record.torque};
+    }
+
+    const SubstepArrays<Real>& arrays_;
+    const StepParams<Real>& params_;
+    const BondPairs<Real>& pairs_;
+};
+
+}  // namespace demolish

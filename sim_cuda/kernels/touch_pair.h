@@ -1,0 +1,120 @@
+// Two bodies pressed on each other without a bond: plain contact, the faces of a broken bond, a particle on a
+// plane. One law for all three (physics A.2, A.5; models E.4, E.5): spring and damper along the line of
+// centres, never pulling except by adhesion, a tangential spring cut at mu N, rolling resistance. Odd in i
+// and j to the last bit.
+#pragma once
+#include "sim_cuda/kernels/bond_pair.h"
+#include "sim_cuda/physics/contact_laws.h"
+#include "sim_cuda/physics/rolling_resistance.h"
+#include "sim_cuda/physics/tangential_spring.h"
+
+namespace demolish {
+
+template <class Real>
+struct TouchGeometry {
+    Vec3<Real> normal;  ///< unit, from i to j
+    Real overlap{};     ///< m, > 0
+    Real arm_i{};       ///< m, from i's centre to the common point, along the normal
+    Real arm_j{};       ///< m, from j's centre to it, against the normal
+};
+
+template <class Real>
+struct TouchLaw {
+    Real elastic{};         ///< N, repulsion of the overlap
+    Real normal_damping{};  ///< N s/m
+    Real shear{};           ///< N/m, k_t
+    Real shear_damping{};   ///< N s/m
+    Real adhesion{};        ///< N, >= 0
+    Real friction{};        ///< mu
+    Real rolling{};         ///< mu_r
+    Real radius{};          ///< m, for rolling
+    Real inertia{};         ///< kg m^2, for rolling
+};
+
+template <class Real>
+struct TouchEffect {
+    Wrench<Real> load;      ///< on i
+    Vec3<Real> spring;      ///< m, tangential spring after the step
+    Wrench<Real> damping;   ///< on i, the normal damper's share
+    Wrench<Real> friction;  ///< on i, of tangential force and rolling resistance
+    Real spring_energy{};   ///< J, stored in the tangential spring after the step
+};
+
+/// Spring as it was; i and j as in PairMotion (of which positions and rotations are not used).
+template <class Real>
+DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
+                                     const PairMotion<Real>& pair, const Vec3<Real>& spring, Real dt) {
+    const Vec3<Real> arm_i = at.arm_i * at.normal, arm_j = -at.arm_j * at.normal;
+    const Vec3<Real> relative =
+        (pair.velocity_j + cross(pair.spin_j, arm_j)) - (pair.velocity_i + cross(pair.spin_i, arm_i));
+    const Real opening = dot(relative, at.normal);
+    const Vec3<Real> slip = axpy(-opening, at.normal, relative);
+    const Real normal = repulsion(law.elastic, law.normal_damping, -opening);
+    const TangentialResult<Real> tangential = tangentialSpring(spring, at.normal, slip, dt, law.shear,
+                                                               law.shear_damping, law.friction * law.elastic);
+    const Vec3<Real> rolling =
+        rollingTorque(law.rolling, law.radius, law.elastic, law.inertia, pair.spin_j - pair.spin_i, dt);
+    TouchEffect<Real> effect;
+    effect.load.force = axpy(law.adhesion - normal, at.normal, tangential.force);
+    effect.load.torque = cross(arm_i, effect.load.force) + rolling;
+    effect.spring = tangential.spring;
+    effect.damping.force = (law.elastic - normal) * at.normal;  // on the line of centres: no torque
+    effect.friction = {tangential.force, cross(arm_i, tangential.force) + rolling};
+    effect.spring_energy = Real(0.5) * law.shear * length2(tangential.spring);
+    return effect;
+}
+
+/// Contact constants by the law chosen; `inverse_mass` = 1/m_i + 1/m_j, likewise the inertia; R* and overlap
+/// in m.
+template <class Real>
+DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
+                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia) {
+    const Real root = inverseSqrt(inverse_mass), reduced_mass = root * root;
+    TouchLaw<Real> law;
+    if (params.hertz != 0) {
+        const Real a = contactRadius(reduced_radius, overlap);
+        law.elastic = hertzForce(pair.modulus, a, overlap);
+        law.normal_damping = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
+        law.shear = mindlinStiffness(pair.shear_modulus, a);
+    } else {
+        const Real stiffness = minOf(pair.stiffness, params.stiffness_cap * reduced_mass);
+        law.elastic = stiffness * overlap;
+        law.normal_damping = linearDamping(pair.damping, stiffness, reduced_mass);
+        law.shear = Real(kContactShearRatio) * stiffness;
+    }
+    law.shear_damping = law.normal_damping;
+    law.adhesion = adhesionForce(pair.adhesion, reduced_radius, overlap);
+    law.friction = pair.friction;
+    law.rolling = pair.rolling;
+    law.radius = reduced_radius;
+    const Real spin_root = inverseSqrt(inverse_inertia);
+    law.inertia = spin_root * spin_root;
+    return law;
+}
+
+/// R1 R2 / (R1 + R2) with our own reciprocal.
+template <class Real>
+DEM_FN Real reducedRadius(Real a, Real b) {
+    const Real root = inverseSqrt(a + b);
+    return (a * b) * (root * root);
+}
+
+/// (14') (15') with the bond's own stiffnesses and dampers.
+template <class Real>
+DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body, Real overlap,
+                                     Real reduced_radius, Real inverse_inertia) {
+    TouchLaw<Real> law;
+    law.elastic = brokenRepulsion(bond.stiffness.normal, overlap);
+    law.normal_damping = bond.beta_r * bond.stiffness.normal;
+    law.shear = bond.stiffness.shear;
+    law.shear_damping = bond.beta_r * bond.stiffness.shear;
+    law.adhesion = adhesionForce(body.adhesion, reduced_radius, overlap);
+    law.friction = body.friction;
+    law.rolling = body.rolling;
+    law.radius = reduced_radius;
+    const Real spin_root = inverseSqrt(inverse_inertia);
+    law.inertia = spin_root * spin_root;
+    return law;
+}
+
+}  // namespace demolish

@@ -1,0 +1,160 @@
+// What particle i gets from one slot that is not a solid bond: a contact of its list, the record of a former
+// bond, a plane. Each thread writes its own slot only; both ends of a pair compute the same.
+#pragma once
+#include "sim_cuda/kernels/own_particle.h"
+#include "sim_cuda/kernels/touch_pair.h"
+
+namespace demolish {
+
+/// Beyond this multiple of R_c,i + R_c,j nothing but the rough position is looked at.
+inline constexpr double kRoughReach = 1.01;
+
+/// Line of centres of a pair.
+template <class Real>
+struct CentreLine {
+    Vec3<Real> normal;  ///< unit, from i to j
+    Real distance{};    ///< m
+};
+template <class Real>
+DEM_FN CentreLine<Real> centreLine(const Vec3<Real>& separation) {
+    const Real squared = length2(separation), inverse = inverseSqrt(squared);
+    return {inverse * separation, squared * inverse};
+}
+
+template <class Real>
+DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
+    const Real limit = Real(kRoughReach) * reach;
+    return length2(xyz(b) - xyz(a)) > limit * limit;
+}
+
+/// Writes the spring back and books; `share` of the pair's energy is this particle's (1 against a plane).
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
+                               const PairMotion<Real>& pair, Vec4<Real>& spring, Real dt, Real share,
+                               Tally<Real>& tally) {
+    const Vec3<Real> before = xyz(spring);
+    const TouchEffect<Real> effect = touchEffect(at, law, pair, before, dt);
+    spring = withW(effect.spring, Real(0));
+    if constexpr (kLedger) {
+        add(tally.damping, effect.damping);
+        add(tally.friction, effect.friction);
+        const Real energy_before = Real(0.5) * law.shear * length2(before);
+        tally.spring_energy += share * (effect.spring_energy - energy_before);
+    }
+    return effect.load;
+}
+
+/// The pair no longer touches: what its spring still held is friction heat.
+template <bool kLedger, class Real>
+DEM_FN void releaseTouch(Real shear, Vec4<Real>& spring, Real share, Tally<Real>& tally) {
+    const Vec3<Real> before = xyz(spring);
+    const Real squared = length2(before);
+    if (!(squared > Real(0))) return;
+    spring = Vec4<Real>{};
+    if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * shear * squared);
+}
+
+/// Type 1: spheres of radius R_c.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
+                                 const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
+                                 const PairMotion<Real>& pair, const CentreLine<Real>& line,
+                                 Vec4<Real>& spring, Tally<Real>& tally) {
+    const Real radius = own.constants.contact_radius;
+    const Real overlap = (radius + other.contact_radius) - line.distance;
+    const TouchLaw<Real> law = contactTouchLaw(pair_law, params, maxOf(overlap, Real(0)),
+                                               reducedRadius(radius, other.contact_radius),
+                                               own.constants.inverse_mass + other.inverse_mass,
+                                               own.constants.inverse_inertia + other.inverse_inertia);
+    if (!(overlap > Real(0))) {
+        releaseTouch<kLedger>(law.shear, spring, Real(0.5), tally);
+        return {};
+    }
+    const Real arm_i = madd(Real(-0.5), overlap, radius),
+               arm_j = madd(Real(-0.5), overlap, other.contact_radius);
+    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair, spring,
+                               params.dt, Real(0.5), tally);
+}
+
+/// A slot of the contact list.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
+    const uint32_t j = arrays.neighbour[slot];
+    const Vec4<Real> position = arrays.in.position[j];
+    const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+    if (outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius))
+        return {};
+    const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
+    return plainContact<kLedger>(params, law, own, other, pair, centreLine(pair.separation),
+                                 arrays.contact_spring[slot], tally);
+}
+
+/// Type 3, and the step from it to type 1.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                               const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
+                               const PairMotion<Real>& pair, const CentreLine<Real>& line, uint32_t slot,
+                               Tally<Real>& tally) {
+    const BodyLaw<Real> body = arrays.body_laws[own.owner];
+    const BondConstants<Real> bond = bondConstants(arrays.rest[slot], arrays.link[slot].grade, body);
+    const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
+    Vec4<Real>& spring = arrays.bond_spring[slot];
+    if (!(overlap > Real(0))) {
+        releaseTouch<kLedger>(bond.stiffness.shear, spring, Real(0.5), tally);
+        const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
+        arrays.link[slot].link = linkWord(linkedParticle(arrays.link[slot]), next);
+        return {};
+    }
+    const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
+    const TouchLaw<Real> law =
+        brokenTouchLaw(bond, body, overlap, radius, own.constants.inverse_inertia + other.inverse_inertia);
+    const Real arm = Real(0.5) * line.distance;
+    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, spring,
+                               params.dt, Real(0.5), tally);
+}
+
+/// The record of a bond that is no longer solid.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                   const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
+    const BondLink link = arrays.link[slot];
+    const uint32_t j = linkedParticle(link);
+    const bool broken = pairState(link) == PairState::kBroken;
+    const Vec4<Real> position = arrays.in.position[j];
+    const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+    const Real reach = own.constants.contact_radius + other.contact_radius;
+    if (!broken && outOfReach(own.state.position, position, reach)) return {};
+    const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
+    const CentreLine<Real> line = centreLine(pair.separation);
+    if (broken) return brokenBond<kLedger>(arrays, params, own, other, pair, line, slot, tally);
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
+    return plainContact<kLedger>(params, law, own, other, pair, line, arrays.bond_spring[slot], tally);
+}
+
+/// Plane p: a wall with R* = R_w, nothing moves on its side.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                 const OwnParticle<Real>& own, uint32_t p, Tally<Real>& tally) {
+    const Vec4<Real> plane = params.planes.planes[p];
+    const Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
+    const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) + dot(xyz(plane), low);
+    const Real overlap = own.constants.floor_radius - height;
+    if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
+    const TouchLaw<Real> law = contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
+                                               own.constants.floor_radius, own.constants.inverse_mass,
+                                               own.constants.inverse_inertia);
+    Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
+    if (!(overlap > Real(0))) {
+        releaseTouch<kLedger>(law.shear, spring, Real(1), tally);
+        return {};
+    }
+    PairMotion<Real> pair;
+    pair.velocity_i = xyz(own.state.velocity);
+    pair.spin_i = xyz(own.state.spin);
+    return applyTouch<kLedger>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)}, law, pair, spring,
+                               params.dt, Real(1), tally);
+}
+
+}  // namespace demolish
