@@ -1,10 +1,10 @@
 // A solid and a particle count in, a breakable body out: the stages of authoring in order.
+#include <cmath>
+
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/authoring/body_parts.h"
 #include "sim_cuda/authoring/packing.h"
 #include "sim_cuda/authoring/solid_mesh.h"
-
-#include <cmath>
 
 namespace demolish {
 namespace {
