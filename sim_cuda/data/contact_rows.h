@@ -1,6 +1,6 @@
 // Which pairs without a bond record may touch before the lists are built again: rows sorted by id, both ends
 // hold the pair. A projectile's row is long; it stands last, and the particles it may touch have it at the
-// end of theirs.
+// end of theirs. Built by solver/neighbour_lists.h.
 #pragma once
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/vec4.h"
@@ -15,6 +15,14 @@ struct ContactRowsIn {
         spring;  ///< (tangential spring seen from the row's particle, m; 0), null when not touching
 };
 
+/// Straight paths on which the lists rely: x(t) = x + v t from the build on (kernels/predicted_path.h).
+template <class Real>
+struct PathsIn {
+    Span<const Vec4<Real>> position;  ///< total: (x at the build, m; R_c + skin, m)
+    Span<const Vec4<Real>>
+        velocity;  ///< total: (v at the build, m/s; skin, m; negative: takes part in nothing)
+};
+
 template <class Backend, class Real>
 struct ContactArrays {
     template <class T>
@@ -23,19 +31,11 @@ struct ContactArrays {
     Buffer<uint32_t> row_start;
     Buffer<uint32_t> neighbour;  ///< capacity may exceed row_start[total]
     Buffer<Vec4<Real>> spring;
-    Buffer<Vec4<Real>> built_position;  ///< total; state.position at the last build
-    Buffer<Real> skin;                  ///< m, total; chosen from each particle's speed before every build
-    uint32_t used = 0;                  ///< row_start[total]
+    Buffer<Vec4<Real>> built_position, built_velocity;  ///< PathsIn
+    uint32_t used = 0;                                  ///< row_start[total]
 
     ContactRowsIn<Real> in() const { return {row_start.view(), neighbour.view(), spring.view()}; }
-};
-
-/// A pair is listed when its distance at the build is below R_c,i + skin_i + R_c,j + skin_j, unless the pair
-/// has a bond record; the lists are built again before any particle has moved by its skin (against the common
-/// motion of all).
-struct ContactReach {
-    double largest_in_bodies =
-        0;  ///< m, upper bound of R_c + skin of the bodies' particles: sets the grid's cells
+    PathsIn<Real> paths() const { return {built_position.view(), built_velocity.view()}; }
 };
 
 }  // namespace demolish
