@@ -33,7 +33,7 @@ void main() {
     s.position = world_position;
     s.geometric_normal = vec3(0.0, 1.0, 0.0);
     s.normal = s.geometric_normal;
-    s.albedo = frame.floor_colour.rgb * (1.0 + 0.055 * checker + 0.03 * cloud + 0.02 * grain) * (1.0 - 0.28 * line);
+    s.albedo = frame.floor_colour.rgb * (1.0 + 0.055 * checker + 0.02 * cloud + 0.02 * grain) * (1.0 - 0.28 * line);
     s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
     s.metalness = 0.0;
     vec4 lit = shade(s, gl_FragCoord.xy);

@@ -24,8 +24,10 @@ vec3 shorter(vec3 a, vec3 b) { return abs(a.z) < abs(b.z) ? a : b; }
 
 // Surface normal from whichever neighbour on each axis belongs to the same surface.
 vec3 viewNormal(ivec2 p, vec3 centre) {
-    vec3 across = shorter(viewPosition(p + ivec2(1, 0)) - centre, centre - viewPosition(p - ivec2(1, 0)));
-    vec3 upward = shorter(viewPosition(p + ivec2(0, 1)) - centre, centre - viewPosition(p - ivec2(0, 1)));
+    vec3 right = viewPosition(p + ivec2(1, 0)) - centre, left = centre - viewPosition(p - ivec2(1, 0));
+    vec3 above = viewPosition(p + ivec2(0, 1)) - centre, below = centre - viewPosition(p - ivec2(0, 1));
+    vec3 across = p.x == 0 ? right : p.x == size.x - 1 ? left : shorter(right, left);
+    vec3 upward = p.y == 0 ? above : p.y == size.y - 1 ? below : shorter(above, below);
     return normalize(cross(across, upward));
 }
 
@@ -79,5 +81,6 @@ void main() {
         visible += weight * (openArc(right, n) + openArc(left, n));
     }
     visible = clamp(visible / float(kSlices), 0.0, 1.0);
+    visible = mix(1.0, visible, smoothstep(1.0, 6.0, radius_px));  // too few pixels to tell a neighbour from noise
     imageStore(result, p, vec4(visible, depth, 0.0, 0.0));
 }

@@ -19,7 +19,7 @@ void main() {
     float half_size = front * (r + pixel) / sqrt(max(distance * distance - r * r, 1e-12));
     vec3 side = normalize(cross(abs(axis.y) < 0.99 ? vec3(0, 1, 0) : vec3(1, 0, 0), axis));
     vec3 up = cross(axis, side);
-    vec2 corner = vec2(1 - 2 * (gl_VertexID >> 1), 2 * (gl_VertexID & 1) - 1);
+    vec2 corner = vec2(2 * (gl_VertexID >> 1) - 1, 2 * (gl_VertexID & 1) - 1);
     on_square = frame.eye.xyz + axis * front + half_size * (corner.x * side + corner.y * up);
     centre_radius = s.position_radius;
     value = s.value;

@@ -12,7 +12,7 @@ layout(binding = 1) uniform sampler2D depth_buffer;
 #endif
 layout(binding = 2) uniform sampler2D occlusion;  // half size; r: visibility, g: linear depth
 layout(rgba8, binding = 0) writeonly uniform image2D result;
-layout(location = 0) uniform vec4 curve;  // contrast, shoulder, b, c: x^contrast / (x^(contrast shoulder) b + c)
+layout(location = 0) uniform vec4 curve;  // contrast, shoulder, b, c: y = x^contrast gives y / (y^shoulder b + c)
 layout(location = 1) uniform int has_occlusion;
 
 // Bright saturated colours lean to white, as film does: primaries are mixed a little before the curve and unmixed after.
@@ -51,8 +51,12 @@ float visibilityAt(ivec2 pixel, float depth) {
     return sum / weights;
 }
 
+// A crevice hides part of the sun's wide disc as well, so direct light is darkened a little too.
+const float kDirectShare = 0.3;
+
 vec3 mapped(vec4 sample_value, float visibility) {
-    return toneMap(sample_value.rgb * (1.0 - sample_value.a * (1.0 - visibility)));
+    float share = mix(kDirectShare, 1.0, sample_value.a);
+    return toneMap(sample_value.rgb * (1.0 - share * (1.0 - visibility)));
 }
 
 void main() {

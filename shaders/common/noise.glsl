@@ -18,5 +18,5 @@ vec4 fractureNoise(vec3 p) {
     vec4 b = noise(kTurn1 * p * 2.03);
     vec4 c = noise(kTurn2 * p * 4.11);
     vec3 gradient = a.xyz + 0.8 * (transpose(kTurn1) * b.xyz) + 0.6 * (transpose(kTurn2) * c.xyz);
-    return vec4(gradient, (a.w + 0.5 * b.w + 0.25 * c.w) / 1.75);
+    return vec4(0.45 * gradient, (a.w + 0.5 * b.w + 0.25 * c.w) / 1.75);
 }

@@ -31,7 +31,7 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     vec3 shifted = position + normal * texel * (0.8 + 1.6 * (1.0 - facing));
     vec3 p = (frame.light_matrix * vec4(shifted, 1.0)).xyz;
     if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThan(p.xy, vec2(1.0)))) return 1.0;
-    p.z = max(p.z, 0.0) - 0.5 * texel / frame.shadow.w;
+    p.z = clamp(p.z, 0.0, 0.9999) - 0.5 * texel / frame.shadow.w;
 #ifdef SHADOW_DRAFT
     float lit = 0.0;
     for (int k = 0; k < 4; ++k) {

@@ -1,7 +1,7 @@
 // The sky: its radiance in a direction, and the light it sends onto a surface together with the floor.
 vec3 skyGradient(vec3 direction) {
     float height = max(direction.y, 0.0);
-    return mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, 1.0 - exp(-3.2 * height));
+    return mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, 1.0 - exp(-4.5 * height));
 }
 
 vec3 skyRadiance(vec3 direction) {
@@ -12,8 +12,8 @@ vec3 skyRadiance(vec3 direction) {
 
 // Light of the sunlit floor seen from below, as a diffuse reflector.
 vec3 floorBounce() {
-    vec3 received = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0) / 3.14159265 + 0.8 * frame.sky_horizon.rgb;
-    return mix(frame.sky_horizon.rgb * 0.5, frame.floor_colour.rgb * received, frame.floor_colour.w) * 0.75;
+    vec3 received = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0) + 0.8 * frame.sky_horizon.rgb;
+    return mix(frame.sky_horizon.rgb * 0.5, frame.floor_colour.rgb * received, frame.floor_colour.w) * 0.6;
 }
 
 // Mean radiance over the hemisphere about `normal` (irradiance / pi): zenith, horizon and floor by their solid angles.
