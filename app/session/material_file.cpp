@@ -13,7 +13,7 @@ void readFloat(TomlReader& reader, const std::string& path, float& value, const 
 }  // namespace
 
 void readMaterial(TomlReader& reader, const std::string& prefix, Material& material) {
-    reader.read(prefix + "density_kgpm3", material.density, {1, 30000});
+    reader.read(prefix + "density_kg_m3", material.density, {1, 30000});
     reader.read(prefix + "youngs_modulus_pa", material.youngs_modulus, {1e3, 1e13});
     reader.read(prefix + "poisson_ratio", material.poisson_ratio, {0, 0.49});
     reader.read(prefix + "friction", material.friction, {0, 1.5});
@@ -25,7 +25,7 @@ void readMaterial(TomlReader& reader, const std::string& prefix, Material& mater
     reader.read(prefix + "weibull_modulus", material.weibull_modulus, {0, 100});
     reader.read(prefix + "tough_cells", material.tough_cells, {0, 100000});
     reader.read(prefix + "tough_factor", material.tough_factor, {1, 100});
-    reader.read(prefix + "adhesion_energy_jpm2", material.adhesion_energy, {0, 1000});
+    reader.read(prefix + "adhesion_energy_j_m2", material.adhesion_energy, {0, 1000});
     reader.read(prefix + "shear_ratio", material.shear_ratio, {0, 1});
     std::string law = material.bond_law == BondLaw::kBeam ? "beam" : "paper";
     reader.read(prefix + "bond_law", law);

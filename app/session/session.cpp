@@ -126,6 +126,7 @@ void Session::apply(const command::Any& command, double now) {
 void Session::update(double now, bool may_step) {
     if (auto shot = debounce_.take(now)) worker_.start(*shot, built_);
     takeRebuild();
+    last_sim_ms_ = 0;
     if (!playing_ || !may_step) return;
     if (!atEnd())
         showRecorded(cursor_ + 1);
@@ -206,6 +207,7 @@ SessionStatus Session::status() const {
     status.memory_limit = recording_.memoryLimit();
     status.substeps_per_frame = built_.solver->stats().substeps;
     status.particle_size = built_.body->spacing;
+    status.body_volume = built_.body->mesh_volume;
     status.build_seconds = built_.build_seconds;
     status.waiting = debounce_.waiting();
     status.rebuilding = worker_.busy();

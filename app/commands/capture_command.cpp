@@ -1,0 +1,118 @@
+// Frame 0 shows the whole body; every further frame is one simulated frame later.
+#include "app/commands/capture_command.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands/frame_files.h"
+#include "app/commands/headless_stage.h"
+#include "app/commands/run_report.h"
+#include "app/commands/timed_loop.h"
+#include "app/session/output_file.h"
+#include "app/session/picture.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr Range kFrameRange{1, 100000};
+constexpr double kLargestVideoRate = 60;  // frames of faster shots play at this rate: slow motion
+
+struct Capture {
+    const CaptureOptions& options;
+    uint64_t frames;
+    PictureSize size;
+    std::vector<FrameSample> samples{};
+    StepStatus status = StepStatus::kOk;
+};
+
+FrameFilesOptions filesFor(const Capture& capture, const Shot& shot) {
+    FrameFilesOptions files;
+    if (!capture.options.out.empty()) files.folder = capture.options.out;
+    if (!capture.options.video.empty()) files.video = capture.options.video;
+    files.frames = capture.frames;
+    files.width = capture.size.width;
+    files.height = capture.size.height;
+    files.video_fps = std::min(shot.fps, kLargestVideoRate);
+    return files;
+}
+
+engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, bool software) {
+    engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
+                                           renderQuality(capture.options.shot, software));
+    if (capture.options.view == "particles") view.mode = engine::ViewMode::kParticles;
+    return view;
+}
+
+/// Draws and simulates all frames; stops at the first bad status with what was drawn so far.
+void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
+    const engine::FrameView view = viewFor(capture, session.built(), stage.info().software);
+    engine::FrameCapture target(view.width, view.height, [&](uint64_t frame, engine::Image image) {
+        files.add(frame, std::move(image));
+    });
+    ProgressBar bar;
+    for (uint64_t frame = 0; frame < capture.frames; ++frame) {
+        const StopWatch watch;
+        if (frame > 0) capture.status = session.advance();
+        if (capture.status != StepStatus::kOk) break;
+        stage.renderer().draw(session.mesh(), session.spheres(), view, target.framebuffer());
+        target.submit(frame);
+        if (frame > 0)
+            capture.samples.push_back(
+                {watch.milliseconds(), session.lastSimMs(), stage.renderer().lastDrawMs()});
+        bar.show(static_cast<double>(frame + 1) / static_cast<double>(capture.frames),
+                 "breaking and drawing");
+    }
+    target.finish();
+}
+
+void runCapture(const CaptureOptions& options) {
+    const Shot shot = makeShot(options.shot);
+    requireInRange("--frames", options.frames, kFrameRange, "");
+    if (options.out.empty() && options.video.empty() && options.report.empty())
+        throw UsageError("nothing to write: give --out DIR, --video FILE or --report FILE.json");
+    const bool on_gpu = choosesCuda(shot);
+    Capture capture{options, static_cast<uint64_t>(options.frames),
+                    pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540})};
+    FrameFiles files(filesFor(capture, shot));
+    const StopWatch watch;
+    BuiltShot built = buildWithBar(shot, true);
+    announce(built);
+    HeadlessStage stage(on_gpu);
+    Session session(std::move(built), {.draw = true});
+    runFrames(capture, session, stage, files);
+    files.finish();
+
+    session.solver().measure();
+    RunReport report;
+    report.gl_renderer = stage.info().renderer;
+    report.transfer = session.transfer();
+    report.transfer_note = session.status().transfer_note;
+    report.width = static_cast<uint32_t>(capture.size.width);
+    report.height = static_cast<uint32_t>(capture.size.height);
+    report.frames = capture.samples.size() + 1;
+    report.wall_seconds = watch.milliseconds() / 1000;
+    report.times = summarise(capture.samples);
+    if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
+    std::fputs(reportTable(session.built(), report).c_str(), stdout);
+    requireOk(capture.status);
+}
+
+}  // namespace
+
+void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
+    auto* command = app.add_subcommand("capture", "Break a model without a window: PNG frames, film, report");
+    addShotOptions(*command, options.shot);
+    command->add_option("--frames", options.frames, "Frames to draw")->type_name("N")->capture_default_str();
+    command->add_option("--out", options.out, "Folder for frame_0000.png ... and contact_sheet.png")
+        ->type_name("DIR");
+    command->add_option("--video", options.video, "Film, through the ffmpeg program")->type_name("FILE");
+    command->add_option("--report", options.report, "Report of the run, JSON, SI units")->type_name("FILE");
+    command->add_option("--view", options.view, "What to draw")
+        ->type_name("surface|particles")
+        ->check(CLI::IsMember({"surface", "particles"}))
+        ->capture_default_str();
+    command->callback([&options] { runCapture(options); });
+}
+
+}  // namespace demolish

@@ -1,0 +1,100 @@
+// A short queue in front of a few PNG writers; the video takes frames in order on the way.
+#include "app/commands/frame_files.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "app/session/output_file.h"
+#include "engine/image/contact_sheet.h"
+#include "engine/image/png.h"
+
+namespace demolish {
+namespace {
+
+constexpr size_t kQueueLength = 8;
+constexpr uint64_t kSheetPictures = 12;
+constexpr int kSheetColumns = 4, kTileWidth = 480;
+
+std::filesystem::path frameName(const std::filesystem::path& folder, uint64_t frame) {
+    char name[32];
+    std::snprintf(name, sizeof name, "frame_%04llu.png", static_cast<unsigned long long>(frame));
+    return folder / name;
+}
+
+/// Evenly spread over the run, first and last among them.
+bool isOnSheet(uint64_t frame, uint64_t frames) {
+    const uint64_t pictures = std::min(kSheetPictures, frames);
+    for (uint64_t i = 0; i < pictures; ++i)
+        if (frame == (pictures == 1 ? 0 : i * (frames - 1) / (pictures - 1))) return true;
+    return false;
+}
+
+}  // namespace
+
+FrameFiles::FrameFiles(const FrameFilesOptions& options) : options_(options) {
+    if (options_.video) {
+        if (options_.video->has_parent_path()) makeOutputFolder(options_.video->parent_path());
+        video_.emplace(*options_.video, options_.width, options_.height, options_.video_fps);
+    }
+    if (!options_.folder) return;
+    makeOutputFolder(*options_.folder);
+    const unsigned count = std::clamp(std::thread::hardware_concurrency() / 2, 1u, 8u);
+    for (unsigned i = 0; i < count; ++i) writers_.emplace_back([this] { writeJobs(); });
+}
+
+FrameFiles::~FrameFiles() {
+    stopWriters();
+}
+
+void FrameFiles::writeJobs() {
+    for (;;) {
+        std::unique_lock lock(mutex_);
+        changed_.wait(lock, [this] { return closing_ || !jobs_.empty(); });
+        if (jobs_.empty()) return;
+        const Job job = std::move(jobs_.front());
+        jobs_.pop_front();
+        changed_.notify_all();
+        lock.unlock();
+        try {
+            engine::writePng(frameName(*options_.folder, job.frame), job.image);
+        } catch (...) {
+            lock.lock();
+            if (!error_) error_ = std::current_exception();
+        }
+    }
+}
+
+void FrameFiles::add(uint64_t frame, engine::Image image) {
+    if (video_) video_->write(image.pixels);
+    if (!options_.folder) return;
+    if (isOnSheet(frame, options_.frames)) {
+        const int width = std::min(kTileWidth, image.width);
+        const int height = std::max(1, width * image.height / image.width);
+        sheet_.push_back(engine::shrink(image, width, height));
+    }
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return jobs_.size() < kQueueLength; });
+    if (error_) std::rethrow_exception(error_);
+    jobs_.push_back({frame, std::move(image)});
+    changed_.notify_all();
+}
+
+void FrameFiles::stopWriters() {
+    {
+        const std::lock_guard lock(mutex_);
+        closing_ = true;
+    }
+    changed_.notify_all();
+    writers_.clear();
+}
+
+void FrameFiles::finish() {
+    stopWriters();
+    if (error_) std::rethrow_exception(error_);
+    if (options_.folder && !sheet_.empty())
+        engine::writePng(*options_.folder / "contact_sheet.png",
+                         engine::contactSheet(sheet_, kSheetColumns, std::min(kTileWidth, sheet_[0].width)));
+    if (video_) video_->finish();
+}
+
+}  // namespace demolish

@@ -1,0 +1,84 @@
+// Subcommands and exit codes.
+#include "app/commands/program.h"
+
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+
+#include "app/commands/bench_command.h"
+#include "app/commands/capture_command.h"
+#include "app/commands/info_command.h"
+#include "app/commands/view_command.h"
+#include "engine/gl/error.h"
+#include "engine/image/png.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  demolish view bunny\n"
+    "  demolish view --model statue.obj --height 2 --impact-velocity 20\n"
+    "  demolish capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4\n"
+    "  demolish bench block --particles 1000000 --no-draw --json block.json\n"
+    "Exit codes: 0 done, 2 usage, 3 input file, 4 device or OpenGL, 5 numerical failure, 6 output not "
+    "written.";
+
+int fail(ExitCode code, const std::string& sentence) {
+    std::fprintf(stderr, "demolish: %s\n", sentence.c_str());
+    return static_cast<int>(code);
+}
+
+/// What libraries say goes to stderr: stdout belongs to the tables and to JSON.
+void setUpLog() {
+    auto logger = spdlog::stderr_color_mt("demolish");
+    logger->set_pattern("%^%n%$: %v");
+    spdlog::set_default_logger(logger);
+}
+
+int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
+    try {
+        app.parse(argument_count, arguments);
+        return 0;
+    } catch (const CLI::CallForHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::CallForAllHelp& help) {
+        return app.exit(help);
+    } catch (const CLI::CallForVersion& version) {
+        return app.exit(version);
+    } catch (const CLI::ParseError& error) {
+        return fail(ExitCode::kUsage, std::string(error.what()) + "; see demolish --help");
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const engine::gl::GlError& error) {
+        return fail(ExitCode::kDevice, error.what());
+    } catch (const engine::ImageError& error) {
+        return fail(ExitCode::kOutput, error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::kDevice, "memory does not suffice; ask for fewer particles (--particles)");
+    }
+}
+
+}  // namespace
+
+int runProgram(int argument_count, char** arguments) {
+    setUpLog();
+    CLI::App app{"Demolish breaks models: a closed mesh goes in, an impact breaks it, the pieces fly.",
+                 "demolish"};
+    app.set_version_flag("--version", std::string("demolish ") + DEMOLISH_VERSION);
+    app.require_subcommand(1);
+    app.footer(kFooter);
+    ViewOptions view;
+    CaptureOptions capture;
+    BenchOptions bench;
+    addViewCommand(app, view);
+    addCaptureCommand(app, capture);
+    addBenchCommand(app, bench);
+    addInfoCommand(app);
+    return parseAndRun(app, argument_count, arguments);
+}
+
+}  // namespace demolish

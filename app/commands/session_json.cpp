@@ -1,0 +1,29 @@
+// Session status as JSON.
+#include "app/commands/session_json.h"
+
+#include <nlohmann/json.hpp>
+
+namespace demolish {
+
+std::string sessionJson(const Session& session) {
+    const SessionStatus status = session.status();
+    nlohmann::ordered_json json;
+    json["scene"] = session.shot().scene;
+    json["impact_velocity"] = session.shot().impact.velocity;
+    json["material"] = session.shot().material_name;
+    json["particle_size"] = status.particle_size;
+    json["particles"] = status.stats.particles;
+    json["bonds_broken"] = status.stats.bonds_broken;
+    json["fragments"] = status.stats.fragments;
+    json["time"] = status.stats.time;
+    json["playing"] = status.playing;
+    json["replaying"] = status.replaying;
+    json["cursor"] = status.cursor;
+    json["recorded_frames"] = status.recorded_frames;
+    json["projectiles"] = session.spheres().size();
+    json["transfer"] = status.transfer;
+    json["message"] = status.message;
+    return json.dump(2) + "\n";
+}
+
+}  // namespace demolish

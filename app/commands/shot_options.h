@@ -1,0 +1,37 @@
+// The options that view, capture and bench have in common.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "app/session/shot.h"
+#include "engine/render/renderer.h"
+
+namespace CLI {
+class App;
+}
+
+namespace demolish {
+
+struct PictureSize {
+    int width = 0, height = 0;  ///< px
+};
+
+struct ShotOptions {
+    std::string scene, model, device = "auto", material, quality = "auto", size;
+    std::optional<double> height, drop, impact_velocity, particle_size, fps, slow_motion;
+    std::optional<double> particles, seed, substeps;  ///< whole numbers, checked when the shot is made
+};
+
+void addShotOptions(CLI::App& command, ShotOptions& options);
+
+/// Throws UsageError (ranges, unknown scene, options that exclude each other) and the errors of scene files.
+Shot makeShot(const ShotOptions& options);
+
+/// "1280x720". Throws UsageError; `fallback` if the option was not given.
+PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
+
+/// --quality, or draft for a software rasteriser.
+engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer);
+
+}  // namespace demolish

@@ -1,0 +1,39 @@
+// Building with a bar, and the one line that says where things run.
+#include "app/commands/timed_loop.h"
+
+#include <spdlog/spdlog.h>
+
+#include "app/commands/run_report.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+
+BuiltShot buildWithBar(const Shot& shot, bool draw_geometry) {
+    ProgressBar bar;
+    const auto progress = [&bar](double fraction, const char*) {
+        bar.show(fraction, "making cells and bonds");
+        return true;
+    };
+    return buildShot(shot, {.draw_geometry = draw_geometry, .reuse = nullptr}, progress);
+}
+
+void announce(const BuiltShot& built) {
+    const CudaDevice cuda = findCudaDevice();
+    if (built.solver->onGpu())
+        spdlog::info("simulating on the GPU: {}", built.solver->deviceName());
+    else if (built.shot.device == DeviceChoice::kCpu)
+        spdlog::info("simulating on the CPU ({} threads), as asked for", threadsInUse());
+    else
+        spdlog::info("simulating on the CPU ({} threads): {}", threadsInUse(),
+                     cuda.problem.empty() ? "no usable GPU" : cuda.problem);
+    const FrameStats& stats = built.solver->stats();
+    spdlog::info("{}: {} particles of {:.3g} mm, {} bonds, {:.3g} kg; made in {:.2f} s",
+                 built.shot.model.filename().string(), stats.particles, 1000 * built.body->spacing,
+                 stats.bonds, stats.mass, built.build_seconds);
+}
+
+void requireOk(StepStatus status) {
+    if (status != StepStatus::kOk) throw NumericalError(describe(status));
+}
+
+}  // namespace demolish

@@ -1,0 +1,34 @@
+// The loop that capture and bench share: step, draw, time it.
+#pragma once
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/commands/progress_bar.h"
+#include "app/session/frame_times.h"
+#include "app/session/session.h"
+#include "engine/render/renderer.h"
+
+namespace demolish {
+
+/// Builds a shot with a progress bar on the way.
+BuiltShot buildWithBar(const Shot& shot, bool draw_geometry);
+
+/// One line on stderr: where it runs and what it breaks.
+void announce(const BuiltShot& built);
+
+class StopWatch {
+  public:
+    double milliseconds() const {
+        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun_).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
+};
+
+/// Throws NumericalError with the status' sentence unless it is kOk.
+void requireOk(StepStatus status);
+
+}  // namespace demolish

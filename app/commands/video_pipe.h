@@ -1,0 +1,31 @@
+// Raw frames to the ffmpeg program. Its file appears under its name only when it is whole.
+#pragma once
+#include <sys/types.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+
+namespace demolish {
+
+class VideoPipe {
+  public:
+    /// H.264 in MP4 (or what the ending asks of ffmpeg), `fps` frames a second. Throws OutputError when there
+    /// is no ffmpeg or the folder cannot be written.
+    VideoPipe(const std::filesystem::path& file, int width, int height, double fps);
+    ~VideoPipe();
+    VideoPipe(const VideoPipe&) = delete;
+    VideoPipe& operator=(const VideoPipe&) = delete;
+
+    /// RGBA8, rows from the top. Throws OutputError when ffmpeg has given up.
+    void write(std::span<const uint8_t> pixels);
+    /// Ends the film and gives it its name. Throws OutputError.
+    void finish();
+
+  private:
+    std::filesystem::path file_, temporary_;
+    pid_t process_ = -1;
+    int pipe_ = -1;
+};
+
+}  // namespace demolish

@@ -1,0 +1,87 @@
+// Panels in, commands out.
+#include "app/commands/view_desk.h"
+
+#include <cmath>
+
+#include "app/session/data_folder.h"
+#include "app/session/picture.h"
+#include "app/session/scene_file.h"
+#include "app/session/shot_setup.h"
+
+namespace demolish {
+
+ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
+    : preset(preset_shot), scenes(assetNames("scenes")), materials(assetNames("materials")) {
+    adoptBody(session, true);
+}
+
+void ViewDesk::adoptBody(const Session& session, bool move_camera) {
+    const BreakableBody& body = *session.built().body;
+    const Shot& shot = session.built().shot;
+    home.shot_camera = shot.camera ? *shot.camera : framedCamera(body);
+    const glm::vec3 low(body.bounds_min.x, body.bounds_min.y, body.bounds_min.z);
+    const glm::vec3 high(body.bounds_max.x, body.bounds_max.y, body.bounds_max.z);
+    home.centre = 0.5f * (low + high);
+    home.radius = 0.6f * glm::length(high - low);
+    if (move_camera) camera = home.shot_camera;
+}
+
+std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& model, const Shot& present) {
+    try {
+        Shot shot;
+        if (!scene.empty()) {
+            shot = loadScene(scene);
+        } else {
+            shot.model = model;
+            shot.height = present.height;
+            applyMaterial(shot, present.material_name);
+            shot.impact.velocity = present.impact.velocity;
+        }
+        shot.device = present.device;
+        preset = shot;
+        message.clear();
+        return shot;
+    } catch (const std::exception& error) {
+        message = error.what();
+        return std::nullopt;
+    }
+}
+
+std::vector<command::Any> ViewDesk::update(const Session& session, std::optional<PicturePoint>& click) {
+    std::vector<command::Any> commands;
+    SessionStatus status = session.status();
+    if (status.message.empty()) status.message = message;
+    PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
+                         view,           panels, items,  commands, false,       {},     {}};
+    showPanels(context);
+    handleShortcuts(context, camera, home);
+    picture = pictureArea(panels);
+    click = mouse.update(camera, picture);
+
+    if (!context.load_scene.empty() || !context.load_model.empty()) {
+        if (auto shot = load(context.load_scene, context.load_model, session.shot()))
+            commands.emplace_back(command::ChangeShot{*shot});
+    } else if (context.changed) {
+        if (context.shot.material_name != session.shot().material_name)
+            applyMaterial(context.shot, context.shot.material_name);
+        commands.emplace_back(command::ChangeShot{context.shot});
+    }
+    return commands;
+}
+
+engine::FrameView ViewDesk::frameView(const Session& session) const {
+    Shot shot = session.built().shot;
+    shot.look = session.shot().look;
+    shot.lighting = session.shot().lighting;
+    engine::FrameView frame =
+        makeFrameView(shot, *session.built().body, picture.width, picture.height, view.quality);
+    frame.camera = camera;
+    frame.mode = view.mode;
+    frame.colour_map = view.colour_map;
+    frame.show_cracks = view.show_cracks;
+    frame.show_floor = view.show_floor;
+    frame.samples = view.samples;
+    return frame;
+}
+
+}  // namespace demolish

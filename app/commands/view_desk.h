@@ -1,0 +1,39 @@
+// What the window shows besides the running shot: the chosen scene, camera and view settings, and what the
+// panels say. Plain values; no GPU state.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/panel/camera_control.h"
+#include "app/panel/panel_context.h"
+#include "app/panel/shortcuts.h"
+
+namespace demolish {
+
+struct ViewDesk {
+    Shot preset;  ///< as loaded
+    ViewSettings view;
+    PanelState panels;
+    ItemRegistry items;
+    FrameHistory history;
+    engine::Camera camera;
+    CameraControl mouse;
+    CameraHome home;
+    std::vector<std::string> scenes, materials;
+    std::string gl_renderer;
+    std::string message;  ///< what a load said; "" if it went well
+    PictureArea picture;
+
+    ViewDesk(const Session& session, const Shot& preset_shot);
+
+    /// Shows panels, reads keys and mouse; returns what the session is to do. `click` gets a click into the
+    /// picture.
+    std::vector<command::Any> update(const Session& session, std::optional<PicturePoint>& click);
+    /// Camera and framing for a body that is new.
+    void adoptBody(const Session& session, bool move_camera);
+    /// Loads a scene or mesh into a shot; the message tells what went wrong.
+    std::optional<Shot> load(const std::string& scene, const std::string& model, const Shot& present);
+    engine::FrameView frameView(const Session& session) const;
+};
+
+}  // namespace demolish

@@ -1,0 +1,72 @@
+// What hits the body, and how fast. The velocity is live: it acts on the next impact.
+#include <imgui.h>
+
+#include "app/panel/widgets.h"
+
+namespace demolish {
+namespace {
+
+void showThreshold(const Shot& shot) {
+    const bool drop = shot.impact.kind == ImpactKind::kDrop;
+    const double factor = drop ? shot.impact.threshold_drop : shot.impact.threshold_ball;
+    if (factor <= 0) return;
+    const double threshold = factor * shot.material.critical_velocity;
+    const bool breaks = shot.impact.velocity >= threshold;
+    ImGui::TextColored(breaks ? ImVec4(1.0f, 0.72f, 0.30f, 1) : ImVec4(0.6f, 0.75f, 0.9f, 1),
+                       "This body breaks from about %.1f m/s", threshold);
+    tooltipOnHover(
+        "Measured for this body; thin parts break earlier, a heavy body hit by a small ball later.");
+}
+
+void showKind(PanelContext& context) {
+    int kind = static_cast<int>(context.shot.impact.kind);
+    const int before = kind;
+    ImGui::RadioButton("Iron ball", &kind, static_cast<int>(ImpactKind::kBall));
+    noteItem(context, "impact.ball");
+    ImGui::SameLine();
+    ImGui::RadioButton("Drop", &kind, static_cast<int>(ImpactKind::kDrop));
+    noteItem(context, "impact.drop");
+    ImGui::SameLine();
+    ImGui::RadioButton("None", &kind, static_cast<int>(ImpactKind::kNone));
+    noteItem(context, "impact.none");
+    if (kind == before) return;
+    context.shot.impact.kind = static_cast<ImpactKind>(kind);
+    context.changed = true;
+}
+
+}  // namespace
+
+void showImpactPanel(PanelContext& context) {
+    if (!ImGui::CollapsingHeader("Impact", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    Impact& impact = context.shot.impact;
+    const Impact& preset = context.preset.impact;
+    showKind(context);
+    const double fastest = impact.velocity > 60 ? kVelocityRange.most : 60;
+    context.changed |=
+        slider(context,
+               {"impact.velocity", "Impact velocity", "%.1f m/s",
+                "Speed at the moment of impact. Acts at once on a ball that has not hit yet, and on every "
+                "ball fired later. 0: nothing hits the body."},
+               impact.velocity, {0, fastest}, preset.velocity);
+    showThreshold(context.shot);
+    const bool ball = impact.kind == ImpactKind::kBall;
+    if (button(context, "impact.fire", "Fire",
+               "Fires the ball now (Enter). A click into the picture aims at that point.", ball))
+        context.commands.emplace_back(command::Fire{});
+    if (!ball || !context.state.advanced) return;
+    const double height = context.shot.height;
+    double radius = impact.ball_radius > 0 ? impact.ball_radius : height / 12;
+    const double preset_radius = preset.ball_radius > 0 ? preset.ball_radius : context.preset.height / 12;
+    if (slider(context,
+               {"impact.radius", "Ball radius", "%.1f mm", "Radius of the next iron ball (7800 kg/m3)."},
+               radius, {height / 60, height / 3, true, 1000}, preset_radius)) {
+        impact.ball_radius = radius;
+        context.changed = true;
+    }
+    context.changed |= slider(context,
+                              {"impact.height", "Hit at height", "%.2f of the body",
+                               "Where the ball hits, as a share of the body's height."},
+                              impact.height_fraction, {0.05, 0.95}, preset.height_fraction);
+}
+
+}  // namespace demolish

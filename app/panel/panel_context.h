@@ -1,0 +1,58 @@
+// What the panels see in one frame: values to show, values to edit, commands to give. Panels own nothing
+// else.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/panel/item_registry.h"
+#include "app/session/commands.h"
+#include "app/session/frame_times.h"
+#include "app/session/session.h"
+#include "engine/render/renderer.h"
+
+namespace demolish {
+
+/// How the picture is shown; nothing that the simulation depends on.
+struct ViewSettings {
+    engine::ViewMode mode = engine::ViewMode::kSurface;
+    engine::ColourMap colour_map = engine::ColourMap::kFragment;
+    engine::RenderQuality quality = engine::RenderQuality::kFull;
+    bool show_cracks = true, show_floor = true;
+    int samples = 4;
+    bool real_time = true;  ///< never faster than real time; false: a simulated frame for every drawn one
+};
+
+/// What the window remembers about its panels.
+struct PanelState {
+    bool show_panels = true, show_help = false, advanced = false;
+    std::string typed_model;  ///< path in the model field
+};
+
+struct PanelContext {
+    Shot shot;           ///< edited here; becomes a command when it differs
+    const Shot& preset;  ///< as loaded: what "reset" returns to
+    const SessionStatus& status;
+    const FrameHistory& history;
+    const std::string& gl_renderer;
+    const std::vector<std::string>& scenes;
+    const std::vector<std::string>& materials;
+    ViewSettings& view;
+    PanelState& state;
+    ItemRegistry& items;
+    std::vector<command::Any>& commands;
+    bool changed = false;    ///< shot was edited
+    std::string load_scene;  ///< scene to load instead, by name
+    std::string load_model;  ///< mesh file to load instead
+};
+
+void showShotPanel(PanelContext& context);
+void showImpactPanel(PanelContext& context);
+void showMaterialPanel(PanelContext& context);
+void showParticlesPanel(PanelContext& context);
+void showViewPanel(PanelContext& context);
+void showStatisticsPanel(PanelContext& context);
+void showTransportBar(PanelContext& context);
+void showStatusBar(PanelContext& context);
+void showHelp(PanelContext& context);
+
+}  // namespace demolish

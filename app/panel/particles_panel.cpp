@@ -1,0 +1,58 @@
+// Particle size, live: rebuilds on a worker after the slider has rested, with a bar and Cancel.
+#include <imgui.h>
+
+#include <cmath>
+
+#include "app/panel/widgets.h"
+
+namespace demolish {
+namespace {
+
+void showRebuild(PanelContext& context) {
+    const SessionStatus& status = context.status;
+    if (!status.rebuilding && !status.waiting) {
+        ImGui::TextDisabled("%u particles, made in %.2f s", status.stats.particles, status.build_seconds);
+        return;
+    }
+    const char* stage = status.rebuilding ? status.rebuild.stage.c_str() : "waiting for the slider to rest";
+    ImGui::ProgressBar(static_cast<float>(status.rebuilding ? status.rebuild.fraction : 0),
+                       ImVec2(-ImGui::GetFontSize() * 5, 0), stage);
+    noteItem(context, "particles.progress");
+    ImGui::SameLine();
+    if (button(context, "particles.cancel", "Cancel", "Keep the body as it is"))
+        context.commands.emplace_back(command::CancelRebuild{});
+}
+
+}  // namespace
+
+void showParticlesPanel(PanelContext& context) {
+    if (!ImGui::CollapsingHeader("Particles", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const SessionStatus& status = context.status;
+    // Sizes that this device steps at a useful rate.
+    const double volume = status.body_volume;
+    const double most_particles = status.on_gpu ? 200000 : 20000;
+    const double finest = std::cbrt(volume / most_particles), coarsest = std::cbrt(volume / 200);
+    Fineness& fineness = context.shot.fineness;
+    double size = fineness.particle_size ? *fineness.particle_size : status.particle_size;
+    const double preset_count =
+        context.preset.fineness.particles
+            ? *context.preset.fineness.particles
+            : (status.on_gpu ? context.preset.fineness.full : context.preset.fineness.draft);
+    const double preset = context.preset.fineness.particle_size ? *context.preset.fineness.particle_size
+                                                                : std::cbrt(volume / preset_count);
+    if (slider(context,
+               {"particles.size", "Particle size", "%.2f mm",
+                "Mean spacing of the particles. Smaller: finer pieces and more work (halving it costs about "
+                "16 times the "
+                "time). Rebuilds a quarter of a second after the slider rests."},
+               size, {finest, coarsest, true, 1000}, preset)) {
+        fineness.particle_size = size;
+        fineness.particles.reset();
+        context.changed = true;
+    }
+    ImGui::TextDisabled("about %.0f particles, %u substeps a frame", volume / (size * size * size),
+                        status.substeps_per_frame);
+    showRebuild(context);
+}
+
+}  // namespace demolish

@@ -1,0 +1,50 @@
+// Scene and model choice.
+#include <imgui.h>
+
+#include <cstring>
+
+#include "app/panel/widgets.h"
+
+namespace demolish {
+namespace {
+
+void showModelField(PanelContext& context) {
+    char path[512] = {};
+    std::strncpy(path, context.state.typed_model.c_str(), sizeof path - 1);
+    ImGui::TextUnformatted("Model file");
+    ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 4);
+    const bool entered = ImGui::InputTextWithHint("##model", "path, or drop a file on the window", path,
+                                                  sizeof path, ImGuiInputTextFlags_EnterReturnsTrue);
+    noteItem(context, "shot.model");
+    tooltipOnHover(
+        "A closed mesh in any format that assimp reads (OBJ, PLY, STL, glTF, ...). It stands on the floor, "
+        "scaled to the height below.");
+    context.state.typed_model = path;
+    ImGui::SameLine();
+    const bool pressed = button(context, "shot.load", "Load", "Break this file", path[0] != '\0');
+    if ((entered || pressed) && path[0] != '\0') context.load_model = path;
+}
+
+}  // namespace
+
+void showShotPanel(PanelContext& context) {
+    if (!ImGui::CollapsingHeader("Shot", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const int scene = combo(context, "shot.scene", "Scene", context.scenes, context.shot.scene,
+                            "A finished scene: model, material, impact, camera and light");
+    if (scene >= 0) context.load_scene = context.scenes[static_cast<size_t>(scene)];
+    showModelField(context);
+    context.changed |= slider(
+        context,
+        {"shot.height", "Model height", "%.2f m", "Height that the model is scaled to. Rebuilds the body."},
+        context.shot.height, {0.05, 10, true}, context.preset.height);
+    if (!context.state.advanced) return;
+    double seed = static_cast<double>(context.shot.seed);
+    if (slider(context,
+               {"shot.seed", "Seed", "%.0f", "Another packing of the particles: other pieces. Rebuilds."},
+               seed, {0, 1000}, static_cast<double>(context.preset.seed))) {
+        context.shot.seed = static_cast<uint64_t>(seed + 0.5);
+        context.changed = true;
+    }
+}
+
+}  // namespace demolish

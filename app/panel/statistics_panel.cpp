@@ -1,0 +1,77 @@
+// Frame-time graph with the simulation's and the drawing's share stacked, and the counts of the shot.
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/panel/widgets.h"
+
+namespace demolish {
+namespace {
+
+constexpr ImU32 kSimColour = IM_COL32(240, 150, 60, 255), kDrawColour = IM_COL32(90, 170, 240, 255),
+                kOtherColour = IM_COL32(90, 95, 105, 255), kLineColour = IM_COL32(255, 255, 255, 90);
+
+/// The scale's top: above nearly all frames, so that one hiccup does not flatten the rest.
+double graphTop(std::span<const FrameSample> samples) {
+    std::vector<double> frames;
+    for (const auto& sample : samples) frames.push_back(sample.frame_ms);
+    return std::max(1.0, 1.25 * quantile(frames, 0.98));
+}
+
+void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
+    const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 5);
+    const ImVec2 low = ImGui::GetCursorScreenPos();
+    const ImVec2 high(low.x + size.x, low.y + size.y);
+    ImGui::InvisibleButton("graph", size);
+    noteItem(context, "statistics.graph");
+    tooltipOnHover(
+        "Time of each frame: orange simulation, blue drawing, grey the rest (waiting for the screen). The "
+        "line "
+        "is 1/60 s.");
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(low, high, IM_COL32(18, 19, 22, 255), 3);
+    const double top = graphTop(samples);
+    const float width = size.x / 240;
+    for (size_t i = 0; i < samples.size(); ++i) {
+        const float x = high.x - static_cast<float>(samples.size() - i) * width;
+        float y = high.y;
+        const auto bar = [&](double ms, ImU32 colour) {
+            const float next = std::max(low.y, y - static_cast<float>(std::max(0.0, ms) / top) * size.y);
+            list.AddRectFilled(ImVec2(x, next), ImVec2(x + width, y), colour);
+            y = next;
+        };
+        const FrameSample& sample = samples[i];
+        bar(sample.sim_ms, kSimColour);
+        bar(sample.draw_ms, kDrawColour);
+        bar(sample.frame_ms - sample.sim_ms - sample.draw_ms, kOtherColour);
+    }
+    const double budget = 1000.0 / 60;
+    if (budget >= top) return;
+    const float y = high.y - static_cast<float>(budget / top) * size.y;
+    list.AddLine(ImVec2(low.x, y), ImVec2(high.x, y), kLineColour);
+}
+
+}  // namespace
+
+void showStatisticsPanel(PanelContext& context) {
+    if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    const auto samples = context.history.samples();
+    const FrameSummary summary = summarise(samples);
+    drawGraph(context, samples);
+    valueRow("FPS", "%.1f  (p1 %.1f)", summary.fps_median, summary.fps_p1);
+    valueRow("Simulation", "%.2f ms, %u substeps", summary.sim_ms, context.status.substeps_per_frame);
+    valueRow("Draw", "%.2f ms", summary.draw_ms);
+    const FrameStats& stats = context.status.stats;
+    valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
+    valueRow("Bonds", "%u", stats.bonds);
+    valueRow("Broken bonds", "%u", stats.bonds_broken);
+    valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
+    valueRow("Mass", "%.3g kg", stats.mass);
+    valueRow("Time", "%.3f s, step %.2f us", stats.time, 1e6 * stats.time_step);
+    valueRow("Device", "%s", context.status.device.c_str());
+    valueRow("Transfer", "%s", context.status.transfer.c_str());
+    if (!context.status.transfer_note.empty()) ImGui::TextWrapped("%s", context.status.transfer_note.c_str());
+    valueRow("Drawn by", "%s", context.gl_renderer.c_str());
+}
+
+}  // namespace demolish

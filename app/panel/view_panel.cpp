@@ -1,0 +1,42 @@
+// How the picture is shown.
+#include <imgui.h>
+
+#include "app/panel/widgets.h"
+
+namespace demolish {
+namespace {
+
+const std::vector<std::string> kModes = {"Surface", "Particles"};
+const std::vector<std::string> kColours = {"Fragment", "Damage", "Stress", "Speed"};
+
+}  // namespace
+
+void showViewPanel(PanelContext& context) {
+    if (!ImGui::CollapsingHeader("View", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    ViewSettings& view = context.view;
+    const int mode = combo(context, "view.mode", "Show", kModes, kModes[static_cast<size_t>(view.mode)],
+                           "The broken surface, or the particles behind it");
+    if (mode >= 0) view.mode = static_cast<engine::ViewMode>(mode);
+    if (view.mode == engine::ViewMode::kParticles) {
+        const int colour = combo(context, "view.colour", "Colour by", kColours,
+                                 kColours[static_cast<size_t>(view.colour_map)],
+                                 "Fragment, share of broken bonds, highest stress, or speed");
+        if (colour >= 0) view.colour_map = static_cast<engine::ColourMap>(colour);
+    }
+    checkbox(context, "view.cracks", "Cracks", view.show_cracks,
+             "Dark hairlines where bonds are broken inside one fragment");
+    ImGui::SameLine();
+    checkbox(context, "view.floor", "Floor", view.show_floor, "The ground plane");
+    bool fine = view.quality == engine::RenderQuality::kFull;
+    ImGui::SameLine();
+    if (checkbox(context, "view.fine", "Fine", fine, "Soft shadows and ambient occlusion; costs draw time"))
+        view.quality = fine ? engine::RenderQuality::kFull : engine::RenderQuality::kDraft;
+    double exposure = context.shot.lighting.exposure;
+    if (slider(context, {"view.exposure", "Exposure", "%.2f x", "Brightness of the picture."}, exposure,
+               {0.1, 5, true}, context.preset.lighting.exposure)) {
+        context.shot.lighting.exposure = static_cast<float>(exposure);
+        context.changed = true;
+    }
+}
+
+}  // namespace demolish

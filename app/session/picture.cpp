@@ -1,0 +1,32 @@
+// Sizes of looks that follow from the body.
+#include "app/session/picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/session/shot_setup.h"
+
+namespace demolish {
+
+engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
+                                engine::RenderQuality quality) {
+    const double size_x = body.bounds_max.x - body.bounds_min.x;
+    const double size_y = body.bounds_max.y - body.bounds_min.y;
+    const double size_z = body.bounds_max.z - body.bounds_min.z;
+    const double radius = 0.5 * std::hypot(size_x, size_y, size_z);
+    engine::FrameView view;
+    view.camera = shot.camera ? *shot.camera : framedCamera(body);
+    view.lighting = shot.lighting;
+    view.look = shot.look;
+    view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
+    if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
+    view.width = width;
+    view.height = height;
+    view.quality = quality;
+    // Pieces fly: the shadow map covers a few times the body.
+    view.scene_radius = static_cast<float>(3 * radius);
+    view.scene_centre[1] = static_cast<float>(0.5 * size_y);
+    return view;
+}
+
+}  // namespace demolish

@@ -1,0 +1,13 @@
+// From a shot's values and a body to what the renderer is asked to draw.
+#pragma once
+#include "app/session/shot.h"
+#include "engine/render/renderer.h"
+#include "sim_cuda/api/breakable_body.h"
+
+namespace demolish {
+
+/// Camera, light and look of the shot; noise and shadow sized to the body.
+engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
+                                engine::RenderQuality quality);
+
+}  // namespace demolish
