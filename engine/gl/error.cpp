@@ -29,11 +29,16 @@ void installDebugCallback() {
 void throwIfError(const char* where) {
     const GLenum code = glGetError();
     if (code == GL_NO_ERROR && first_message.empty()) return;
-    while (glGetError() != GL_NO_ERROR) {
-    }
     std::string message = std::exchange(first_message, {});
+    discardErrors();
     if (message.empty()) message = "GL error code " + std::to_string(code);
     throw GlError(std::string(where) + ": " + message);
+}
+
+void discardErrors() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    first_message.clear();
 }
 
 }  // namespace demolish::engine::gl

@@ -18,4 +18,7 @@ void installDebugCallback();
 /// caller. Without a debug context drivers may report less; glGetError is asked as well.
 void throwIfError(const char* where);
 
+/// Forgets what was reported so far, for a caller that is about to throw a better message of its own.
+void discardErrors();
+
 }  // namespace demolish::engine::gl

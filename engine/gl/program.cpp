@@ -44,6 +44,7 @@ Shader compile(const std::filesystem::path& folder, const std::string& file, con
         "Shader " + (folder / file).string() + " does not compile:\n" + log.c_str() + "files:";
     for (size_t i = 0; i < source.files.size(); ++i)
         message.append(" ").append(std::to_string(i)).append("=").append(source.files[i]);
+    discardErrors();
     throw GlError(message);
 }
 
@@ -68,6 +69,7 @@ Program::Program(const std::filesystem::path& folder, std::initializer_list<std:
     glGetProgramiv(id(), GL_INFO_LOG_LENGTH, &length);
     std::string log(static_cast<size_t>(length), '\0');
     glGetProgramInfoLog(id(), length, nullptr, log.data());
+    discardErrors();
     throw GlError("Shaders" + names + " do not link:\n" + log.c_str());
 }
 

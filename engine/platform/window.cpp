@@ -3,7 +3,7 @@
 #include "engine/platform/window.h"
 
 #include <glad/gl.h>
-// GLFW must find GL's symbols declared already.
+#define GLFW_INCLUDE_NONE  // glad declares GL
 #include <GLFW/glfw3.h>
 
 #include "engine/gl/error.h"

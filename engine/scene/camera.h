@@ -9,7 +9,7 @@ struct Camera {
     glm::vec3 target{0, 0.4f, 0};     ///< m
     float fov_y = 0.7f;               ///< rad
     float near_plane = 0.01f;         ///< m
-    float far_plane = 100.0f;         ///< m
+    float far_plane = 1000.0f;        ///< m; reversed float depth stays precise, so far costs nothing
 
     glm::mat4 view() const;
     glm::mat4 projection(float aspect) const;

@@ -1,0 +1,124 @@
+// Owning GL objects: contents arrive, ownership moves, mistakes are named.
+#include <array>
+#include <fstream>
+#include <numeric>
+
+#include "engine/gl/buffer.h"
+#include "engine/gl/error.h"
+#include "engine/gl/program.h"
+#include "engine/gl/shader_source.h"
+#include "engine/gl/timer_query.h"
+#include "tests/render/gl_fixture.h"
+
+namespace demolish::engine::test {
+namespace {
+
+class GlObjects : public GlTest {
+  protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        folder_ = std::filesystem::path(testing::TempDir()) / "demolish_shaders";
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(folder_ / name) << text;
+    }
+    std::filesystem::path folder_;
+};
+
+TEST_F(GlObjects, BufferKeepsWhatWasUploaded) {
+    std::array<uint32_t, 64> sent, received{};
+    std::iota(sent.begin(), sent.end(), 5u);
+    gl::Buffer buffer = gl::Buffer::resizable(16);
+    buffer.resize(sizeof(sent));
+    buffer.upload(std::as_bytes(std::span(sent)));
+    buffer.download(std::as_writable_bytes(std::span(received)));
+    EXPECT_EQ(sent, received);
+    buffer.fill(7);
+    buffer.download(std::as_writable_bytes(std::span(received)));
+    EXPECT_EQ(received.front(), 7u);
+    EXPECT_EQ(received.back(), 7u);
+}
+
+TEST_F(GlObjects, MovedBufferLeavesNothingBehind) {
+    gl::Buffer first = gl::Buffer::immutable(16);
+    const GLuint id = first.id();
+    const gl::Buffer second = std::move(first);
+    EXPECT_EQ(second.id(), id);
+    EXPECT_FALSE(static_cast<bool>(first));  // NOLINT: the moved-from state is what is tested
+    EXPECT_TRUE(glIsBuffer(id));
+}
+
+TEST_F(GlObjects, DestroyedBufferIsGone) {
+    GLuint id = 0;
+    {
+        const gl::Buffer buffer = gl::Buffer::immutable(16);
+        id = buffer.id();
+    }
+    EXPECT_FALSE(glIsBuffer(id));
+}
+
+TEST_F(GlObjects, DriverErrorsBecomeExceptions) {
+    glBindTexture(GL_TRIANGLES, 0);
+    EXPECT_THROW(gl::throwIfError("Test"), gl::GlError);
+    EXPECT_NO_THROW(gl::throwIfError("Test"));
+}
+
+TEST_F(GlObjects, ShaderErrorNamesTheIncludedFileAndItsLine) {
+    write("good.glsl", "float twice(float x) { return 2.0 * x; }\n");
+    write("bad.glsl", "// first line\nfloat broken( { return 1.0; }\n");
+    write("test.comp",
+          "#version 450 core\n#include \"good.glsl\"\n#include \"bad.glsl\"\n"
+          "layout(local_size_x = 1) in;\nvoid main() {}\n");
+    try {
+        gl::Program program(folder_, {"test.comp"});
+        FAIL() << "compiled";
+    } catch (const gl::GlError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("test.comp"), std::string::npos) << text;
+        EXPECT_NE(text.find("2=bad.glsl"), std::string::npos) << text;
+        EXPECT_NE(text.find("2:2"), std::string::npos) << text;
+    }
+}
+
+TEST_F(GlObjects, IncludesAreTakenOnceAndDefinesFollowTheVersion) {
+    write("chunk.glsl", "float chunk() { return VALUE; }\n");
+    write("test.comp",
+          "#version 450 core\n#include \"chunk.glsl\"\n#include \"chunk.glsl\"\n"
+          "layout(local_size_x = 1) in;\nvoid main() {}\n");
+    EXPECT_EQ(gl::loadShaderSource(folder_, "test.comp").files.size(), 2u);
+    EXPECT_NO_THROW(gl::Program(folder_, {"test.comp"}, "#define VALUE 1.0\n"));
+}
+
+TEST_F(GlObjects, MissingShaderIsNamed) {
+    try {
+        gl::loadShaderSource(folder_, "absent.frag");
+        FAIL() << "found";
+    } catch (const gl::GlError& error) {
+        EXPECT_NE(std::string(error.what()).find("absent.frag"), std::string::npos);
+    }
+}
+
+TEST_F(GlObjects, TimerReportsTimeAfterAFewSpans) {
+    gl::TimerQuery timer;
+    gl::Buffer buffer = gl::Buffer::resizable(1 << 20);
+    EXPECT_EQ(timer.lastMs(), 0.0);
+    for (int span = 0; span < 6; ++span) {
+        timer.begin();
+        buffer.fill(static_cast<uint32_t>(span));
+        timer.end();
+    }
+    glFinish();
+    EXPECT_GT(timer.lastMs(), 0.0);
+    EXPECT_LT(timer.lastMs(), 1e4);
+}
+
+TEST_F(GlObjects, ContextSaysWhatItIs) {
+    const ContextInfo& info = context().info();
+    EXPECT_FALSE(info.renderer.empty());
+    EXPECT_GE(info.max_samples, 4);
+}
+
+}  // namespace
+}  // namespace demolish::engine::test

@@ -1,0 +1,117 @@
+// Light obeys geometry: shadow falls where the sun's ray meets the block, and only there; corners are dimmer.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/render/gl_fixture.h"
+#include "tests/render/scenes.h"
+
+namespace demolish::engine::test {
+namespace {
+
+using LightTest = GlTest;
+
+int brightness(const Image& image, int x, int y) {
+    const uint8_t* p = image.at(x, y);
+    return (p[0] + p[1] + p[2]) / 3;
+}
+
+/// Does the sun's ray from a floor point meet the unit block grown (or shrunk) by `margin`?
+bool blockHidesSun(const Lighting& light, glm::vec3 p, float margin) {
+    const glm::vec3 d = -glm::normalize(light.sun_direction);
+    const glm::vec3 low = glm::vec3(-0.5f, 0.0f, -0.5f) - margin, high = glm::vec3(0.5f, 1.0f, 0.5f) + margin;
+    const glm::vec3 a = (low - p) / d, b = (high - p) / d;
+    const glm::vec3 enter = glm::min(a, b), leave = glm::max(a, b);
+    return std::max({enter.x, enter.y, enter.z, 0.0f}) < std::min({leave.x, leave.y, leave.z});
+}
+
+/// Pixels on the block's outline belong half to it.
+bool onlyFloorAround(const std::vector<uint32_t>& ids, const FrameView& view, int x, int y) {
+    for (int k = 0; k < 9; ++k) {
+        const int u = std::clamp(x + k % 3 - 1, 0, view.width - 1),
+                  v = std::clamp(y + k / 3 - 1, 0, view.height - 1);
+        if (ids[static_cast<size_t>(v) * view.width + u] != kFloorId) return false;
+    }
+    return true;
+}
+
+void checkShadow(Renderer& renderer, RenderQuality quality) {
+    Scene scene = wholeBlock(), empty = makeScene("empty_floor");
+    scene.view.quality = empty.view.quality = quality;
+    const Image picture = drawPicture(renderer, scene), reference = drawPicture(renderer, empty);
+    const std::vector<uint32_t> ids = renderer.fragmentIds(scene.mesh.get(), {}, scene.view);
+    size_t dark = 0, dark_wrong = 0, lit = 0, lit_wrong = 0;
+    for (int y = 0; y < scene.view.height; ++y) {
+        for (int x = 0; x < scene.view.width; ++x) {
+            if (!onlyFloorAround(ids, scene.view, x, y)) continue;
+            const Ray ray = pixelRay(scene.view.camera, scene.view.width, scene.view.height,
+                                     static_cast<float>(x), static_cast<float>(y));
+            const glm::vec3 p = ray.origin - ray.direction * (ray.origin.y / ray.direction.y);
+            if (std::max(std::abs(p.x), std::abs(p.z)) > 1.6f) continue;
+            const int loss = brightness(reference, x, y) - brightness(picture, x, y);
+            if (blockHidesSun(scene.view.lighting, p, -0.08f)) {
+                ++dark;
+                dark_wrong += loss < 25;
+            } else if (!blockHidesSun(scene.view.lighting, p, 0.3f)) {
+                ++lit;
+                lit_wrong += std::abs(loss) > 4;
+            }
+        }
+    }
+    EXPECT_GT(dark, 800u);
+    EXPECT_GT(lit, 5000u);
+    EXPECT_EQ(dark_wrong, 0u);
+    EXPECT_EQ(lit_wrong, 0u);
+}
+
+TEST_F(LightTest, ShadowFallsWhereTheSunIsHidden) {
+    checkShadow(renderer(), RenderQuality::kFull);
+}
+TEST_F(LightTest, DraftShadowFallsThereToo) {
+    checkShadow(renderer(), RenderQuality::kDraft);
+}
+
+TEST_F(LightTest, LitFacesShowNoAcne) {
+    Scene scene = wholeBlock();
+    scene.view.look.exterior_roughness = 1.0f;
+    const Image picture = drawPicture(renderer(), scene);
+    const std::vector<uint32_t> ids = renderer().fragmentIds(scene.mesh.get(), {}, scene.view);
+    size_t checked = 0, jumps = 0;
+    for (int y = 1; y + 1 < scene.view.height; ++y) {
+        for (int x = 1; x + 1 < scene.view.width; ++x) {
+            const auto id = [&](int dx, int dy) {
+                return ids[static_cast<size_t>(y + dy) * scene.view.width + x + dx];
+            };
+            if (id(0, 0) != 0 || id(1, 0) != 0 || id(-1, 0) != 0 || id(0, 1) != 0 || id(0, -1) != 0) continue;
+            ++checked;
+            const int bend =
+                2 * brightness(picture, x, y) - brightness(picture, x - 1, y) - brightness(picture, x + 1, y);
+            jumps += std::abs(bend) > 30;
+        }
+    }
+    EXPECT_GT(checked, 5000u);
+    // The block's three edges are the only jumps there are: a column of pixels each, of at most two pixels
+    // width.
+    EXPECT_LT(jumps, 450u);
+}
+
+TEST_F(LightTest, FloorIsDimmerBesideTheBlock) {
+    Scene scene = wholeBlock();
+    const Image full = drawPicture(renderer(), scene);
+    scene.view.quality = RenderQuality::kDraft;
+    const Image draft = drawPicture(renderer(), scene);
+    // On the sunny side, 3 cm before the block's base and half a metre before it.
+    const auto loss = [&](glm::vec3 p) {
+        const float aspect = static_cast<float>(scene.view.width) / static_cast<float>(scene.view.height);
+        const glm::vec4 clip =
+            scene.view.camera.projection(aspect) * scene.view.camera.view() * glm::vec4(p, 1);
+        const int x =
+            static_cast<int>((clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(scene.view.width));
+        const int y =
+            static_cast<int>((0.5f - clip.y / clip.w * 0.5f) * static_cast<float>(scene.view.height));
+        return brightness(draft, x, y) - brightness(full, x, y);
+    };
+    EXPECT_GT(loss({-0.2f, 0.0f, 0.53f}), loss({-0.2f, 0.0f, 1.0f}) + 5);
+}
+
+}  // namespace
+}  // namespace demolish::engine::test

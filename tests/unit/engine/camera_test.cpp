@@ -1,0 +1,92 @@
+// Camera: matrices agree with rays, moves keep what they promise.
+#include "engine/scene/camera.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace demolish::engine {
+namespace {
+
+TEST(Camera, DepthIsReversedFromNearToFar) {
+    const Camera camera;
+    const glm::mat4 projection = camera.projection(1.5f);
+    const auto depth = [&](float distance) {
+        const glm::vec4 clip = projection * glm::vec4(0, 0, -distance, 1);
+        return clip.z / clip.w;
+    };
+    EXPECT_NEAR(depth(camera.near_plane), 1.0f, 1e-6f);
+    EXPECT_NEAR(depth(camera.far_plane), 0.0f, 1e-6f);
+    EXPECT_GT(depth(1.0f), depth(2.0f));
+}
+
+TEST(Camera, PixelRayMeetsThePointThatThePixelShows) {
+    const Camera camera;
+    constexpr int kWidth = 640, kHeight = 360;
+    const glm::vec3 point(0.3f, 0.9f, -0.2f);
+    const glm::vec4 clip =
+        camera.projection(static_cast<float>(kWidth) / kHeight) * camera.view() * glm::vec4(point, 1);
+    const float x = (clip.x / clip.w * 0.5f + 0.5f) * kWidth - 0.5f,
+                y = (0.5f - clip.y / clip.w * 0.5f) * kHeight - 0.5f;
+    const Ray ray = pixelRay(camera, kWidth, kHeight, x, y);
+    EXPECT_NEAR(glm::length(ray.direction), 1.0f, 1e-6f);
+    EXPECT_NEAR(glm::length(glm::cross(point - ray.origin, ray.direction)), 0.0f, 1e-5f);
+}
+
+TEST(Camera, OrbitKeepsDistanceAndNeverFlips) {
+    Camera camera;
+    const float distance = glm::distance(camera.eye, camera.target);
+    for (int i = 0; i < 100; ++i) {
+        camera.orbit(0.31f, 0.2f);
+        EXPECT_NEAR(glm::distance(camera.eye, camera.target), distance, 1e-4f);
+        const glm::mat4 view = camera.view();
+        EXPECT_GT(view[1][1], 0.0f) << "world up must stay up";
+        EXPECT_FALSE(std::isnan(view[0][0]));
+    }
+    for (int i = 0; i < 100; ++i) camera.orbit(0, -0.2f);
+    EXPECT_LT(camera.eye.y, camera.target.y);
+}
+
+TEST(Camera, OrbitThereAndBackReturns) {
+    Camera camera;
+    const glm::vec3 eye = camera.eye;
+    camera.orbit(0.4f, 0.1f);
+    EXPECT_GT(glm::distance(eye, camera.eye), 0.1f);
+    camera.orbit(-0.4f, -0.1f);
+    EXPECT_NEAR(glm::distance(eye, camera.eye), 0.0f, 1e-5f);
+}
+
+TEST(Camera, PanMovesTheTargetByItsShareOfThePicture) {
+    Camera camera;
+    const Camera before = camera;
+    camera.pan(0.0f, 0.25f);
+    // The old target now stands a quarter of the picture's height below the middle.
+    const glm::vec4 clip = camera.projection(1.0f) * camera.view() * glm::vec4(before.target, 1);
+    EXPECT_NEAR(clip.y / clip.w, -0.5f, 1e-4f);
+    EXPECT_NEAR(glm::distance(camera.eye, camera.target), glm::distance(before.eye, before.target), 1e-5f);
+}
+
+TEST(Camera, DollyScalesTheDistanceWithinLimits) {
+    Camera camera;
+    const float distance = glm::distance(camera.eye, camera.target);
+    camera.dolly(0.5f);
+    EXPECT_NEAR(glm::distance(camera.eye, camera.target), 0.5f * distance, 1e-5f);
+    for (int i = 0; i < 50; ++i) camera.dolly(0.1f);
+    EXPECT_GE(glm::distance(camera.eye, camera.target), camera.near_plane);
+    for (int i = 0; i < 50; ++i) camera.dolly(10.0f);
+    EXPECT_LE(glm::distance(camera.eye, camera.target), camera.far_plane);
+    const glm::vec3 eye = camera.eye;
+    camera.dolly(-1.0f);
+    EXPECT_EQ(camera.eye, eye);
+}
+
+TEST(Camera, FrameMakesTheSphereTouchThePictureEdge) {
+    Camera camera;
+    const glm::vec3 centre(1, 2, 3);
+    camera.frame(centre, 0.7f);
+    EXPECT_EQ(camera.target, centre);
+    EXPECT_NEAR(std::asin(0.7f / glm::distance(camera.eye, centre)), 0.5f * camera.fov_y, 1e-5f);
+}
+
+}  // namespace
+}  // namespace demolish::engine
