@@ -141,6 +141,21 @@ class CpuBackend {
     void synchronize() {}
     std::string deviceName() const { return "CPU"; }
 
+    /// Words that come back while later work goes on.
+    class Reader {
+      public:
+        explicit Reader(CpuBackend&) {}
+        /// Reads them as they are after what was started before.
+        void start(CpuBackend&, Span<const uint32_t> words) {
+            words_.assign(words.data, words.data + words.count);
+        }
+        /// Waits for them, and not for what was started later.
+        const std::vector<uint32_t>& wait() const { return words_; }
+
+      private:
+        std::vector<uint32_t> words_;
+    };
+
     /// Stopwatch over work started on this backend.
     class Timer {
       public:

@@ -53,6 +53,29 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
     checkCuda(cudaGetLastError(), "adding up");
 }
 
+CudaBackend::Reader::Reader(CudaBackend&) {
+    checkCuda(cudaMallocHost(&pinned_, kWords * sizeof(uint32_t)), "allocating pinned memory");
+    checkCuda(cudaEventCreateWithFlags(&arrived_, cudaEventDisableTiming), "making an event");
+}
+
+CudaBackend::Reader::~Reader() {
+    cudaEventSynchronize(arrived_);
+    cudaEventDestroy(arrived_);
+    cudaFreeHost(pinned_);
+}
+
+void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
+    words_.resize(words.count < kWords ? words.count : kWords);
+    backend.transfer(pinned_, words.data, words_.size() * sizeof(uint32_t), cudaMemcpyDeviceToHost);
+    checkCuda(cudaEventRecord(arrived_, backend.stream_), "reading flags");
+}
+
+const std::vector<uint32_t>& CudaBackend::Reader::wait() {
+    checkCuda(cudaEventSynchronize(arrived_), "waiting for the GPU");
+    words_.assign(pinned_, pinned_ + words_.size());
+    return words_;
+}
+
 CudaBackend::Timer::Timer() {
     checkCuda(cudaEventCreate(&start_), "making a timer");
     checkCuda(cudaEventCreate(&stop_), "making a timer");

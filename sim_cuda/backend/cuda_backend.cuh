@@ -166,6 +166,26 @@ class CudaBackend {
     cudaStream_t stream() const { return stream_; }
     int multiprocessors() const { return multiprocessors_; }
 
+    /// Words that come back while later work goes on.
+    class Reader {
+      public:
+        explicit Reader(CudaBackend& backend);
+        ~Reader();
+        Reader(const Reader&) = delete;
+        Reader& operator=(const Reader&) = delete;
+        /// Reads at most kWords words as they are after what was started before.
+        void start(CudaBackend& backend, Span<const uint32_t> words);
+        /// Waits for them, and not for what was started later.
+        const std::vector<uint32_t>& wait();
+
+        static constexpr size_t kWords = 8;
+
+      private:
+        uint32_t* pinned_ = nullptr;
+        cudaEvent_t arrived_ = nullptr;
+        std::vector<uint32_t> words_;
+    };
+
     /// Stopwatch over work started on this backend.
     class Timer {
       public:

@@ -1,0 +1,87 @@
+// Refuses what cannot be simulated, in one sentence each, before anything is allocated.
+#include <cmath>
+
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/solver/scene_tables.h"
+
+namespace demolish {
+namespace {
+
+void demand(bool condition, const std::string& sentence) {
+    if (!condition) throw UsageError(sentence);
+}
+
+void demandRange(double value, double low, double high, const std::string& name) {
+    demand(value >= low && value <= high, name + " is " + std::to_string(value) + ", it must lie between " +
+                                              std::to_string(low) + " and " + std::to_string(high) + ".");
+}
+
+void demandFinite(const Double3& v, const std::string& name) {
+    demand(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), name + " is not a finite number.");
+}
+
+void checkMaterial(const Material& material) {
+    const std::string of = " of material \"" + material.name + "\"";
+    demandRange(material.density, 1, 1e5, "Density" + of);
+    demandRange(material.youngs_modulus, 1, 1e13, "Young's modulus" + of);
+    demandRange(material.poisson_ratio, 0, 0.49, "Poisson ratio" + of);
+    demandRange(material.friction, 0, 1.5, "Friction" + of);
+    demandRange(material.restitution, 0.05, 1, "Restitution" + of);
+    demandRange(material.rolling_friction, 0, 1, "Rolling friction" + of);
+    demandRange(material.damping_ratio, 0, 0.6, "Damping ratio" + of);
+    demandRange(material.critical_velocity, 1e-6, 1e9, "Critical velocity" + of);
+    demandRange(material.beta, 1e-3, 1e3, "Beta" + of);
+    demandRange(material.weibull_modulus, 0, 100, "Weibull modulus" + of);
+    demandRange(material.tough_factor, 1, 100, "Tough factor" + of);
+    demandRange(material.adhesion_energy, 0, 1e3, "Adhesion energy" + of);
+    demandRange(material.shear_ratio, 0, 1, "Shear ratio" + of);
+}
+
+void checkBody(const BodyInstance& instance) {
+    demand(instance.body != nullptr && !instance.body->particles.empty(),
+           "A body of the scene has no particles.");
+    checkMaterial(instance.material);
+    demandFinite(instance.position, "A body's position");
+    demandFinite(instance.velocity, "A body's velocity");
+    demandFinite(instance.angular_velocity, "A body's angular velocity");
+    const Quaternion q = instance.rotation;
+    demandRange(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 0.999, 1.001,
+                "The square of a body's rotation");
+}
+
+void checkParams(const SolverParams& params) {
+    demandRange(params.frame_time, 1e-9, 10, "Frame time (s)");
+    demandRange(params.substeps, 1, 1e7, "Substeps");
+    demandRange(params.step_safety, 1e-4, 1, "Step safety");
+    demandRange(params.settle_time, 0, 100, "Settling time (s)");
+    demandRange(params.scene_radius, 1e-6, 1e6, "Scene radius (m)");
+    demandFinite(params.gravity, "Gravity");
+    demand(params.planes.size() <= kMaxPlanes,
+           "A scene has at most " + std::to_string(kMaxPlanes) + " planes.");
+    for (const Plane& plane : params.planes) {
+        const Double3 n = plane.normal;
+        demandRange(n.x * n.x + n.y * n.y + n.z * n.z, 0.999, 1.001, "The square of a plane's normal");
+    }
+}
+
+}  // namespace
+
+void checkProjectile(const Projectile& projectile) {
+    demandRange(projectile.radius, 1e-9, 1e3, "Projectile radius (m)");
+    demandRange(projectile.density, 1e-3, 1e6, "Projectile density");
+    demandRange(projectile.stiffness_factor, 1e-3, 1e3, "Projectile stiffness factor");
+    demand(projectile.start_time >= 0, "A projectile starts before the simulation does.");
+    demandFinite(projectile.position, "A projectile's position");
+    demandFinite(projectile.velocity, "A projectile's velocity");
+}
+
+void checkSetup(const SceneSetup& setup) {
+    demand(!setup.bodies.empty(), "The scene has no body.");
+    for (const BodyInstance& instance : setup.bodies) checkBody(instance);
+    demand(setup.projectiles.size() <= kMaxProjectiles,
+           "A run has at most " + std::to_string(kMaxProjectiles) + " projectiles.");
+    for (const Projectile& projectile : setup.projectiles) checkProjectile(projectile);
+    checkParams(setup.params);
+}
+
+}  // namespace demolish

@@ -1,0 +1,231 @@
+// From a set-up to tables: particles in the world, bond rows, and the softening rule that ties stiffness to
+// the time step.
+#include "sim_cuda/solver/scene_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/physics/restitution.h"
+#include "sim_cuda/physics/softening.h"
+#include "sim_cuda/physics/strength.h"
+#include "sim_cuda/physics/time_step.h"
+#include "sim_cuda/physics/tough_cells.h"
+
+namespace demolish {
+namespace {
+
+/// Modulus with which the highest frequency is found before the true one is known.
+constexpr double kTrialModulus = 1e7;
+
+Vec3<double> vec(const Double3& a) {
+    return {a.x, a.y, a.z};
+}
+
+bool standsUpright(const BodyInstance& instance) {
+    const Quaternion q = instance.rotation;
+    return 1 - 2 * (q.x * q.x + q.z * q.z) > 0.999;  // y of the turned y axis
+}
+
+void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables& tables) {
+    const BreakableBody& body = *instance.body;
+    const Quat<double> q = normalized(
+        Quat<double>{instance.rotation.x, instance.rotation.y, instance.rotation.z, instance.rotation.w});
+    const std::vector<double> contact = contactRadii(body), floor = floorRadii(body, standsUpright(instance));
+    double mass = 0;
+    Vec3<double> centre;
+    const size_t first = tables.mass.size();
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        const Particle& p = body.particles[i];
+        const double m = instance.material.density * p.volume, r = std::cbrt(3 * p.volume / (4 * kPi));
+        tables.mass.push_back(m);
+        tables.inertia.push_back(0.4 * m * r * r);
+        tables.contact_radius.push_back(contact[i]);
+        tables.floor_radius.push_back(floor[i]);
+        tables.owner.push_back(number);
+        tables.rotation.push_back(q);
+        tables.position.push_back(vec(instance.position) + rotate(q, vec(p.seed)));
+        tables.largest_radius = std::max(tables.largest_radius, contact[i]);
+        mass += m;
+        centre = axpy(m, tables.position.back(), centre);
+    }
+    centre = (1 / mass) * centre;
+    tables.mass_in_bodies += mass;
+    const Vec3<double> spin = vec(instance.angular_velocity);
+    for (size_t i = first; i < tables.mass.size(); ++i) {
+        tables.spin.push_back(spin);
+        tables.velocity.push_back(vec(instance.velocity) + cross(spin, tables.position[i] - centre));
+    }
+}
+
+/// Strength factors of a body's bonds: Weibull scatter and tough cells (models E.3).
+std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed) {
+    const BreakableBody& body = *instance.body;
+    std::vector<double> factors(body.bonds.size());
+    for (size_t b = 0; b < factors.size(); ++b)
+        factors[b] = weibullFactor(instance.material.weibull_modulus, counterHash(seed, 1), b);
+    if (instance.material.tough_cells == 0) return factors;
+    std::vector<Vec3<double>> seeds;
+    seeds.reserve(body.particles.size());
+    double volume = 0;
+    for (const Particle& p : body.particles) {
+        seeds.push_back(vec(p.seed));
+        volume += p.volume;
+    }
+    const auto label = toughCellLabels(seeds, volume, instance.material.tough_cells, counterHash(seed, 2));
+    for (size_t b = 0; b < factors.size(); ++b)
+        if (label[body.bonds[b].i] == label[body.bonds[b].j]) factors[b] *= instance.material.tough_factor;
+    return factors;
+}
+
+BondStiffness<double> stiffnessOf(const Material& material, const BondGeometry& bond, double modulus) {
+    if (material.bond_law == BondLaw::kBeam)
+        return beamBond(modulus, bond.area, bond.length, material.shear_ratio);
+    const double radius = faceBondRadius(bond.area);
+    return paperBond(modulus, material.poisson_ratio, faceRatioNeck(radius, bond.length), radius);
+}
+
+/// k_T / k_N: of the beam law a free choice, of the paper's 2 (1 - nu) / (2 - nu) since f_N = f_T.
+double shearRatio(const Material& material) {
+    if (material.bond_law == BondLaw::kBeam) return material.shear_ratio;
+    return 2 * (1 - material.poisson_ratio) / (2 - material.poisson_ratio);
+}
+
+/// Rows of one body at the trial modulus; bond (i, j) goes into both ends' rows, each sorted by the other's
+/// id.
+void appendBonds(const BodyInstance& instance, uint32_t first, uint64_t seed, SceneTables& tables) {
+    const BreakableBody& body = *instance.body;
+    const std::vector<double> factors = strengthFactors(instance, seed);
+    const uint32_t count = static_cast<uint32_t>(body.particles.size());
+    std::vector<uint32_t> fill(count, 0);
+    for (const BondGeometry& bond : body.bonds) {
+        ++fill[bond.i];
+        ++fill[bond.j];
+    }
+    uint32_t next = static_cast<uint32_t>(tables.slots.size());
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t size = fill[i];
+        fill[i] = next;
+        next += size;
+        tables.row_start.push_back(next);
+    }
+    tables.slots.resize(next);
+    tables.twin.resize(next);
+    // Bonds sorted by (i, j): first the slots towards lower ids, then those towards higher ones, each
+    // ascending.
+    std::vector<uint32_t> place(body.bonds.size());
+    for (size_t b = 0; b < body.bonds.size(); ++b) place[b] = fill[body.bonds[b].j]++;
+    for (size_t b = 0; b < body.bonds.size(); ++b) {
+        const BondGeometry& bond = body.bonds[b];
+        const double k = stiffnessOf(instance.material, bond, kTrialModulus).normal,
+                     radius = faceBondRadius(bond.area);
+        const Vec3<double> rest = bond.length * vec(bond.normal);
+        const uint32_t here = fill[bond.i]++, there = place[b];
+        tables.slots[here] = {first + bond.j, rest, k, radius, factors[b]};
+        tables.slots[there] = {first + bond.i, -rest, k, radius, factors[b]};
+        tables.twin[here] = there;
+        tables.twin[there] = here;
+        tables.slot_of_bond.push_back(here);
+    }
+}
+
+/// Modulus, strength and damping from the step (softened) or from the material.
+BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
+                            double dt) {
+    const Material& material = instance.material;
+    const bool beam = material.bond_law == BondLaw::kBeam;
+    const double safety = std::min(params.step_safety, dampedStepShare(material.damping_ratio));
+    const auto effective = [&](double modulus) {
+        return beam ? effectiveModulus(modulus, material.shear_ratio) : effectiveModulusPaper(modulus);
+    };
+    BodyConstants constants;
+    SofteningReport& report = constants.report;
+    if (!params.soften)
+        report.bond_modulus = material.youngs_modulus / effective(1);
+    else if (trial_omega > 0)
+        report.bond_modulus = bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
+    else {  // no bonds: c_eff = kappa sf h / dt with the kappa of solid bodies (E.1)
+        const double speed = 0.68 * safety * instance.body->spacing / dt;
+        report.bond_modulus = material.density * speed * speed / effective(1);
+    }
+    report.effective_modulus = effective(report.bond_modulus);
+    report.wave_speed = waveSpeed(report.effective_modulus, material.density);
+    report.strength =
+        bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
+    report.strain_at_failure = strainAtFailure(report.strength, report.effective_modulus);
+    report.highest_frequency = trial_omega * std::sqrt(report.bond_modulus / kTrialModulus);
+    constants.shear_ratio = shearRatio(material);
+    if (report.highest_frequency > 0)
+        constants.beta_r = stiffnessDamping(material.damping_ratio, report.highest_frequency);
+    return constants;
+}
+
+/// Scales a body's slots from the trial modulus to its own and collects what its laws need.
+void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double spacing,
+                SceneTables& tables) {
+    const double scale = constants.report.bond_modulus / kTrialModulus;
+    const uint32_t begin = tables.row_start[first], end = tables.row_start[first + count];
+    double sum = 0;
+    for (uint32_t s = begin; s < end; ++s) {
+        tables.slots[s].stiffness *= scale;
+        sum += tables.slots[s].stiffness;
+        constants.largest_radius = std::max(constants.largest_radius, tables.slots[s].radius);
+        constants.largest_strength = std::max(constants.largest_strength, tables.slots[s].strength);
+    }
+    constants.mean_stiffness = end > begin ? sum / (end - begin) : constants.report.bond_modulus * spacing;
+}
+
+/// s: 1/60 s over the substeps asked for, or what the stiffest body allows.
+double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_omega) {
+    const SolverParams& params = setup.params;
+    if (params.soften) return 1.0 / 60 / params.substeps;
+    double dt = params.frame_time;
+    for (size_t b = 0; b < setup.bodies.size(); ++b) {
+        if (!(trial_omega[b] > 0)) continue;
+        const BodyConstants constants = bodyConstants(setup.bodies[b], params, trial_omega[b], dt);
+        dt = std::min(dt, stableStep(constants.report.highest_frequency,
+                                     setup.bodies[b].material.damping_ratio, params.step_safety));
+    }
+    return dt;
+}
+
+void report(const ProgressCallback& progress, double fraction, const char* stage) {
+    if (progress && !progress(fraction, stage)) throw Cancelled();
+}
+
+}  // namespace
+
+SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& progress) {
+    checkSetup(setup);
+    SceneTables tables;
+    tables.bodies = static_cast<uint32_t>(setup.bodies.size());
+    tables.row_start.push_back(0);
+    std::vector<uint32_t> first{0};
+    std::vector<double> omega;
+    tables.spacing = setup.bodies[0].body->spacing;
+    for (uint32_t b = 0; b < tables.bodies; ++b) {
+        report(progress, static_cast<double>(b) / tables.bodies, "Finding the stable time step");
+        const BodyInstance& instance = setup.bodies[b];
+        appendParticles(instance, b, tables);
+        appendBonds(instance, first[b], counterHash(setup.params.seed, b), tables);
+        first.push_back(static_cast<uint32_t>(tables.mass.size()));
+        omega.push_back(
+            highestFrequency(tables, first[b], first[b + 1] - first[b], shearRatio(instance.material)));
+        tables.spacing = std::min(tables.spacing, instance.body->spacing);
+    }
+    tables.counts = {first.back(), first.back() + kMaxProjectiles};
+    tables.row_start.resize(tables.counts.total + 1, tables.row_start.back());
+    const double dt = chooseTimeStep(setup, omega);
+    tables.substeps = static_cast<uint32_t>(std::max(1.0, std::ceil(setup.params.frame_time / dt - 1e-9)));
+    tables.time_step = setup.params.frame_time / tables.substeps;
+    for (uint32_t b = 0; b < tables.bodies; ++b) {
+        tables.body.push_back(bodyConstants(setup.bodies[b], setup.params, omega[b], tables.time_step));
+        finishBody(first[b], first[b + 1] - first[b], tables.body[b], setup.bodies[b].body->spacing, tables);
+    }
+    report(progress, 1, "Finding the stable time step");
+    return tables;
+}
+
+}  // namespace demolish

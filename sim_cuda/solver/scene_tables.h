@@ -1,0 +1,79 @@
+// A scene set-up worked out for the solver, on the host and in double: particles, bond rows, law constants,
+// time step.
+#pragma once
+#include <vector>
+
+#include "sim_cuda/api/solver.h"
+#include "sim_cuda/data/bonds.h"
+#include "sim_cuda/data/particles.h"
+#include "sim_cuda/kernels/step_params.h"
+
+namespace demolish {
+
+/// What the softening rule gave one body (models E.1, E.2), and what its law needs.
+struct BodyConstants {
+    SofteningReport report;
+    double beta_r = 0;            ///< s, (E3)
+    double shear_ratio = 0;       ///< k_T / k_N of the law in force
+    double mean_stiffness = 0;    ///< N/m, mean k_N: the stiffness of plain contacts
+    double largest_radius = 0;    ///< m, a_b
+    double largest_strength = 0;  ///< s_b
+};
+
+/// One direction of a bond.
+struct BondSlot {
+    uint32_t other = 0;    ///< particle at the other end
+    Vec3<double> rest;     ///< m, from the row's particle to the other, body frame
+    double stiffness = 0;  ///< N/m, k_N
+    double radius = 0;     ///< m, a_b
+    double strength = 1;   ///< s_b
+};
+
+struct SceneTables {
+    ParticleCounts counts;
+    uint32_t bodies = 0;
+    uint32_t owners() const { return bodies + kMaxProjectiles; }
+    // per particle (in bodies)
+    std::vector<double> mass, inertia, contact_radius, floor_radius;
+    std::vector<uint32_t> owner;
+    std::vector<Vec3<double>> position, velocity, spin;  ///< world frame
+    std::vector<Quat<double>> rotation;
+    // bonds of all bodies
+    std::vector<uint32_t> row_start;  ///< total + 1
+    std::vector<BondSlot> slots;
+    std::vector<uint32_t> slot_of_bond, twin;
+    std::vector<BodyConstants> body;
+    double spacing = 0;         ///< m, smallest h of the bodies
+    double largest_radius = 0;  ///< m, of contact_radius
+    double mass_in_bodies = 0;  ///< kg
+    double time_step = 0;       ///< s
+    uint32_t substeps = 0;      ///< per frame of params.frame_time
+};
+
+/// Throws Cancelled when the callback says so.
+SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& progress);
+
+/// Throws UsageError with one sentence that names the value and its range.
+void checkSetup(const SceneSetup& setup);
+void checkProjectile(const Projectile& projectile);
+
+/// Half the distance to the nearest seed of the same body, m: no two particles of a body overlap at rest,
+/// whether bonded or not (physics A.6, models E.4).
+std::vector<double> contactRadii(const BreakableBody& body);
+/// Depth of the seed but at most the sphere of equal volume, m; with `standing`, cells of the sole get the
+/// seed's height above the body's lowest point (models E.4).
+std::vector<double> floorRadii(const BreakableBody& body, bool standing);
+
+/// Highest frequency of M^-1 K, rad/s, by power iteration over a body's rows (models E.1); `first` is the
+/// body's first particle. The same for any number of threads.
+double highestFrequency(const SceneTables& tables, uint32_t first, uint32_t count, double shear_ratio);
+
+/// Law tables on all owners, for the projectiles fired so far (slot p has projectiles[p]).
+struct LawTables {
+    std::vector<BodyLaw<double>> body;
+    std::vector<PairLaw<double>> pair, wall;  ///< owners x owners; owners
+};
+LawTables buildLawTables(const SceneSetup& setup, const SceneTables& tables,
+                         const std::vector<Projectile>& projectiles);
+
+}  // namespace demolish
