@@ -1,0 +1,35 @@
+// The grid's two kernels: count the particles of each bucket, then write their ids bucket by bucket. The
+// order inside a bucket is left to chance; the rows made from it are sorted.
+#pragma once
+#include "sim_cuda/backend/atomics.h"
+#include "sim_cuda/kernels/grid_cell.h"
+
+namespace demolish {
+
+template <class Real>
+struct CountInBuckets {
+    PathsIn<Real> paths;
+    GridFrame<Real> frame;
+    uint32_t mask = 0;
+    Span<uint64_t> key;      ///< per particle
+    Span<uint32_t> counter;  ///< per bucket, 0 before; the paper's gridCounters
+    Span<uint32_t> place;    ///< per particle: its place in the bucket
+
+    DEM_FN void operator()(uint32_t i) const {
+        const uint64_t own = cellKey(gridCell(frame, paths.position[i], paths.velocity[i]));
+        key[i] = own;
+        place[i] = atomicAddU32(&counter[bucketOf(own, mask)], 1);
+    }
+};
+
+struct FillBuckets {
+    Span<const uint64_t> key;
+    Span<const uint32_t> bucket_start;  ///< exclusive sums of the counters
+    Span<const uint32_t> place;
+    uint32_t mask = 0;
+    Span<uint32_t> member;  ///< ids, bucket by bucket; the paper's gridCells
+
+    DEM_FN void operator()(uint32_t i) const { member[bucket_start[bucketOf(key[i], mask)] + place[i]] = i; }
+};
+
+}  // namespace demolish

@@ -1,0 +1,57 @@
+// The box that holds all velocities: minima and maxima, so that no order of evaluation can change it.
+#pragma once
+#include <cmath>
+
+#include "sim_cuda/data/contact_rows.h"
+
+namespace demolish {
+
+/// m/s; empty: low above high.
+template <class Real>
+struct VelocityRange {
+    Vec3<Real> low{Real(1e30), Real(1e30), Real(1e30)}, high{Real(-1e30), Real(-1e30), Real(-1e30)};
+};
+
+/// Empty for a slot that takes part in nothing.
+template <class Real>
+struct VelocityOfPath {
+    Span<const Vec4<Real>> velocity;
+    uint32_t first = 0;
+
+    DEM_FN VelocityRange<Real> operator()(uint32_t i) const {
+        const Vec4<Real> own = velocity[first + i];
+        if (!(own.w >= Real(0))) return {};
+        return {xyz(own), xyz(own)};
+    }
+};
+
+template <class Real>
+struct WidenRange {
+    DEM_FN void operator()(VelocityRange<Real>& into, const VelocityRange<Real>& other) const {
+        into.low = {minOf(into.low.x, other.low.x), minOf(into.low.y, other.low.y),
+                    minOf(into.low.z, other.low.z)};
+        into.high = {maxOf(into.high.x, other.high.x), maxOf(into.high.y, other.high.y),
+                     maxOf(into.high.z, other.high.z)};
+    }
+};
+
+template <class Real>
+Vec3<Real> middleOf(const VelocityRange<Real>& range) {
+    if (!(range.low.x <= range.high.x)) return {};
+    return Real(0.5) * (range.low + range.high);
+}
+
+/// Upper bound of |v - common| over the box, m/s; 0 for an empty one.
+template <class Real>
+double largestSpeed(const VelocityRange<Real>& range, const Vec3<Real>& common) {
+    if (!(range.low.x <= range.high.x)) return 0;
+    const auto farther = [](double low, double high, double from) {
+        return std::fmax(std::abs(low - from), std::abs(high - from));
+    };
+    const double x = farther(range.low.x, range.high.x, common.x),
+                 y = farther(range.low.y, range.high.y, common.y),
+                 z = farther(range.low.z, range.high.z, common.z);
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+}  // namespace demolish
