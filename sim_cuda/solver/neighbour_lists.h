@@ -38,6 +38,16 @@ class NeighbourLists {
     /// elapsed + lookahead passes horizon(), when CheckPaths says so, and when a projectile starts.
     void build(const StateIn<Real>& state, Span<const Vec4<Real>> constants, const BondRowsIn<Real>& bonds);
 
+    /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon (s).
+    void adopt(uint32_t used, double horizon) {
+        horizon_ = horizon;
+        contacts_.used = used;
+        if (contacts_.neighbour.size() >= used) return;
+        backend_.synchronize();
+        contacts_.neighbour = backend_.template allocate<uint32_t>(used + used / 2);
+        contacts_.spring = backend_.template allocate<Vec4<Real>>(used + used / 2);
+    }
+
     /// s after the last build.
     double horizon() const { return horizon_; }
     /// Builds so far.

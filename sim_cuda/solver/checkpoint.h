@@ -1,0 +1,130 @@
+// Everything that changes while stepping, set aside on the device (frame start, dry runs) or as bytes
+// (snapshots).
+#pragma once
+#include <cstring>
+#include <vector>
+
+#include "sim_cuda/solver/neighbour_lists.h"
+#include "sim_cuda/solver/solver_data.h"
+
+namespace demolish {
+
+/// Calls visit(buffer) for every changing buffer whose size never changes.
+template <class Data, class Lists, class Visit>
+void visitFixedBuffers(Data& data, Lists& lists, const Visit& visit) {
+    auto& particles = data.particles;
+    const uint32_t current = data.current;
+    visit(particles.position[current]);
+    visit(particles.rotation[current]);
+    visit(particles.velocity[current]);
+    visit(particles.spin[current]);
+    visit(particles.constants);
+    visit(data.bonds.link);
+    visit(data.bonds.spring);
+    visit(data.plane_spring);
+    visit(data.ledger);
+    visit(lists.contacts().row_start);
+    visit(lists.contacts().built_position);
+    visit(lists.contacts().built_velocity);
+}
+
+/// Bytes that grow as they are written and are read back in the same order.
+class ByteStream {
+  public:
+    ByteStream() = default;
+    explicit ByteStream(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
+
+    void write(const void* from, size_t count) {
+        const auto* first = static_cast<const std::byte*>(from);
+        bytes_.insert(bytes_.end(), first, first + count);
+    }
+    /// Throws std::out_of_range when the bytes end before.
+    void read(void* to, size_t count) {
+        if (count > bytes_.size() - position_) throw std::out_of_range("snapshot is too short");
+        if (count > 0) std::memcpy(to, bytes_.data() + position_, count);
+        position_ += count;
+    }
+    template <class T>
+    void writeValue(const T& value) {
+        write(&value, sizeof(T));
+    }
+    template <class T>
+    T readValue() {
+        T value;
+        read(&value, sizeof(T));
+        return value;
+    }
+    template <class T>
+    void writeVector(const std::vector<T>& values) {
+        writeValue<uint64_t>(values.size());
+        write(values.data(), values.size() * sizeof(T));
+    }
+    template <class T>
+    std::vector<T> readVector() {
+        const uint64_t count = readValue<uint64_t>();
+        if (count > (bytes_.size() - position_) / sizeof(T)) throw std::out_of_range("snapshot is too short");
+        std::vector<T> values(count);
+        read(values.data(), count * sizeof(T));
+        return values;
+    }
+    bool atEnd() const { return position_ == bytes_.size(); }
+    std::vector<std::byte> take() { return std::move(bytes_); }
+
+  private:
+    std::vector<std::byte> bytes_;
+    size_t position_ = 0;
+};
+
+/// A copy on the device.
+template <class Backend, class Real>
+class Checkpoint {
+  public:
+    template <class T>
+    using Buffer = typename Backend::template Buffer<T>;
+
+    void keep(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists) {
+        size_t next = 0;
+        current_ = data.current;
+        visitFixedBuffers(data, lists, [&](auto& buffer) { keepBytes(backend, buffer.view(), next++); });
+        auto& contacts = lists.contacts();
+        used_ = contacts.used;
+        keepBytes(backend, contacts.neighbour.view().part(0, used_), next++);
+        keepBytes(backend, contacts.spring.view().part(0, used_), next++);
+        horizon_ = lists.horizon();
+    }
+
+    void putBack(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists) {
+        size_t next = 0;
+        data.current = current_;
+        visitFixedBuffers(data, lists, [&](auto& buffer) { putBytes(backend, next++, buffer.span()); });
+        auto& contacts = lists.contacts();
+        lists.adopt(used_, horizon_);
+        putBytes(backend, next++, contacts.neighbour.span().part(0, used_));
+        putBytes(backend, next++, contacts.spring.span().part(0, used_));
+    }
+
+  private:
+    template <class T>
+    void keepBytes(Backend& backend, Span<const T> from, size_t place) {
+        if (buffers_.size() <= place) buffers_.resize(place + 1);
+        const size_t bytes = from.count * sizeof(T);
+        if (buffers_[place].size() < bytes) {
+            backend.synchronize();
+            buffers_[place] = backend.template allocate<unsigned char>(bytes + bytes / 4);
+        }
+        backend.copy(Span<const unsigned char>(reinterpret_cast<const unsigned char*>(from.data), bytes),
+                     buffers_[place].span().part(0, bytes));
+    }
+    template <class T>
+    void putBytes(Backend& backend, size_t place, Span<T> to) {
+        const size_t bytes = to.count * sizeof(T);
+        backend.copy(buffers_[place].view().part(0, bytes),
+                     Span<unsigned char>(reinterpret_cast<unsigned char*>(to.data), bytes));
+    }
+
+    std::vector<Buffer<unsigned char>> buffers_;
+    uint32_t current_ = 0, used_ = 0;
+    double horizon_ = 0;
+};
+
+}  // namespace demolish
