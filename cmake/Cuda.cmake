@@ -23,9 +23,8 @@ if(DEMOLISH_CUDA)
         enable_language(CUDA)
         find_package(CUDAToolkit REQUIRED)
         set(DEMOLISH_WITH_CUDA ON)
-        set(CMAKE_CUDA_STANDARD 20)
-        set(CMAKE_CUDA_STANDARD_REQUIRED ON)
-        set(cuda_flags --fmad=false --expt-relaxed-constexpr --Werror=all-warnings
+        # Written out: CMake 3.25 (Debian 12) does not know that nvcc speaks C++20.
+        set(cuda_flags -std=c++20 --fmad=false --expt-relaxed-constexpr --Werror=all-warnings
             -Xcompiler=-Wall,-Wextra,-ffp-contract=off)
         if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
             list(APPEND cuda_flags -Xcompiler=-march=${DEMOLISH_CPU_ARCH})
