@@ -1,0 +1,55 @@
+// The bridges' arithmetic: stream layouts, how much of the draw lists is in use, device ordinals.
+#include <gtest/gtest.h>
+
+#include "app/bridge/frame_bridge.h"
+#include "app/bridge/host_bridge.h"
+#include "app/bridge/stream_layout.h"
+
+namespace demolish {
+namespace {
+
+TEST(Bridge, StreamsCountElementsOfTheirOwnSize) {
+    std::array<std::byte, 4096> memory{};
+    std::array<void*, kStreamCount> data{};
+    std::array<size_t, kStreamCount> bytes{};
+    for (size_t i = 0; i < kStreamCount; ++i) {
+        data[i] = memory.data() + 512 * i;
+        bytes[i] = 10 * kStreamElementBytes[i];
+    }
+    const RenderStreams streams = streamsAt(data, bytes, ParticleColour::kStress);
+    EXPECT_EQ(streams.particles.capacity, 10u);
+    EXPECT_EQ(streams.transforms.capacity, 10u);
+    EXPECT_EQ(streams.interior_vertices.capacity, 10u);
+    EXPECT_EQ(streams.commands.capacity, 10u);
+    EXPECT_EQ(static_cast<void*>(streams.crack_edges.data),
+              data[static_cast<size_t>(engine::StreamId::kCrackEdges)]);
+    EXPECT_EQ(streams.colour, ParticleColour::kStress);
+}
+
+TEST(Bridge, UseOfTheDrawListsFollowsFromCountsAndHighestIndex) {
+    DrawCommands commands{};
+    const std::vector<uint32_t> indices = {0, 4, 2, 9, 1, 3};
+    EXPECT_EQ(drawListUse(commands, indices).interior_vertices, 0u);
+    commands.interior.count = 3;
+    commands.cracks.instance_count = 5;
+    DrawListUse use = drawListUse(commands, indices);
+    EXPECT_EQ(use.interior_indices, 3u);
+    EXPECT_EQ(use.interior_vertices, 5u);
+    EXPECT_EQ(use.crack_edges, 5u);
+    commands.interior.count = 100;  // never beyond what is there
+    use = drawListUse(commands, indices);
+    EXPECT_EQ(use.interior_indices, 6u);
+    EXPECT_EQ(use.interior_vertices, 10u);
+}
+
+TEST(Bridge, VisibleDevicesRenumberCudaOnly) {
+    EXPECT_EQ(eglOrdinal(0, nullptr), 0);
+    EXPECT_EQ(eglOrdinal(1, nullptr), 1);
+    EXPECT_EQ(eglOrdinal(0, "2,3"), 2);
+    EXPECT_EQ(eglOrdinal(1, "2,3"), 3);
+    EXPECT_EQ(eglOrdinal(2, "2,3"), 2);  // beyond the list: as it was
+    EXPECT_EQ(eglOrdinal(0, "GPU-5f1c"), 0);
+}
+
+}  // namespace
+}  // namespace demolish

@@ -1,0 +1,48 @@
+// A capture from start to end: pictures, contact sheet, film, report.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/image/png.h"
+#include "tests/unit/app/run_program.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish::test {
+namespace {
+
+TEST(Capture, WritesWholeFilesAndAReport) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "frames";
+    const bool has_ffmpeg = std::system("ffmpeg -version > /dev/null 2>&1") == 0;
+    std::vector<std::string> words = {"capture",  "block", "--particles", "200",
+                                      "--frames", "14",    "--size",      "160x90",
+                                      "--out",    out,     "--report",    folder.path() / "report.json"};
+    if (has_ffmpeg) words.insert(words.end(), {"--video", folder.path() / "film.mp4"});
+    const ProgramRun run = runProgram(words);
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, testing::AllOf(testing::HasSubstr("FPS median"), testing::HasSubstr("fragments")));
+
+    const auto first = engine::readPng(out / "frame_0000.png");
+    const auto last = engine::readPng(out / "frame_0013.png");
+    EXPECT_EQ(first.width, 160);
+    EXPECT_EQ(first.height, 90);
+    EXPECT_NE(first.pixels, last.pixels) << "nothing moved";
+    const auto sheet = engine::readPng(out / "contact_sheet.png");
+    EXPECT_GT(sheet.width, 3 * 160);
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+        EXPECT_NE(entry.path().extension(), ".tmp");
+    if (has_ffmpeg) EXPECT_GT(std::filesystem::file_size(folder.path() / "film.mp4"), 1000u);
+
+    const auto report = nlohmann::json::parse(readText(folder.path() / "report.json"));
+    EXPECT_EQ(report["frames"], 14);
+    EXPECT_EQ(report["width"], 160);
+    EXPECT_NE(report["gl_renderer"], "none");
+    EXPECT_GT(report["bonds_broken"].get<int>(), 0) << "25 m/s breaks the block";
+    EXPECT_GT(report["fps_median"].get<double>(), 0);
+    EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
+}
+
+}  // namespace
+}  // namespace demolish::test

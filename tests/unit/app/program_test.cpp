@@ -1,0 +1,165 @@
+// The command line as a user meets it: help, exit codes, one sentence for each failure, the report's keys.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/app/run_program.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+class Program : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    }
+    /// A small body: quick to make, breaks like a large one.
+    static std::vector<std::string> smallBench(std::vector<std::string> more) {
+        std::vector<std::string> words = {"bench",    "block", "--particles", "150",      "--frames", "3",
+                                          "--warmup", "0",     "--no-draw",   "--device", "cpu"};
+        words.insert(words.end(), more.begin(), more.end());
+        return words;
+    }
+    static void expectOneSentence(const ProgramRun& run, int code, const std::string& about) {
+        EXPECT_EQ(run.exit_code, code) << run.err;
+        EXPECT_THAT(run.err, AllOf(HasSubstr("demolish: "), HasSubstr(about)));
+    }
+    TemporaryFolder folder_;
+};
+
+TEST_F(Program, HelpReadsWell) {
+    const ProgramRun run = runProgram({"--help"});
+    EXPECT_EQ(run.exit_code, 0);
+    EXPECT_THAT(run.out, AllOf(HasSubstr("view"), HasSubstr("capture"), HasSubstr("bench"), HasSubstr("info"),
+                               HasSubstr("Exit codes")));
+    const ProgramRun capture = runProgram({"capture", "--help"});
+    EXPECT_EQ(capture.exit_code, 0);
+    EXPECT_THAT(capture.out,
+                AllOf(HasSubstr("--impact-velocity"), HasSubstr("--particle-size"), HasSubstr("--video")));
+    EXPECT_EQ(runProgram({"--version"}).exit_code, 0);
+}
+
+TEST_F(Program, MistakesInUsageAreCodeTwo) {
+    expectOneSentence(runProgram({}), 2, "subcommand");
+    expectOneSentence(runProgram({"bench", "teapot", "--no-draw"}), 2, "block, bunny");
+    expectOneSentence(runProgram({"bench", "--no-such-option"}), 2, "--no-such-option");
+    expectOneSentence(runProgram(smallBench({"--impact-velocity", "-1"})), 2, "between 0 and 200 m/s");
+    expectOneSentence(runProgram(smallBench({"--impact-velocity", "nan"})), 2, "between 0 and 200 m/s");
+    expectOneSentence(runProgram({"bench", "--no-draw", "--particle-size", "0"}), 2, "--particle-size");
+    expectOneSentence(runProgram(smallBench({"--particle-size", "0.1"})), 2, "exclude each other");
+    expectOneSentence(runProgram(smallBench({"--drop", "3", "--impact-velocity", "3"})), 2,
+                      "exclude each other");
+    expectOneSentence(runProgram({"bench", "--no-draw", "--particles", "12.5"}), 2, "whole number");
+    expectOneSentence(runProgram({"capture", "block", "--size", "12x", "--out", folder_.path()}), 2,
+                      "1920x1080");
+    expectOneSentence(runProgram({"capture", "block"}), 2, "--out");
+    expectOneSentence(runProgram(smallBench({"--material", "jelly"})), 2, "ceramic");
+}
+
+TEST_F(Program, ParticleSizesThatCannotBeNameThoseThatCan) {
+    expectOneSentence(runProgram({"bench", "block", "--no-draw", "--device", "cpu", "--particle-size", "9"}),
+                      2, "m");
+}
+
+TEST_F(Program, BadInputFilesAreCodeThree) {
+    expectOneSentence(runProgram({"bench", "--no-draw", "--model", "/no/such/file.obj"}), 3,
+                      "/no/such/file.obj");
+    const auto open_mesh = folder_.write("open.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    expectOneSentence(runProgram({"bench", "--no-draw", "--model", open_mesh}), 3, "open.obj");
+    expectOneSentence(runProgram({"bench", "--no-draw"}, {"DEMOLISH_DATA=/no/such/folder"}), 3,
+                      "DEMOLISH_DATA");
+}
+
+TEST_F(Program, NoGpuIsCodeFour) {
+    if (runProgram({"info"}).out.find("CUDA device   none") == std::string::npos)
+        GTEST_SKIP() << "there is a GPU";
+    expectOneSentence(runProgram({"bench", "block", "--no-draw", "--device", "cuda"}), 4, "--device cpu");
+}
+
+TEST_F(Program, WindowWithoutDisplayIsCodeFour) {
+    const ProgramRun run = runProgram({"view", "block", "--particles", "50", "--device", "cpu"},
+                                      {"DISPLAY=", "WAYLAND_DISPLAY="});
+    expectOneSentence(run, 4, "demolish capture");
+}
+
+TEST_F(Program, OutputThatCannotBeWrittenIsCodeSix) {
+    expectOneSentence(runProgram(smallBench({"--json", "/no/such/folder/report.json"})), 6,
+                      "/no/such/folder/report.json");
+    folder_.write("plain", "a file");
+    expectOneSentence(runProgram({"capture", "block", "--particles", "50", "--frames", "1", "--out",
+                                  folder_.path() / "plain"}),
+                      6, "plain");
+    const ProgramRun no_ffmpeg = runProgram(
+        {"capture", "block", "--particles", "50", "--frames", "1", "--video", folder_.path() / "film.mp4"},
+        {"PATH=/no/such/folder"});
+    expectOneSentence(no_ffmpeg, 6, "ffmpeg program is missing");
+}
+
+TEST_F(Program, ReportHasTheKeysInSiUnits) {
+    const auto file = folder_.path() / "report.json";
+    const ProgramRun run = runProgram(smallBench({"--json", file}));
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto report = nlohmann::json::parse(readText(file));
+    for (const char* key : {"scene",
+                            "model",
+                            "device",
+                            "gl_renderer",
+                            "transfer",
+                            "seed",
+                            "frames",
+                            "fps_median",
+                            "fps_p1",
+                            "frame_ms_p99",
+                            "sim_ms",
+                            "draw_ms",
+                            "substeps_per_frame",
+                            "time_step",
+                            "particles",
+                            "bonds",
+                            "bonds_broken",
+                            "fragments",
+                            "largest_fragment_fraction",
+                            "mass",
+                            "mesh_volume",
+                            "cells_volume",
+                            "linear_momentum",
+                            "energy",
+                            "state_hash",
+                            "status",
+                            "machine",
+                            "threads",
+                            "softening"})
+        EXPECT_TRUE(report.contains(key)) << key;
+    for (const char* key : {"kinetic", "elastic", "potential", "damping", "friction", "fracture", "external"})
+        EXPECT_TRUE(report["energy"].contains(key)) << key;
+    EXPECT_EQ(report["scene"], "block");
+    EXPECT_EQ(report["particles"], 150);
+    EXPECT_EQ(report["frames"], 3);
+    EXPECT_EQ(report["status"], "ok");
+    EXPECT_NEAR(report["mesh_volume"].get<double>(), 1.0, 1e-12);
+    EXPECT_NEAR(report["cells_volume"].get<double>(), 1.0, 1e-9);
+    EXPECT_NEAR(report["mass"].get<double>(), 2650, 1e-3);
+    EXPECT_GT(report["sim_ms"].get<double>(), 0);
+    EXPECT_NEAR(report["time_step"].get<double>() * report["substeps_per_frame"].get<double>(), 1.0 / 60,
+                1e-6);
+}
+
+TEST_F(Program, TheSameSeedGivesTheSameHashAndAnotherSeedAnother) {
+    const auto hashOf = [&](const std::string& seed) {
+        const auto file = folder_.path() / "report.json";
+        const ProgramRun run = runProgram(smallBench({"--seed", seed, "--json", file}));
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return nlohmann::json::parse(readText(file)).value("state_hash", "");
+    };
+    const std::string first = hashOf("1");
+    EXPECT_EQ(hashOf("1"), first);
+    EXPECT_NE(hashOf("2"), first);
+}
+
+}  // namespace
+}  // namespace demolish::test
