@@ -23,8 +23,13 @@ if(DEMOLISH_CUDA)
         enable_language(CUDA)
         find_package(CUDAToolkit REQUIRED)
         set(DEMOLISH_WITH_CUDA ON)
-        # Written out: CMake 3.25 (Debian 12) does not know that nvcc speaks C++20.
-        set(cuda_flags -std=c++20 --fmad=false --expt-relaxed-constexpr --Werror=all-warnings
+        if(NOT CMAKE_CUDA20_STANDARD_COMPILE_OPTION)
+            # CMake 3.25 (Debian 12) does not know that nvcc speaks C++20.
+            set(CMAKE_CUDA20_STANDARD_COMPILE_OPTION -std=c++20)
+            set(CMAKE_CUDA20_EXTENSION_COMPILE_OPTION -std=c++20)
+        endif()
+        set(CMAKE_CUDA_STANDARD 20)
+        set(cuda_flags --fmad=false --expt-relaxed-constexpr --Werror=all-warnings
             -Xcompiler=-Wall,-Wextra,-ffp-contract=off)
         if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64")
             list(APPEND cuda_flags -Xcompiler=-march=${DEMOLISH_CPU_ARCH})
