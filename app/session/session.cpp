@@ -40,7 +40,7 @@ struct Session::Obey {
     void operator()(const command::CancelRebuild&) const {
         session.worker_.cancel();
         session.debounce_.clear();
-        session.wanted_ = session.built_.shot;
+        session.wantWhatIsBuilt();
     }
     void operator()(const command::Scrub& scrub) const {
         session.playing_ = false;
@@ -49,9 +49,8 @@ struct Session::Obey {
 };
 
 Session::Session(BuiltShot built, const SessionOptions& options)
-    : options_(options), recording_(options.memory_limit) {
+    : options_(options), wanted_(built.shot), recording_(options.memory_limit) {
     adopt(std::move(built));
-    wanted_ = built_.shot;
 }
 
 void Session::adopt(BuiltShot built) {
@@ -67,10 +66,20 @@ void Session::restart() {
     user_fired_ = false;
     recording_.clear();
     message_.clear();
-    Shot impact = built_.shot;
-    impact.impact = built_.shot.impact.kind == wanted_.impact.kind ? wanted_.impact : built_.shot.impact;
-    if (const auto ball = makeBall(impact, *built_.body)) fire(*ball);
+    Shot shot = built_.shot;
+    if (shot.impact.kind == wanted_.impact.kind) shot.impact = wanted_.impact;
+    if (const auto ball = makeBall(shot, *built_.body)) fire(*ball);
     bringFrame(true);
+}
+
+/// Live values stay as chosen; those that would need a rebuild go back.
+void Session::wantWhatIsBuilt() {
+    Shot shot = built_.shot;
+    if (shot.impact.kind == wanted_.impact.kind && shot.impact.kind != ImpactKind::kDrop)
+        shot.impact = wanted_.impact;
+    shot.time_scale = wanted_.time_scale;
+    shot.lighting = wanted_.lighting;
+    wanted_ = std::move(shot);
 }
 
 /// A new velocity acts on the impact that is still to come.
@@ -114,8 +123,7 @@ StepStatus Session::advance() {
         shown_.status = status;
         return status;
     }
-    const bool seen_frame_is_older = options_.record && cursor_ + 1 < recording_.size();
-    bringFrame(seen_frame_is_older);
+    bringFrame(false);
     return status;
 }
 
@@ -177,7 +185,7 @@ void Session::takeRebuild() {
         playing_ = was_playing;
     } catch (const std::exception& error) {
         message_ = error.what();
-        wanted_ = built_.shot;
+        wantWhatIsBuilt();
     }
 }
 

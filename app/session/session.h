@@ -69,6 +69,7 @@ class Session {
     struct Obey;
     void restart();
     void restartIfNotHit();
+    void wantWhatIsBuilt();
     void fire(const Projectile& ball);
     void bringFrame(bool fresh);
     void showRecorded(size_t frame);
