@@ -2,6 +2,7 @@
 // A ribbon along one edge of the outside, widened on the screen: at least kLeastPixels wide, soft at its rim.
 #include "common/frame.glsl"
 #include "common/body.glsl"
+#include "common/gbuffer.glsl"
 struct CrackEdge {
     uint vertex_0, vertex_1;  // exterior vertices of cell_a
     uint cell_a, cell_b;
@@ -23,7 +24,7 @@ vec3 restPosition(uint vertex) {
     return uintBitsToFloat(uvec3(exterior_words[word], exterior_words[word + 1u], exterior_words[word + 2u]));
 }
 
-vec3 restNormal(uint vertex) { return decodeNormal(unpackSnorm2x16(exterior_words[6u * vertex + 3u])); }
+vec3 restNormal(uint vertex) { return decodeOctahedral(unpackSnorm2x16(exterior_words[6u * vertex + 3u])); }
 
 void main() {
     CrackEdge edge = crack_edges[crack_list[gl_InstanceID]];

@@ -1,10 +1,11 @@
 #version 450 core
-// Large tiles in two tones with thin joints, fading into the haze of the horizon.
+// Large tiles in two tones with thin joints.
 #include "common/frame.glsl"
-#include "common/shade.glsl"
+#include "common/gbuffer.glsl"
 #include "common/noise.glsl"
 in vec3 world_position;
-layout(location = 0) out vec4 colour;
+layout(location = 0) out vec4 material_out;
+layout(location = 1) out vec4 normals_out;
 layout(location = 0) uniform float tile_size;  // m
 
 // Mean of a square wave (+1, -1, period 2) over a pixel of width w: edges stay smooth, far tiles melt to the mean.
@@ -36,12 +37,6 @@ void main() {
     s.albedo = frame.floor_colour.rgb * (1.0 + 0.055 * checker + 0.02 * cloud + 0.02 * grain) * (1.0 - 0.28 * line);
     s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
     s.metalness = 0.0;
-    vec4 lit = shade(s, gl_FragCoord.xy);
-
-    vec3 ray = world_position - frame.eye.xyz;
-    float distance = length(ray);
-    float reach = 9.0 * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
-    float haze = 1.0 - exp(-pow(distance / reach, 1.6));
-    vec3 level = normalize(vec3(ray.x, 0.0, ray.z));
-    colour = vec4(mix(lit.rgb, skyRadiance(level), haze), lit.a * (1.0 - haze));
+    material_out = packMaterial(s);
+    normals_out = packNormals(s);
 }

@@ -8,7 +8,7 @@ layout(binding = 0) uniform sampler2D linear_depth;
 layout(rg16f, binding = 0) writeonly uniform image2D result;
 layout(location = 0) uniform float reach;  // m
 
-const int kSlices = 3, kSteps = 4;
+const int kSlices = 3, kSteps = 5;
 const float kPi = 3.14159265;
 
 ivec2 size;

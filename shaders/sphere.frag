@@ -1,11 +1,12 @@
 #version 450 core
-// Exact sphere, lit; the outline is smoothed by covering as many samples as the pixel's share inside.
+// Exact sphere; the outline is smoothed by covering as many samples as the pixel's share inside.
 #include "common/frame.glsl"
-#include "common/shade.glsl"
+#include "common/gbuffer.glsl"
 #include "common/sphere_hit.glsl"
 #include "common/colour_maps.glsl"
 layout(depth_less) out float gl_FragDepth;  // the square lies in front of every point of the sphere
-layout(location = 0) out vec4 colour;
+layout(location = 0) out vec4 material_out;
+layout(location = 1) out vec4 normals_out;
 layout(location = 0) uniform int colour_map;  // engine::ColourMap, or kMetal
 const int kMetal = 4;
 
@@ -31,5 +32,6 @@ void main() {
         s.roughness = 0.55;
         s.metalness = 0.0;
     }
-    colour = shade(s, gl_FragCoord.xy);
+    material_out = packMaterial(s);
+    normals_out = packNormals(s);
 }

@@ -2,13 +2,14 @@
 // Body surface. INTERIOR: the broken material, lighter, rough, its normal bent by noise of the rest position
 // (geometry.md 4a). Otherwise the model's own outside.
 #include "common/frame.glsl"
-#include "common/shade.glsl"
+#include "common/gbuffer.glsl"
 #include "common/noise.glsl"
 in vec3 world_position;
 in vec3 world_normal;
 in vec3 rest;
 flat in vec4 rotation;
-layout(location = 0) out vec4 colour;
+layout(location = 0) out vec4 material_out;
+layout(location = 1) out vec4 normals_out;
 layout(location = 0) uniform vec4 material;     // rgb albedo, a roughness
 layout(location = 1) uniform vec2 noise_shape;  // first wavelength m, strength
 
@@ -39,5 +40,6 @@ void main() {
     // An interpolated normal may point away at the silhouette, where the surface itself cannot.
     float facing = dot(s.normal, to_eye);
     if (facing < 0.02) s.normal = normalize(s.normal + (0.02 - facing) * to_eye);
-    colour = shade(s, gl_FragCoord.xy);
+    material_out = packMaterial(s);
+    normals_out = packNormals(s);
 }

@@ -2,6 +2,7 @@
 // Body vertex: rest position moved by its fragment; rest position goes on for the noise.
 #include "common/frame.glsl"
 #include "common/body.glsl"
+#include "common/gbuffer.glsl"
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
 layout(location = 2) in uint cell;
@@ -14,7 +15,7 @@ flat out vec4 rotation;
 void main() {
     FragmentTransform t = transforms[particle_fragment[cell]];
     world_position = moved(t, rest_position);
-    world_normal = rotate(t.rotation, decodeNormal(rest_normal));
+    world_normal = rotate(t.rotation, decodeOctahedral(rest_normal));
     rest = rest_position;
     rotation = t.rotation;
     gl_Position = frame.view_projection * vec4(world_position, 1.0);

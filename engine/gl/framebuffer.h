@@ -1,5 +1,7 @@
 // Owning framebuffer; the textures belong to whoever attached them and must outlive it.
 #pragma once
+#include <initializer_list>
+
 #include "engine/gl/object.h"
 #include "engine/gl/texture.h"
 
@@ -12,8 +14,9 @@ struct FramebufferTraits {
 class Framebuffer {
   public:
     Framebuffer() = default;
-    /// Either attachment may be null. Throws GlError when the driver finds the pair incomplete.
-    Framebuffer(const Texture* colour, const Texture* depth);
+    /// Colour targets in order of their shader outputs, perhaps none; `depth` may be null. Throws GlError
+    /// when the driver finds the set incomplete.
+    Framebuffer(std::initializer_list<const Texture*> colours, const Texture* depth);
 
     void bind() const { glBindFramebuffer(GL_FRAMEBUFFER, id()); }
     GLuint id() const { return object_.id(); }

@@ -10,6 +10,7 @@ namespace {
 
 constexpr std::array<uint32_t, 6> kCorners{0, 1, 2, 2, 1, 3};
 constexpr GLint kWidth = 0;
+constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/common/gbuffer.glsl packs it
 constexpr uintptr_t kCrackCommandOffset = 20;  // behind the command of the broken faces
 
 }  // namespace
@@ -30,8 +31,10 @@ void CrackPass::draw(const FractureMesh& mesh, float width) {
     program_.use();
     layout_.bind();
     glEnable(GL_BLEND);
-    // Alpha holds the share of ambient light: leave it to what lies below.
-    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+    // The line blends the material below towards dark and rough; the normals stay.
+    glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glBlendColor(0, 0, 0, kRough);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
@@ -40,6 +43,7 @@ void CrackPass::draw(const FractureMesh& mesh, float width) {
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    glColorMaski(1, GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 }  // namespace demolish::engine

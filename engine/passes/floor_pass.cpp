@@ -2,8 +2,6 @@
 // body.
 #include "engine/passes/floor_pass.h"
 
-#include "engine/passes/quality_defines.h"
-
 namespace demolish::engine {
 namespace {
 
@@ -12,8 +10,8 @@ constexpr GLint kId = 0;
 
 }  // namespace
 
-FloorPass::FloorPass(const std::filesystem::path& shaders, RenderQuality quality)
-    : shaded_(shaders, {"floor.vert", "floor.frag"}, qualityDefines(quality)),
+FloorPass::FloorPass(const std::filesystem::path& shaders)
+    : shaded_(shaders, {"floor.vert", "floor.frag"}),
       ids_(shaders, {"floor.vert", "id.frag"}, "#define CONSTANT_ID\n") {
     glProgramUniform1ui(ids_.id(), kId, kFloorId);
 }

@@ -10,7 +10,7 @@ namespace demolish::engine {
 
 class FloorPass {
   public:
-    FloorPass(const std::filesystem::path& shaders, RenderQuality quality);
+    explicit FloorPass(const std::filesystem::path& shaders);
     /// `tile_size` in m.
     void draw(float tile_size);
     void drawIds();

@@ -11,7 +11,7 @@ void IdPass::draw(const IdScene& scene, const FrameView& view) {
     if (ids_.width() != view.width || ids_.height() != view.height) {
         ids_ = gl::Texture::make2d(GL_R32UI, view.width, view.height);
         depth_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, view.width, view.height);
-        framebuffer_ = gl::Framebuffer(&ids_, &depth_);
+        framebuffer_ = gl::Framebuffer({&ids_}, &depth_);
     }
     framebuffer_.bind();
     glViewport(0, 0, view.width, view.height);

@@ -23,7 +23,7 @@ ShadowPass::ShadowPass(const std::filesystem::path& shaders)
 void ShadowPass::begin(int size) {
     if (map_.width() != size) {
         map_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, size, size);
-        framebuffer_ = gl::Framebuffer(nullptr, &map_);
+        framebuffer_ = gl::Framebuffer({}, &map_);
     }
     framebuffer_.bind();
     glViewport(0, 0, size, size);

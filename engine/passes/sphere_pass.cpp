@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/passes/body_geometry.h"
-#include "engine/passes/quality_defines.h"
 
 namespace demolish::engine {
 namespace {
@@ -26,8 +25,8 @@ static_assert(sizeof(Instance) == 32);
 
 }  // namespace
 
-SpherePass::SpherePass(const std::filesystem::path& shaders, RenderQuality quality)
-    : shaded_(shaders, {"sphere.vert", "sphere.frag"}, qualityDefines(quality)),
+SpherePass::SpherePass(const std::filesystem::path& shaders)
+    : shaded_(shaders, {"sphere.vert", "sphere.frag"}),
       shadows_(shaders, {"sphere_shadow.vert", "sphere_shadow.frag"}),
       ids_(shaders, {"sphere.vert", "sphere_id.frag"}),
       spheres_(gl::Buffer::resizable(sizeof(Instance), GL_DYNAMIC_DRAW)) {}

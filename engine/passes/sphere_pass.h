@@ -12,7 +12,7 @@ namespace demolish::engine {
 
 class SpherePass {
   public:
-    SpherePass(const std::filesystem::path& shaders, RenderQuality quality);
+    explicit SpherePass(const std::filesystem::path& shaders);
 
     /// Projectiles of the coming frame.
     void setSpheres(std::span<const SphereDraw> spheres);

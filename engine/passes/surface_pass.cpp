@@ -1,8 +1,6 @@
 // Two programs from one text: the branch between materials is made once a draw, not once a pixel.
 #include "engine/passes/surface_pass.h"
 
-#include "engine/passes/quality_defines.h"
-
 namespace demolish::engine {
 namespace {
 
@@ -10,9 +8,9 @@ constexpr GLint kMaterial = 0, kNoiseShape = 1;
 
 }  // namespace
 
-SurfacePass::SurfacePass(const std::filesystem::path& shaders, RenderQuality quality)
-    : exterior_(shaders, {"surface.vert", "surface.frag"}, qualityDefines(quality)),
-      interior_(shaders, {"surface.vert", "surface.frag"}, qualityDefines(quality) + "#define INTERIOR\n") {}
+SurfacePass::SurfacePass(const std::filesystem::path& shaders)
+    : exterior_(shaders, {"surface.vert", "surface.frag"}),
+      interior_(shaders, {"surface.vert", "surface.frag"}, "#define INTERIOR\n") {}
 
 void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look) {
     const glm::vec2 noise_shape(look.noise_scale, look.noise_strength);

@@ -10,7 +10,7 @@ namespace demolish::engine {
 
 class SurfacePass {
   public:
-    SurfacePass(const std::filesystem::path& shaders, RenderQuality quality);
+    explicit SurfacePass(const std::filesystem::path& shaders);
     void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
 
   private:

@@ -31,7 +31,7 @@ struct FrameCapture::State {
           height(height_px),
           sink(std::move(frame_sink)),
           colour(gl::Texture::make2d(GL_RGBA8, width, height)),
-          target(&colour, nullptr),
+          target({&colour}, nullptr),
           slots(buffer_count) {
         const size_t bytes = size_t{4} * width * height;
         constexpr GLbitfield kFlags = GL_MAP_READ_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;

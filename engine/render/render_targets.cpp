@@ -1,4 +1,4 @@
-// Half floats hold the light; 32-bit float depth is what reversed depth needs.
+// Materials are drawn, light is computed afterwards; 32-bit float depth is what reversed depth needs.
 #include "engine/render/render_targets.h"
 
 namespace demolish::engine {
@@ -7,10 +7,11 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
     : width(width_px),
       height(height_px),
       samples(sample_count),
-      hdr(gl::Texture::makeTarget(GL_RGBA16F, width, height, samples)),
+      material(gl::Texture::makeTarget(GL_RGBA8, width, height, samples)),
+      normals(gl::Texture::makeTarget(GL_RGBA16, width, height, samples)),
       depth(gl::Texture::makeTarget(GL_DEPTH_COMPONENT32F, width, height, samples)),
       display(gl::Texture::make2d(GL_RGBA8, width, height)),
-      scene(&hdr, &depth),
-      resolved(&display, nullptr) {}
+      scene({&material, &normals}, &depth),
+      resolved({&display}, nullptr) {}
 
 }  // namespace demolish::engine

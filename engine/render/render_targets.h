@@ -14,9 +14,10 @@ struct RenderTargets {
     }
 
     int width, height, samples;
-    gl::Texture hdr;      ///< RGBA16F; alpha: share of ambient light
-    gl::Texture depth;    ///< 32 bit float, reversed
-    gl::Texture display;  ///< RGBA8, sRGB encoded, single sample
+    gl::Texture material;  ///< RGBA8, as shaders/common/gbuffer.glsl packs it
+    gl::Texture normals;   ///< RGBA16, likewise
+    gl::Texture depth;     ///< 32 bit float, reversed
+    gl::Texture display;   ///< RGBA8, sRGB encoded, single sample
     gl::Framebuffer scene, resolved;
 };
 

@@ -1,9 +1,10 @@
-// One frame, as a list of passes. The order is the order of the picture: shadow map, body, floor, spheres,
-// cracks, sky, occlusion, tone map.
+// One frame, as a list of passes: shadow map; then materials of body, spheres, floor and cracks; then, in
+// compute, occlusion and light.
 #include "engine/render/renderer.h"
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <optional>
 
 #include "engine/gl/error.h"
@@ -12,12 +13,10 @@
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/id_pass.h"
-#include "engine/passes/quality_defines.h"
+#include "engine/passes/light_pass.h"
 #include "engine/passes/shadow_pass.h"
-#include "engine/passes/sky_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
-#include "engine/passes/tone_map_pass.h"
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
@@ -28,14 +27,9 @@ namespace {
 constexpr GLuint kFrameBlock = 0, kNoiseUnit = 2;
 constexpr float kTilesPerSceneRadius = 2.0f;
 
-/// Programs whose text depends on the quality.
-struct ShadedPasses {
-    ShadedPasses(const std::filesystem::path& shaders, RenderQuality quality)
-        : surface(shaders, quality), floor(shaders, quality), spheres(shaders, quality) {}
-    SurfacePass surface;
-    FloorPass floor;
-    SpherePass spheres;
-};
+int shadowMapSize(RenderQuality quality) {
+    return quality == RenderQuality::kFull ? 2048 : 1024;
+}
 
 /// Tiles of a round size (1, 2 or 5 times a power of ten), about half the scene's radius.
 float tileSize(float scene_radius) {
@@ -48,23 +42,18 @@ float tileSize(float scene_radius) {
 }  // namespace
 
 struct Renderer::Passes {
-    explicit Passes(const std::filesystem::path& shader_folder)
-        : shaders(shader_folder),
-          shadow(shaders),
-          sky(shaders),
+    explicit Passes(const std::filesystem::path& shaders)
+        : shadow(shaders),
+          surface(shaders),
+          spheres(shaders),
+          floor(shaders),
           cracks(shaders),
           occlusion(shaders),
-          tone_map(shaders),
+          light(shaders),
           ids(shaders),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
         glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
-    }
-
-    ShadedPasses& shaded(RenderQuality quality) {
-        auto& slot = quality == RenderQuality::kFull ? full : draft;
-        if (!slot) slot.emplace(shaders, quality);
-        return *slot;
     }
 
     void prepareTargets(const FrameView& view) {
@@ -82,57 +71,65 @@ struct Renderer::Passes {
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
     }
 
-    void drawShadowMap(const FractureMesh* mesh, SpherePass& spheres, const FrameView& view);
-    void drawScene(const FractureMesh* mesh, ShadedPasses& passes, const FrameView& view);
+    void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
+    void drawMaterials(const FractureMesh* mesh, const FrameView& view);
+    void computeLight(const FrameView& view);
+    IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
-    std::filesystem::path shaders;
-    int max_samples = 1;
     BodyGeometry body;
     ShadowPass shadow;
-    SkyPass sky;
+    SurfacePass surface;
+    SpherePass spheres;
+    FloorPass floor;
     CrackPass cracks;
     AmbientOcclusionPass occlusion;
-    ToneMapPass tone_map;
+    LightPass light;
     IdPass ids;
     gl::Texture noise;
     gl::Buffer frame_block;
     gl::TimerQuery timer;
-    std::optional<ShadedPasses> full, draft;
     std::optional<RenderTargets> targets;
+    int max_samples = 1;
 };
 
-void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, SpherePass& spheres, const FrameView& view) {
+void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
     shadow.begin(shadowMapSize(view.quality));
-    if (mesh != nullptr) {
-        if (view.mode == ViewMode::kSurface) {
-            shadow.drawBody(body, *mesh);
-        } else {
-            spheres.drawParticleShadows(*mesh);
-        }
-    }
+    if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
+    if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh);
     spheres.drawSphereShadows();
     shadow.finish();
 }
 
-void Renderer::Passes::drawScene(const FractureMesh* mesh, ShadedPasses& passes, const FrameView& view) {
+void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& view) {
     targets->scene.bind();
     glViewport(0, 0, view.width, view.height);
-    const float black[4] = {0, 0, 0, 0}, far_depth = 0.0f;
-    glClearNamedFramebufferfv(targets->scene.id(), GL_COLOR, 0, black);
+    const float nothing[4] = {0, 0, 0, 0}, far_depth = 0.0f;
+    for (const GLint target : {0, 1})
+        glClearNamedFramebufferfv(targets->scene.id(), GL_COLOR, target, nothing);
     glClearNamedFramebufferfv(targets->scene.id(), GL_DEPTH, 0, &far_depth);
     glDepthFunc(GL_GEQUAL);
-    shadow.bindMap();
     noise.bind(kNoiseUnit);
-    if (mesh != nullptr && view.mode == ViewMode::kSurface) passes.surface.draw(body, *mesh, view.look);
-    if (mesh != nullptr && view.mode == ViewMode::kParticles)
-        passes.spheres.drawParticles(*mesh, view.colour_map);
-    passes.spheres.drawSpheres();
-    if (view.show_floor) passes.floor.draw(tileSize(view.scene_radius));
-    if (mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks) {
-        cracks.draw(*mesh, view.look.crack_width);
-    }
-    sky.draw();
+    if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
+    if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
+    spheres.drawSpheres();
+    if (view.show_floor) floor.draw(tileSize(view.scene_radius));
+    const bool with_cracks = mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks;
+    if (with_cracks) cracks.draw(*mesh, view.look.crack_width);
+}
+
+void Renderer::Passes::computeLight(const FrameView& view) {
+    const bool with_occlusion = view.quality == RenderQuality::kFull;
+    const gl::Texture* visibility = with_occlusion ? &occlusion.run(*targets, view.scene_radius) : nullptr;
+    shadow.bindMap();
+    light.run(*targets, visibility, view.quality);
     ShadowPass::unbindMap();
+}
+
+IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles,
+                                  const FrameView& view) {
+    uploadFrame(view);
+    spheres.setSpheres(projectiles);
+    return {mesh, body, spheres, view.show_floor ? &floor : nullptr};
 }
 
 Renderer::Renderer(const std::filesystem::path& shader_folder)
@@ -149,24 +146,21 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.timer.begin();
     p.prepareTargets(view);
     p.uploadFrame(view);
-    ShadedPasses& shaded = p.shaded(view.quality);
-    shaded.spheres.setSpheres(spheres);
+    p.spheres.setSpheres(spheres);
 
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
-    p.drawShadowMap(mesh, shaded.spheres, view);
-    p.drawScene(mesh, shaded, view);
+    p.drawShadowMap(mesh, view);
+    p.drawMaterials(mesh, view);
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 
-    const bool with_occlusion = view.quality == RenderQuality::kFull;
-    const gl::Texture* visibility =
-        with_occlusion ? &p.occlusion.run(*p.targets, view.scene_radius) : nullptr;
-    p.tone_map.run(*p.targets, visibility);
+    p.computeLight(view);
     glBlitNamedFramebuffer(p.targets->resolved.id(), target_framebuffer, 0, 0, view.width, view.height, 0, 0,
                            view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     p.timer.end();
@@ -179,24 +173,14 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
 Pick Renderer::pick(const FractureMesh* mesh, std::span<const SphereDraw> spheres, const FrameView& view,
                     int x, int y) {
     if (x < 0 || y < 0 || x >= view.width || y >= view.height) return {};
-    Passes& p = *passes_;
-    p.uploadFrame(view);
-    SpherePass& sphere_pass = p.shaded(view.quality).spheres;
-    sphere_pass.setSpheres(spheres);
-    FloorPass* floor = view.show_floor ? &p.shaded(view.quality).floor : nullptr;
-    const Pick pick = p.ids.pick({mesh, p.body, sphere_pass, floor}, view, x, y);
+    const Pick pick = passes_->ids.pick(passes_->idScene(mesh, spheres, view), view, x, y);
     gl::throwIfError("Picking");
     return pick;
 }
 
 std::vector<uint32_t> Renderer::fragmentIds(const FractureMesh* mesh, std::span<const SphereDraw> spheres,
                                             const FrameView& view) {
-    Passes& p = *passes_;
-    p.uploadFrame(view);
-    SpherePass& sphere_pass = p.shaded(view.quality).spheres;
-    sphere_pass.setSpheres(spheres);
-    FloorPass* floor = view.show_floor ? &p.shaded(view.quality).floor : nullptr;
-    std::vector<uint32_t> ids = p.ids.readAll({mesh, p.body, sphere_pass, floor}, view);
+    std::vector<uint32_t> ids = passes_->ids.readAll(passes_->idScene(mesh, spheres, view), view);
     gl::throwIfError("Drawing fragment ids");
     return ids;
 }

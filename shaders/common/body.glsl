@@ -9,11 +9,3 @@ layout(std430, binding = 1) readonly buffer Transforms { FragmentTransform trans
 vec3 rotate(vec4 q, vec3 v) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
 
 vec3 moved(FragmentTransform t, vec3 p) { return rotate(t.rotation, p) + t.translation_age.xyz; }
-
-vec3 decodeNormal(vec2 octahedral) {
-    vec3 n = vec3(octahedral, 1.0 - abs(octahedral.x) - abs(octahedral.y));
-    float fold = max(-n.z, 0.0);
-    n.x += n.x >= 0.0 ? -fold : fold;
-    n.y += n.y >= 0.0 ? -fold : fold;
-    return normalize(n);
-}

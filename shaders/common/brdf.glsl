@@ -13,7 +13,7 @@ float ggxSpecular(float n_dot_h, float n_dot_v, float n_dot_l, float roughness) 
 vec3 fresnel(vec3 f0, float cosine) {
     float x = 1.0 - cosine;
     float x2 = x * x;
-    return f0 + (1.0 - f0) * x2 * x2 * x;
+    return f0 + (clamp(50.0 * f0, 0.0, 1.0) - f0) * x2 * x2 * x;
 }
 
 // Share of the environment that is mirrored (fit of the split-sum integral, Karis 2014).
@@ -21,5 +21,5 @@ vec3 environmentShare(vec3 f0, float roughness, float n_dot_v) {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a004 = min(r.x * r.x, exp2(-9.28 * n_dot_v)) * r.x + r.y;
     vec2 scale_bias = vec2(-1.04, 1.04) * a004 + r.zw;
-    return f0 * scale_bias.x + scale_bias.y;
+    return f0 * scale_bias.x + scale_bias.y * clamp(50.0 * f0, 0.0, 1.0);
 }

@@ -1,23 +1,19 @@
-// Light on one surface point. Alpha carries the share of ambient light, which ambient occlusion darkens after the draw.
+// Light on one surface point: sun with shadow, and the sky with its occlusion.
+#include "common/gbuffer.glsl"
 #include "common/sky.glsl"
 #include "common/brdf.glsl"
 #include "common/shadow.glsl"
 
-struct Surface {
-    vec3 position;          // world, m
-    vec3 geometric_normal;  // unit
-    vec3 normal;            // unit, bent by noise
-    vec3 albedo;
-    float roughness;
-    float metalness;
-};
+// A crevice hides part of the sun's wide disc as well, so direct light is darkened a little too.
+const float kDirectShare = 0.3;
 
-float luminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
-
-vec4 shade(Surface s, vec2 pixel) {
+// `visibility`: share of the sky that neighbours leave open, 0..1.
+vec3 shade(Surface s, float visibility, vec2 pixel) {
     vec3 to_eye = normalize(frame.eye.xyz - s.position);
     float n_dot_v = max(dot(s.normal, to_eye), 0.02);
-    vec3 f0 = mix(vec3(0.04), s.albedo, s.metalness);
+    // Nothing solid is as dark as 2 %: such an albedo is a crack, which mirrors nothing either.
+    float mirror_share = 0.04 * smoothstep(0.004, 0.02, max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
+    vec3 f0 = mix(vec3(mirror_share), s.albedo, s.metalness);
     vec3 diffuse = s.albedo * (1.0 - s.metalness);
 
     vec3 direct = vec3(0.0);
@@ -33,6 +29,5 @@ vec4 shade(Surface s, vec2 pixel) {
     vec3 share = environmentShare(f0, s.roughness, n_dot_v);
     vec3 mirrored = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness);
     vec3 ambient = (1.0 - share) * diffuse * ambientRadiance(s.normal) + share * mirrored;
-    vec3 colour = direct + ambient;
-    return vec4(colour, luminance(ambient) / max(luminance(colour), 1e-4));
+    return direct * mix(1.0, visibility, kDirectShare) + ambient * visibility;
 }

@@ -5,7 +5,7 @@ layout(binding = 1) uniform sampler2D shadow_depth;
 #ifndef SHADOW_TAPS
 #define SHADOW_TAPS 20
 #endif
-const int kBlockerTaps = 10;
+const int kBlockerTaps = 12;
 
 // Point k of n spread evenly over the unit disc (Vogel), turned by `angle`.
 vec2 discPoint(int k, int n, float angle) {
@@ -42,7 +42,7 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
 #else
     vec2 slope = receiverSlope(normal);
     float angle = 6.2831853 * pixelNoise(pixel);
-    float search = clamp(0.35 * frame.scene.w * frame.to_sun.w, 3.0 * texel, 40.0 * texel) / frame.shadow.z;
+    float search = clamp(0.8 * frame.scene.w * frame.to_sun.w, 3.0 * texel, 40.0 * texel) / frame.shadow.z;
     float blocker_sum = 0.0, blockers = 0.0;
     for (int k = 0; k < kBlockerTaps; ++k) {
         vec2 offset = search * discPoint(k, kBlockerTaps, angle);

@@ -33,3 +33,11 @@ vec3 reflectedRadiance(vec3 direction, float roughness) {
     vec3 sharp = mix(floorBounce(), skyGradient(direction), blend);
     return mix(sharp, ambientRadiance(direction), roughness);
 }
+
+// Air between the eye and a point: far things fade into the haze of the horizon.
+vec3 throughAir(vec3 colour, vec3 position) {
+    vec3 ray = position - frame.eye.xyz;
+    float reach = 9.0 * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
+    float haze = 1.0 - exp(-pow(length(ray) / reach, 1.6));
+    return mix(colour, skyRadiance(normalize(vec3(ray.x, 0.0, ray.z) + vec3(1e-6, 0.0, 0.0))), haze);
+}

@@ -1,0 +1,64 @@
+// A compute pass: on data-centre GPUs only few multiprocessors draw, but all of them compute; and a pixel is
+// lit once, however many triangles were drawn over it.
+#include "engine/passes/light_pass.h"
+
+#include <cmath>
+#include <string>
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLint kCurve = 0, kHasOcclusion = 1, kSamplePosition = 2;
+constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
+
+/// y = x^a, then y / (y^d b + c): contrast a in the middle, shoulder d towards white; b and c follow from
+/// where middle grey and white land (Lottes, "Advanced techniques and optimization of HDR color pipelines",
+/// GDC 2016).
+glm::vec4 toneCurve() {
+    constexpr float kContrast = 1.28f, kShoulder = 0.97f, kWhite = 9.0f, kGreyIn = 0.18f, kGreyOut = 0.19f;
+    const float grey = std::pow(kGreyIn, kContrast), grey_d = std::pow(kGreyIn, kContrast * kShoulder);
+    const float white = std::pow(kWhite, kContrast), white_d = std::pow(kWhite, kContrast * kShoulder);
+    const float b = (white * kGreyOut - grey) / ((white_d - grey_d) * kGreyOut);
+    const float c = (white_d * grey - white * grey_d * kGreyOut) / ((white_d - grey_d) * kGreyOut);
+    return {kContrast, kShoulder, b, c};
+}
+
+/// Where the driver puts the samples; the scene's framebuffer is bound.
+void setSamplePositions(gl::Program& program, int samples) {
+    for (int i = 0; i < samples; ++i) {
+        float position[2] = {0.5f, 0.5f};
+        if (samples > 1) glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), position);
+        program.set(kSamplePosition + i, glm::vec2(position[0], position[1]));
+    }
+}
+
+}  // namespace
+
+LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+
+gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality quality) {
+    gl::Program& program = programs_[{targets.samples, quality}];
+    if (program.id() != 0) return program;
+    std::string defines = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    if (quality == RenderQuality::kDraft) defines += "#define SHADOW_DRAFT\n";
+    program = gl::Program(shaders_, {"light.comp"}, defines);
+    program.set(kCurve, toneCurve());
+    targets.scene.bind();
+    setSamplePositions(program, targets.samples);
+    return program;
+}
+
+void LightPass::run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality) {
+    gl::Program& program = programFor(targets, quality);
+    program.set(kHasOcclusion, occlusion != nullptr ? 1 : 0);
+    program.use();
+    targets.material.bind(kMaterialUnit);
+    targets.normals.bind(kNormalUnit);
+    targets.depth.bind(kDepthUnit);
+    if (occlusion != nullptr) occlusion->bind(kOcclusionUnit);
+    glBindImageTexture(0, targets.display.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,74 @@
+#version 450 core
+// Lights what was drawn, once for every distinct sample of a pixel, maps each to display range, averages, encodes sRGB.
+// Mapping before averaging keeps edges between bright and dark smooth.
+layout(local_size_x = 8, local_size_y = 8) in;
+#include "common/frame.glsl"
+#include "common/shade.glsl"
+#include "common/tone.glsl"
+#if SAMPLES > 1
+layout(binding = 3) uniform sampler2DMS material_buffer;
+layout(binding = 4) uniform sampler2DMS normal_buffer;
+layout(binding = 5) uniform sampler2DMS depth_buffer;
+#else
+layout(binding = 3) uniform sampler2D material_buffer;
+layout(binding = 4) uniform sampler2D normal_buffer;
+layout(binding = 5) uniform sampler2D depth_buffer;
+#endif
+layout(binding = 6) uniform sampler2D occlusion;  // half size; r: visibility, g: linear depth
+layout(rgba8, binding = 0) writeonly uniform image2D result;
+layout(location = 0) uniform vec4 curve;
+layout(location = 1) uniform int has_occlusion;
+layout(location = 2) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
+
+// Four half-size neighbours, weighted by distance and by how well their depth agrees.
+float visibilityAt(ivec2 pixel, float depth) {
+    vec2 half_position = (vec2(pixel) + 0.5) * 0.5 - 0.5;
+    ivec2 base = ivec2(floor(half_position));
+    vec2 f = half_position - vec2(base);
+    ivec2 last = textureSize(occlusion, 0) - 1;
+    float sum = 0.0, weights = 0.0;
+    for (int k = 0; k < 4; ++k) {
+        ivec2 corner = ivec2(k & 1, k >> 1);
+        vec2 t = texelFetch(occlusion, clamp(base + corner, ivec2(0), last), 0).rg;
+        vec2 bilinear = mix(1.0 - f, f, vec2(corner));
+        float agree = 1.0 / (0.002 + abs(t.g - depth) / depth);
+        float weight = (bilinear.x * bilinear.y + 0.01) * agree;
+        sum += weight * t.r;
+        weights += weight;
+    }
+    return sum / weights;
+}
+
+vec3 lit(ivec2 pixel, int i, vec4 material, vec4 normals, float depth) {
+    vec2 ndc = 2.0 * (vec2(pixel) + sample_position[i]) * frame.viewport.zw - 1.0;
+    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
+    if (depth <= 0.0) return toneMap(skyRadiance(normalize(ray)), curve);
+    float along = linearDepth(depth);
+    Surface s = unpackSurface(material, normals, frame.eye.xyz + ray * along);
+    float visibility = has_occlusion != 0 ? visibilityAt(pixel, along) : 1.0;
+    return toneMap(throughAir(shade(s, visibility, vec2(pixel)), s.position), curve);
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(result)))) return;
+    vec4 materials[SAMPLES], normals[SAMPLES];
+    float depths[SAMPLES];
+    vec3 colours[SAMPLES];
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < SAMPLES; ++i) {
+        materials[i] = texelFetch(material_buffer, pixel, i);
+        normals[i] = texelFetch(normal_buffer, pixel, i);
+        depths[i] = texelFetch(depth_buffer, pixel, i).r;
+        // Samples that one triangle covers hold the same values; sky samples are all alike.
+        int same = -1;
+        for (int j = 0; j < i; ++j) {
+            bool both_sky = depths[i] <= 0.0 && depths[j] <= 0.0;
+            bool alike = materials[i] == materials[j] && normals[i] == normals[j] && (depths[i] <= 0.0) == (depths[j] <= 0.0);
+            if (both_sky || alike) same = j;
+        }
+        colours[i] = same >= 0 ? colours[same] : lit(pixel, i, materials[i], normals[i], depths[i]);
+        sum += colours[i];
+    }
+    imageStore(result, pixel, vec4(encodeSrgb(sum / float(SAMPLES)), 1.0));
+}
