@@ -10,6 +10,15 @@
 
 namespace demolish {
 
+/// A word that other threads may be changing.
+DEM_FN uint32_t atomicLoadU32(const uint32_t* source) {
+#if defined(__CUDA_ARCH__)
+    return *const_cast<const volatile uint32_t*>(source);
+#else
+    return std::atomic_ref<uint32_t>(*const_cast<uint32_t*>(source)).load(std::memory_order_relaxed);
+#endif
+}
+
 /// Returns the value before.
 DEM_FN uint32_t atomicAddU32(uint32_t* target, uint32_t value) {
 #if defined(__CUDA_ARCH__)

@@ -14,6 +14,7 @@
 #include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/find_projectile_rows.h"
 #include "sim_cuda/kernels/start_paths.h"
+#include "sim_cuda/solver/state_bytes.h"
 #include "sim_cuda/solver/velocity_range.h"
 
 namespace demolish {
@@ -34,11 +35,12 @@ class NeighbourLists {
     NeighbourLists(Backend& backend, ParticleCounts counts, double largest_radius,
                    const NeighbourSettings& settings = {});
 
-    /// Builds the rows from the present state. Waits for the device three times. Needed at the start, when
+    /// Builds the rows from the present state. Waits for the device. Needed at the start, when
     /// elapsed + lookahead passes horizon(), when CheckPaths says so, and when a projectile starts.
     void build(const StateIn<Real>& state, Span<const Vec4<Real>> constants, const BondRowsIn<Real>& bonds);
 
-    /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon (s).
+    /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon
+    /// (s).
     void adopt(uint32_t used, double horizon) {
         horizon_ = horizon;
         contacts_.used = used;
@@ -47,6 +49,11 @@ class NeighbourLists {
         contacts_.neighbour = backend_.template allocate<uint32_t>(used + used / 2);
         contacts_.spring = backend_.template allocate<Vec4<Real>>(used + used / 2);
     }
+
+    /// What a later build and the sums over the rows depend on, for snapshots. Wait for the device.
+    std::vector<std::byte> saveState();
+    /// Of saveState() on the same scene.
+    void restoreState(const std::vector<std::byte>& state);
 
     /// s after the last build.
     double horizon() const { return horizon_; }
@@ -61,6 +68,7 @@ class NeighbourLists {
     void fillGrid();
     void countRows(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
+    void makeRoom();
     NeighbourSearch<Real> searchOf(const BondRowsIn<Real>& bonds) const;
 
     Backend& backend_;
@@ -125,16 +133,13 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
 /// from the middle of all velocities, and four reaches for the fastest projectile.
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::chooseFrame() {
-    const PathsIn<Real> paths = contacts_.paths();
-    const auto rangeOf = [&](uint32_t first, uint32_t count) {
-        return backend_.reduce(count, VelocityRange<Real>{}, VelocityOfPath<Real>{paths.velocity, first},
-                               WidenRange<Real>{}, "velocity range");
-    };
-    const VelocityRange<Real> bodies = rangeOf(0, counts_.in_bodies);
-    const VelocityRange<Real> shots = rangeOf(counts_.in_bodies, counts_.total - counts_.in_bodies);
-    frame_.common_velocity = middleOf(bodies);
-    const double spread = largestSpeed(bodies, frame_.common_velocity);
-    const double shot_speed = largestSpeed(shots, frame_.common_velocity);
+    const VelocityRanges<Real> ranges =
+        backend_.reduce(counts_.total, VelocityRanges<Real>{},
+                        VelocityOfPath<Real>{contacts_.built_velocity.view(), counts_.in_bodies},
+                        WidenRanges<Real>{}, "velocity ranges");
+    frame_.common_velocity = middleOf(ranges.bodies);
+    const double spread = largestSpeed(ranges.bodies, frame_.common_velocity);
+    const double shot_speed = largestSpeed(ranges.projectiles, frame_.common_velocity);
     horizon_ = settings_.longest_horizon;
     if (spread * horizon_ > settings_.travel_share * reach_)
         horizon_ = settings_.travel_share * reach_ / spread;
@@ -180,12 +185,16 @@ void NeighbourLists<Backend, Real>::countRows(const NeighbourSearch<Real>& searc
 }
 
 template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::makeRoom() {
+    if (contacts_.neighbour.size() >= contacts_.used) return;
+    const size_t capacity = contacts_.used + contacts_.used / 2;
+    contacts_.neighbour = backend_.template allocate<uint32_t>(capacity);
+    contacts_.spring = backend_.template allocate<Vec4<Real>>(capacity);
+}
+
+template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& search) {
-    if (contacts_.neighbour.size() < contacts_.used) {
-        const size_t capacity = contacts_.used + contacts_.used / 2;
-        contacts_.neighbour = backend_.template allocate<uint32_t>(capacity);
-        contacts_.spring = backend_.template allocate<Vec4<Real>>(capacity);
-    }
+    makeRoom();
     const FormerRows<Real> former{former_.row_start.view(), former_.neighbour.view(), former_.spring.view()};
     backend_.forEach(counts_.in_bodies,
                      WriteNeighbours<Real>{search, former, contacts_.row_start.view(),
@@ -199,6 +208,38 @@ void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& searc
                                                contacts_.neighbour.span(),
                                                contacts_.spring.span()},
                      "write projectile rows");
+}
+
+template <class Backend, class Real>
+std::vector<std::byte> NeighbourLists<Backend, Real>::saveState() {
+    StateWriter out;
+    out.value(horizon_);
+    out.value(contacts_.used);
+    out.values(backend_.downloaded(contacts_.row_start.view()));
+    out.values(backend_.downloaded(contacts_.neighbour.view().part(0, contacts_.used)));
+    out.values(backend_.downloaded(contacts_.spring.view().part(0, contacts_.used)));
+    out.values(backend_.downloaded(contacts_.built_position.view()));
+    out.values(backend_.downloaded(contacts_.built_velocity.view()));
+    return out.bytes();
+}
+
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::restoreState(const std::vector<std::byte>& state) {
+    StateReader in(state);
+    in.value(horizon_);
+    in.value(contacts_.used);
+    makeRoom();
+    const auto load = [&](auto span) {
+        std::vector<std::remove_cvref_t<decltype(span[0])>> values(span.size());
+        in.values(values);
+        backend_.upload(span, values.data(), values.size());
+        backend_.synchronize();  // the host copy goes out of scope
+    };
+    load(contacts_.row_start.span());
+    load(contacts_.neighbour.span().part(0, contacts_.used));
+    load(contacts_.spring.span().part(0, contacts_.used));
+    load(contacts_.built_position.span());
+    load(contacts_.built_velocity.span());
 }
 
 }  // namespace demolish

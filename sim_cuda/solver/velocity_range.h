@@ -12,26 +12,38 @@ struct VelocityRange {
     Vec3<Real> low{Real(1e30), Real(1e30), Real(1e30)}, high{Real(-1e30), Real(-1e30), Real(-1e30)};
 };
 
+template <class Real>
+struct VelocityRanges {
+    VelocityRange<Real> bodies, projectiles;
+};
+
 /// Empty for a slot that takes part in nothing.
 template <class Real>
 struct VelocityOfPath {
     Span<const Vec4<Real>> velocity;
-    uint32_t first = 0;
+    uint32_t in_bodies = 0;
 
-    DEM_FN VelocityRange<Real> operator()(uint32_t i) const {
-        const Vec4<Real> own = velocity[first + i];
-        if (!(own.w >= Real(0))) return {};
-        return {xyz(own), xyz(own)};
+    DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
+        const Vec4<Real> own = velocity[i];
+        VelocityRanges<Real> ranges;
+        if (!(own.w >= Real(0))) return ranges;
+        VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
+        range.low = range.high = xyz(own);
+        return ranges;
     }
 };
 
 template <class Real>
-struct WidenRange {
-    DEM_FN void operator()(VelocityRange<Real>& into, const VelocityRange<Real>& other) const {
+struct WidenRanges {
+    DEM_FN static void widen(VelocityRange<Real>& into, const VelocityRange<Real>& other) {
         into.low = {minOf(into.low.x, other.low.x), minOf(into.low.y, other.low.y),
                     minOf(into.low.z, other.low.z)};
         into.high = {maxOf(into.high.x, other.high.x), maxOf(into.high.y, other.high.y),
                      maxOf(into.high.z, other.high.z)};
+    }
+    DEM_FN void operator()(VelocityRanges<Real>& into, const VelocityRanges<Real>& other) const {
+        widen(into.bodies, other.bodies);
+        widen(into.projectiles, other.projectiles);
     }
 };
 

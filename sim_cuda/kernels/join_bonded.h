@@ -1,0 +1,53 @@
+// Clustering (paper 3.2.1) as connected components over intact bonds: every particle ends with the lowest id
+// of its fragment. Trees hang from lower ids to higher ones and only roots are joined, so that the outcome
+// does not depend on which thread comes first.
+#pragma once
+#include "sim_cuda/backend/atomics.h"
+#include "sim_cuda/data/bonds.h"
+
+namespace demolish {
+
+struct StartLabels {
+    Span<uint32_t> label;
+    DEM_FN void operator()(uint32_t i) const { label[i] = i; }
+};
+
+/// Follows labels to the one that names itself.
+DEM_FN uint32_t rootOf(const Span<uint32_t>& label, uint32_t i) {
+    for (uint32_t next = atomicLoadU32(&label[i]); next != i; next = atomicLoadU32(&label[i])) i = next;
+    return i;
+}
+
+/// Hangs the higher root under the lower one; whatever another thread had hung there meanwhile is joined too.
+DEM_FN void join(const Span<uint32_t>& label, uint32_t a, uint32_t b) {
+    a = rootOf(label, a);
+    b = rootOf(label, b);
+    while (a != b) {
+        const uint32_t high = a < b ? b : a, low = a < b ? a : b;
+        const uint32_t before = atomicMinU32(&label[high], low);
+        if (before == high) return;
+        a = rootOf(label, before);
+        b = rootOf(label, low);
+    }
+}
+
+/// One thread a particle; each bond once, from its lower end.
+struct JoinBonded {
+    Span<const uint32_t> bond_row;
+    Span<const BondLink> link;
+    Span<uint32_t> label;
+
+    DEM_FN void operator()(uint32_t i) const {
+        for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot) {
+            const uint32_t j = linkedParticle(link[slot]);
+            if (j > i && isBonded(link[slot])) join(label, i, j);
+        }
+    }
+};
+
+struct FlattenLabels {
+    Span<uint32_t> label;
+    DEM_FN void operator()(uint32_t i) const { atomicMinU32(&label[i], rootOf(label, i)); }
+};
+
+}  // namespace demolish
