@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim_cuda/data/contact_rows.h"
-#include "sim_cuda/kernels/step_params.h"
+#include "sim_cuda/kernels/own_particle.h"
 #include "sim_cuda/solver/scene_tables.h"
 
 namespace demolish {

@@ -1,0 +1,116 @@
+// Energies and momenta of one moment, a particle's share at a time, in double. Pairs belong to the lower id.
+#pragma once
+#include "sim_cuda/kernels/own_particle.h"
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+struct MechanicalSums {
+    double kinetic = 0, elastic = 0, potential = 0;  ///< J
+    Vec3<double> linear, angular;                    ///< kg m/s; kg m^2/s about the origin
+
+    DEM_FN void operator+=(const MechanicalSums& other) {
+        kinetic += other.kinetic;
+        elastic += other.elastic;
+        potential += other.potential;
+        linear = linear + other.linear;
+        angular = angular + other.angular;
+    }
+};
+
+template <class Real>
+DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
+    return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
+}
+
+/// `next` is the state one substep later: kinetic energy counts the mean of the velocities before and after
+/// the kick (B.1).
+template <class Real>
+struct MeasureEnergy {
+    SubstepArrays<Real> arrays;  ///< only read
+    StateIn<Real> next;
+    StepParams<Real> params;
+    Vec3<double> gravity;  ///< m/s^2
+
+    DEM_FN MechanicalSums operator()(uint32_t i) const {
+        MechanicalSums sums;
+        const OwnParticle<Real> own = loadOwn(arrays, i);
+        if (!(own.constants.inverse_mass > Real(0))) return sums;
+        const double mass = 1.0 / static_cast<double>(own.constants.inverse_mass);
+        const double inertia = 1.0 / static_cast<double>(own.constants.inverse_inertia);
+        const Vec3<double> position =
+            inDouble(xyz(own.state.position)) +
+            inDouble(lowPart(own.state.position, own.state.velocity, own.state.spin));
+        const Vec3<double> velocity = inDouble(xyz(own.state.velocity)), spin = inDouble(xyz(own.state.spin));
+        const Vec3<double> mean_velocity = 0.5 * (velocity + inDouble(xyz(next.velocity[i])));
+        const Vec3<double> mean_spin = 0.5 * (spin + inDouble(xyz(next.spin[i])));
+        sums.kinetic = 0.5 * (mass * length2(mean_velocity) + inertia * length2(mean_spin));
+        sums.potential = -mass * dot(gravity, position);
+        sums.linear = mass * velocity;
+        sums.angular = mass * cross(position, velocity) + inertia * spin;
+        sums.elastic = elasticEnergy(own);
+        return sums;
+    }
+
+    DEM_FN double elasticEnergy(const OwnParticle<Real>& own) const {
+        double sum = 0;
+        for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s)
+            if (linkedParticle(arrays.link[s]) > own.id) sum += static_cast<double>(bondSlotEnergy(own, s));
+        for (uint32_t s = arrays.contact_row[own.id]; s < arrays.contact_row[own.id + 1]; ++s) {
+            const uint32_t j = arrays.neighbour[s];
+            if (j < own.id) continue;
+            const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
+            sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
+        }
+        for (uint32_t p = 0; p < params.planes.count; ++p) sum += static_cast<double>(planeEnergy(own, p));
+        return sum;
+    }
+
+    DEM_FN Real bondSlotEnergy(const OwnParticle<Real>& own, uint32_t slot) const {
+        const BondLink link = arrays.link[slot];
+        const uint32_t j = linkedParticle(link);
+        const BodyLaw<Real> body = arrays.body_laws[own.owner];
+        const BondConstants<Real> bond = bondConstants(arrays.rest[slot], link.grade, body);
+        if (pairState(link) == PairState::kContact)
+            return contactEnergy(own, j, arrays.pair_laws[own.owner * params.owners + own.owner],
+                                 arrays.bond_spring[slot]);
+        const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
+        if (isBonded(link)) return bondEnergy(bond.stiffness, faceBondDeformation(bond, pair));
+        const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
+        return Real(0.5) * (bond.stiffness.normal * overlap * overlap +
+                            bond.stiffness.shear * length2(xyz(arrays.bond_spring[slot])));
+    }
+
+    DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
+                              const Vec4<Real>& spring) const {
+        const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+        const Vec3<Real> apart = separation(own.state, loadState(arrays.in, j));
+        const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
+        if (!(overlap > Real(0))) return Real(0);
+        const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
+        return touchEnergy(
+            contactTouchLaw(law, params, overlap, radius, own.constants.inverse_mass + other.inverse_mass,
+                            own.constants.inverse_inertia + other.inverse_inertia),
+            overlap, spring);
+    }
+
+    DEM_FN Real planeEnergy(const OwnParticle<Real>& own, uint32_t p) const {
+        const Vec4<Real> plane = params.planes.planes[p];
+        const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) +
+                            dot(xyz(plane), lowPart(own.state.position, own.state.velocity, own.state.spin));
+        const Real overlap = own.constants.floor_radius - height;
+        if (!(overlap > Real(0))) return Real(0);
+        return touchEnergy(
+            contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
+                            own.constants.inverse_mass, own.constants.inverse_inertia),
+            overlap, arrays.plane_spring[p * params.total + own.id]);
+    }
+
+    /// Of the linear spring (1/2 F delta) or Hertz's (2/5 F delta), and of the tangential spring.
+    DEM_FN Real touchEnergy(const TouchLaw<Real>& law, Real overlap, const Vec4<Real>& spring) const {
+        const Real share = params.hertz != 0 ? Real(0.4) : Real(0.5);
+        return share * law.elastic * overlap + Real(0.5) * law.shear * length2(xyz(spring));
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,102 @@
+// The solver on one backend. What a frame does, in order:
+//
+//   set the state aside -> [ substeps -> look at the state -> substeps -> contact lists again, if the look
+//   said so ] ...
+//   -> last look -> sums of the frame -> fragments
+//
+// A look and the decision that follows it stand at fixed substeps, so that every device takes the same one;
+// the substeps between them hide the way of the answer from the GPU. If a look saw something bad, the state
+// set aside is put back.
+#pragma once
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sim_cuda/api/solver.h"
+#include "sim_cuda/solver/checkpoint.h"
+#include "sim_cuda/solver/substep_runner.h"
+
+namespace demolish {
+
+/// Substeps between two moments at which something is decided.
+inline constexpr uint32_t kLookInterval = 10;
+
+template <class Backend, class Real>
+class DeviceSolver final : public Solver {
+  public:
+    DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress);
+
+    StepStatus advanceFrame(double time_scale) override;
+    StepStatus advanceSubsteps(uint32_t n) override;
+    void fire(const Projectile& projectile) override;
+    void exportFrame(const RenderStreams& streams, bool streams_fresh) override;
+    const FrameStats& stats() const override { return stats_; }
+    void measure() override;
+    uint64_t stateHash() const override;
+    Snapshot save() const override;
+    void restore(const Snapshot& snapshot) override;
+    const SofteningReport& softening() const override { return tables_.body[0].report; }
+    std::string deviceName() const override { return backend_.deviceName(); }
+    bool onGpu() const override { return Backend::kOnGpu; }
+    void synchronize() override { backend_.synchronize(); }
+
+  private:
+    template <class T>
+    using Buffer = typename Backend::template Buffer<T>;
+
+    // stepping
+    StepStatus advance(uint32_t n);
+    StepStatus runSubsteps(uint32_t n);
+    StepStatus runChunk(uint32_t n);
+    void look(uint32_t lookahead);
+    void buildLists();
+    void settle(double seconds, const ProgressCallback& progress);
+    void setVelocities(bool at_rest);
+
+    // projectiles
+    uint32_t substepsUntilNextStart(uint32_t at_most) const;
+    void startProjectiles();
+    void placeProjectile(uint32_t slot);
+    void showProjectiles();
+
+    // sums of a frame, snapshots
+    void collectFrame(uint32_t substeps);
+    void collectLedger();
+    uint32_t countBroken();
+    void updateFragments();
+    void writeBuffers(ByteStream& out) const;
+    void readBuffers(ByteStream& in);
+
+    /// What changes while stepping and lives on the host.
+    struct Progress {
+        uint64_t substeps = 0, frames = 0;
+        uint32_t since_build = 0;  ///< substeps since the contact lists were built
+        uint32_t rebuild = 1;      ///< 1: they must be built before the next substep
+        uint32_t projectiles = 0;  ///< known so far
+        uint32_t started = 0;      ///< bits of projectile slots
+        uint32_t broken = 0;       ///< bonds
+        EnergyLedger energy;
+    };
+
+    SceneSetup setup_;
+    SceneTables tables_;
+    mutable Backend backend_;
+    mutable SolverData<Backend, Real> data_;
+    mutable NeighbourLists<Backend, Real> lists_;
+    SubstepRunner<Backend, Real> runner_;
+    Checkpoint<Backend, Real> frame_start_, dry_run_;
+    typename Backend::Reader reader_;
+    Buffer<uint32_t> look_words_;
+    mutable Buffer<uint64_t> hash_sum_;
+    Buffer<Vec4<Real>> shown_projectiles_;
+    StepParams<Real> params_;
+    std::vector<Projectile> projectiles_;  ///< in their slots
+    Progress progress_;
+    FrameStats stats_;
+};
+
+}  // namespace demolish
+
+#include "sim_cuda/solver/device_solver_projectiles.h"
+#include "sim_cuda/solver/device_solver_state.h"
+#include "sim_cuda/solver/device_solver_step.h"

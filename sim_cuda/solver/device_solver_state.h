@@ -1,0 +1,174 @@
+// What a solver tells about its state: sums, hash, snapshots, streams for drawing. Part of device_solver.h.
+#pragma once
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/kernels/measure_energy.h"
+#include "sim_cuda/kernels/state_hash.h"
+#include "sim_cuda/kernels/write_particles.h"
+#include "sim_cuda/solver/device_solver.h"
+
+namespace demolish {
+
+/// J, of one particle since the ledger was cleared.
+struct LedgerSums {
+    double damping = 0, friction = 0, fracture = 0;
+    DEM_FN void operator+=(const LedgerSums& other) {
+        damping += other.damping;
+        friction += other.friction;
+        fracture += other.fracture;
+    }
+};
+template <class Real>
+struct ReadLedger {
+    Span<const Vec4<Real>> ledger;
+    DEM_FN LedgerSums operator()(uint32_t i) const {
+        return {static_cast<double>(ledger[i].x), static_cast<double>(ledger[i].y),
+                static_cast<double>(ledger[i].z)};
+    }
+};
+
+struct IsBroken {
+    Span<const uint32_t> slot_of_bond;
+    Span<const BondLink> link;
+    DEM_FN uint32_t operator()(uint32_t b) const { return isBonded(link[slot_of_bond[b]]) ? 0u : 1u; }
+};
+
+template <class Backend, class Real>
+uint32_t DeviceSolver<Backend, Real>::countBroken() {
+    return backend_.reduce(data_.bonds.count, 0u,
+                           IsBroken{data_.bonds.slot_of_bond.view(), data_.bonds.link.view()},
+                           SumInto<uint32_t>{}, "count broken bonds");
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::collectLedger() {
+    const LedgerSums sums =
+        backend_.reduce(tables_.counts.total, LedgerSums{}, ReadLedger<Real>{data_.ledger.view()},
+                        SumInto<LedgerSums>{}, "sum the ledger");
+    progress_.energy.damping += sums.damping;
+    progress_.energy.friction += sums.friction;
+    progress_.energy.fracture += sums.fracture;
+    backend_.fill(data_.ledger.span(), Vec4<Real>{});
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
+    if (setup_.params.ledger) collectLedger();
+    const uint32_t broken = countBroken();
+    stats_.fracture_changed = broken != progress_.broken;
+    progress_.broken = broken;
+    ++progress_.frames;
+    stats_.frame = progress_.frames;
+    stats_.substeps = substeps;
+    stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
+    stats_.bonds_broken = broken;
+    const double kinetic = stats_.energy.kinetic, elastic = stats_.energy.elastic,
+                 potential = stats_.energy.potential;
+    stats_.energy = progress_.energy;
+    stats_.energy.kinetic = kinetic;
+    stats_.energy.elastic = elastic;
+    stats_.energy.potential = potential;
+    stats_.max_stress_ratio = static_cast<double>(backend_.reduce(
+        tables_.counts.in_bodies, Real(0), MeasureStress<Real>{data_.arrays(lists_.contacts())},
+        MaxInto<Real>{}, "highest bond stress"));
+    if (stats_.fracture_changed) updateFragments();
+}
+
+/// A dry substep gives the velocities after the next kick; then all is put back.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::measure() {
+    if (progress_.rebuild != 0) buildLists();
+    dry_run_.keep(backend_, data_, lists_);
+    runner_.run(backend_, data_, lists_.contacts(), params_, false, 1);
+    dry_run_.putBack(backend_, data_, lists_);
+    const Double3 g = setup_.params.gravity;
+    const MeasureEnergy<Real> energy{
+        data_.arrays(lists_.contacts()), data_.particles.in(1 - data_.current), params_, {g.x, g.y, g.z}};
+    const MechanicalSums sums = backend_.reduce(tables_.counts.total, MechanicalSums{}, energy,
+                                                SumInto<MechanicalSums>{}, "measure energies");
+    stats_.energy.kinetic = sums.kinetic;
+    stats_.energy.elastic = sums.elastic;
+    stats_.energy.potential = sums.potential;
+    stats_.linear_momentum = {sums.linear.x, sums.linear.y, sums.linear.z};
+    stats_.angular_momentum = {sums.angular.x, sums.angular.y, sums.angular.z};
+}
+
+template <class Backend, class Real>
+uint64_t DeviceSolver<Backend, Real>::stateHash() const {
+    backend_.fill(hash_sum_.span(), uint64_t{0});
+    backend_.forEach(tables_.counts.total,
+                     HashParticle<Real>{data_.particles.in(data_.current), data_.bonds.in(),
+                                        lists_.contacts().in(), data_.plane_spring.view(),
+                                        params_.planes.count, tables_.counts.total, hash_sum_.span()},
+                     "hash the state");
+    uint64_t hash = 0;
+    backend_.download(hash_sum_.view(), &hash);
+    return hash;
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::writeBuffers(ByteStream& out) const {
+    visitFixedBuffers(data_, lists_,
+                      [&](auto& buffer) { out.writeVector(backend_.downloaded(buffer.view())); });
+    auto& contacts = lists_.contacts();
+    out.writeVector(backend_.downloaded(contacts.neighbour.view().part(0, contacts.used)));
+    out.writeVector(backend_.downloaded(contacts.spring.view().part(0, contacts.used)));
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::readBuffers(ByteStream& in) {
+    const auto readInto = [&](auto span) {
+        const auto values = in.readVector<std::remove_const_t<std::remove_reference_t<decltype(span[0])>>>();
+        if (values.size() != span.size()) throw std::out_of_range("snapshot of another scene");
+        backend_.upload(span, values.data(), values.size());
+        backend_.synchronize();
+    };
+    visitFixedBuffers(data_, lists_, [&](auto& buffer) { readInto(buffer.span()); });
+    auto& contacts = lists_.contacts();
+    readInto(contacts.neighbour.span().part(0, contacts.used));
+    readInto(contacts.spring.span().part(0, contacts.used));
+}
+
+template <class Backend, class Real>
+Snapshot DeviceSolver<Backend, Real>::save() const {
+    ByteStream out;
+    out.writeValue(tables_.counts);
+    out.writeValue(progress_);
+    out.writeVector(projectiles_);
+    out.writeValue(lists_.contacts().used);
+    out.writeValue(lists_.horizon());
+    writeBuffers(out);
+    return {out.take()};
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
+    try {
+        ByteStream in(snapshot.bytes);
+        const auto counts = in.readValue<ParticleCounts>();
+        if (counts.total != tables_.counts.total) throw std::out_of_range("snapshot of another scene");
+        progress_ = in.readValue<Progress>();
+        projectiles_ = in.readVector<Projectile>();
+        const auto used = in.readValue<uint32_t>();
+        lists_.adopt(used, in.readValue<double>());
+        readBuffers(in);
+    } catch (const std::out_of_range& problem) {
+        throw UsageError(std::string("The state cannot be restored: ") + problem.what() + ".");
+    }
+    data_.uploadLaws(backend_, buildLawTables(setup_, tables_, projectiles_));
+    stats_.status = StepStatus::kOk;
+    stats_.frame = progress_.frames;
+    stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
+    stats_.bonds_broken = progress_.broken;
+    stats_.energy = progress_.energy;
+    updateFragments();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::updateFragments() {}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams&, bool) {
+    showProjectiles();
+}
+
+}  // namespace demolish

@@ -1,0 +1,178 @@
+// Stepping: chunks of substeps between looks, contact lists, settling. Part of device_solver.h.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/kernels/look_at_state.h"
+#include "sim_cuda/solver/device_solver.h"
+
+namespace demolish {
+
+/// Gravity is switched on over this share of the settling time; velocities decay at this rate meanwhile
+/// (models E.4).
+inline constexpr double kSettleRampShare = 0.3, kSettleDamping = 12;
+
+template <class Real>
+StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
+    StepParams<Real> params;
+    params.dt = static_cast<Real>(tables.time_step);
+    params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
+    params.stiffness_cap = static_cast<Real>(kContactStiffnessShare / (tables.time_step * tables.time_step));
+    params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;
+    params.owners = tables.owners();
+    params.in_bodies = tables.counts.in_bodies;
+    params.total = tables.counts.total;
+    params.planes.count = static_cast<uint32_t>(from.planes.size());
+    for (size_t p = 0; p < from.planes.size(); ++p)
+        params.planes.planes[p] =
+            withW(toReal<Real>({from.planes[p].normal.x, from.planes[p].normal.y, from.planes[p].normal.z}),
+                  static_cast<Real>(from.planes[p].offset));
+    return params;
+}
+
+template <class Backend, class Real>
+DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress)
+    : setup_(setup),
+      tables_(buildSceneTables(setup, progress)),
+      data_(backend_, tables_, static_cast<uint32_t>(setup.params.planes.size())),
+      lists_(backend_, tables_.counts, tables_.largest_radius),
+      runner_(backend_),
+      reader_(backend_),
+      look_words_(backend_.template allocate<uint32_t>(kLookWords)),
+      hash_sum_(backend_.template allocate<uint64_t>(1)),
+      shown_projectiles_(backend_.template allocate<Vec4<Real>>(kMaxProjectiles)),
+      params_(makeStepParams<Real>(setup.params, tables_)),
+      projectiles_(setup.projectiles) {
+    data_.uploadLaws(backend_, buildLawTables(setup_, tables_, projectiles_));
+    stats_.time_step = tables_.time_step;
+    stats_.particles = tables_.counts.in_bodies;
+    stats_.bonds = data_.bonds.count;
+    stats_.mass = tables_.mass_in_bodies;
+    if (setup.params.settle_time > 0) settle(setup.params.settle_time, progress);
+    progress_.projectiles = static_cast<uint32_t>(projectiles_.size());
+    startProjectiles();
+    updateFragments();
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::advanceFrame(double time_scale) {
+    if (!(time_scale > 0 && time_scale <= 1))
+        throw UsageError("Slow motion must lie above 0 and at most at 1.");
+    return advance(static_cast<uint32_t>(std::max(1.0, std::round(tables_.substeps * time_scale))));
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::advanceSubsteps(uint32_t n) {
+    return advance(n);
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
+    const Progress before = progress_;
+    const uint64_t builds = lists_.builds();
+    frame_start_.keep(backend_, data_, lists_);
+    const StepStatus status = runSubsteps(n);
+    stats_.status = status;
+    if (status != StepStatus::kOk) {
+        frame_start_.putBack(backend_, data_, lists_);
+        progress_ = before;
+        return status;
+    }
+    stats_.list_rebuilds = static_cast<uint32_t>(lists_.builds() - builds);
+    collectFrame(n);
+    return status;
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
+    while (n > 0) {
+        startProjectiles();
+        const uint32_t chunk = substepsUntilNextStart(std::min(n, 2 * kLookInterval));
+        const StepStatus status = runChunk(chunk);
+        if (status != StepStatus::kOk) return status;
+        n -= chunk;
+    }
+    look(0);
+    return static_cast<StepStatus>(reader_.wait()[kLookStatus]);
+}
+
+/// At most 2 kLookInterval substeps; the look in the middle decides for the end.
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
+    if (progress_.rebuild != 0) buildLists();
+    const uint32_t first = std::min(n, kLookInterval), second = n - first;
+    const auto run = [&](uint32_t count) {
+        runner_.run(backend_, data_, lists_.contacts(), params_, setup_.params.ledger, count);
+        progress_.since_build += count;
+        progress_.substeps += count;
+    };
+    run(first);
+    look(second + 2 * kLookInterval);
+    run(second);
+    const std::vector<uint32_t>& words = reader_.wait();
+    const double needed = (progress_.since_build + 2.0 * kLookInterval) * tables_.time_step;
+    if (words[kLookRebuild] != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
+    return static_cast<StepStatus>(words[kLookStatus]);
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
+    const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
+    backend_.fill(look_words_.span(), 0u);
+    const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
+                                 look_words_.span().part(kLookRebuild, 1), seconds(progress_.since_build),
+                                 seconds(lookahead)};
+    backend_.forEach(tables_.counts.total,
+                     LookAtState<Real>{paths, data_.particles.constants.view(), look_words_.span(),
+                                       static_cast<Real>(setup_.params.scene_radius)},
+                     "look at the state");
+    reader_.start(backend_, look_words_.view());
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::buildLists() {
+    lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
+    progress_.since_build = 0;
+    progress_.rebuild = 0;
+}
+
+/// Gravity comes on slowly, velocities decay, nothing breaks; then the bodies get the velocities of the
+/// set-up (E.4).
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::settle(double seconds, const ProgressCallback& progress) {
+    const StepParams<Real> free_params = params_;
+    const auto substeps = static_cast<uint64_t>(std::ceil(seconds / tables_.time_step));
+    params_.breaking = 0;
+    params_.velocity_keep = static_cast<Real>(1 - kSettleDamping * tables_.time_step);
+    setVelocities(true);
+    while (progress_.substeps < substeps) {
+        const double share = static_cast<double>(progress_.substeps) / static_cast<double>(substeps);
+        params_.gravity = static_cast<Real>(std::min(1.0, share / kSettleRampShare)) * free_params.gravity;
+        for (int chunk = 0; chunk < 5; ++chunk)
+            if (runChunk(2 * kLookInterval) != StepStatus::kOk)
+                throw NumericalError("The body blew up while settling; raise --substeps.");
+        if (progress && !progress(share, "Settling")) throw Cancelled();
+    }
+    params_ = free_params;
+    setVelocities(false);
+    backend_.fill(data_.ledger.span(), Vec4<Real>{});
+    progress_ = Progress{};
+}
+
+/// Zero, or those of the set-up; the low parts of the positions stay.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::setVelocities(bool at_rest) {
+    auto& particles = data_.particles;
+    auto velocity = backend_.downloaded(particles.velocity[data_.current].view());
+    auto spin = backend_.downloaded(particles.spin[data_.current].view());
+    for (uint32_t i = 0; i < tables_.counts.in_bodies; ++i) {
+        velocity[i] = withW(at_rest ? Vec3<Real>{} : toReal<Real>(tables_.velocity[i]), velocity[i].w);
+        spin[i] = withW(at_rest ? Vec3<Real>{} : toReal<Real>(tables_.spin[i]), spin[i].w);
+    }
+    backend_.upload(particles.velocity[data_.current].span(), velocity.data(), velocity.size());
+    backend_.upload(particles.spin[data_.current].span(), spin.data(), spin.size());
+    backend_.synchronize();
+}
+
+}  // namespace demolish
