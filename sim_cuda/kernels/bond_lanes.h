@@ -76,9 +76,8 @@ struct BondLanesOut {
     Lane<Real> severity, limit;
 };
 template <class Real>
-struct BookingLanesOut {
+struct DampingLanesOut {
     LaneVector<Real> force, torque_i, torque_j;
-    Lane<Real> fracture;
 };
 
 template <class Real>
@@ -94,15 +93,13 @@ template <class Real>
     }
 }
 template <class Real>
-[[gnu::flatten]] inline void computeBookings(const BondLanesIn<Real>& in, Real dt,
-                                             BookingLanesOut<Real>& out) {
+[[gnu::flatten]] inline void computeDamping(const BondLanesIn<Real>& in, DampingLanesOut<Real>& out) {
 #pragma GCC ivdep
     for (size_t l = 0; l < kLanes; ++l) {
-        const BondBooking<Real> booking = bondBooking(in.bond(l), in.pair(l), dt);
-        out.force.set(l, booking.damping.force);
-        out.torque_i.set(l, booking.damping.torque_i);
-        out.torque_j.set(l, booking.damping.torque_j);
-        out.fracture[l] = booking.fracture;
+        const BondEffect<Real> effect = bondDamping(in.bond(l), in.pair(l));
+        out.force.set(l, effect.force);
+        out.torque_i.set(l, effect.torque_i);
+        out.torque_j.set(l, effect.torque_j);
     }
 }
 
@@ -153,7 +150,7 @@ class BondLanes {
 
     void flush(size_t& lanes) {
         computeLanes(in_, out_);
-        if constexpr (kLedger) computeBookings(in_, params_.dt, booking_);
+        if constexpr (kLedger) computeDamping(in_, damping_);
         for (size_t l = 0; l < lanes; ++l) store(l);
         lanes = 0;
     }
@@ -164,9 +161,10 @@ class BondLanes {
         pairs_.record[slot] = {out_.force.at(l), out_.torque_i.at(l), breaks, Real(0)};
         pairs_.record[twin] = {-out_.force.at(l), -out_.torque_j.at(l), breaks, Real(0)};
         if constexpr (kLedger) {
-            pairs_.record[slot].fracture = breaks * booking_.fracture[l];
-            pairs_.damping[slot] = {booking_.force.at(l), booking_.torque_i.at(l)};
-            pairs_.damping[twin] = {-booking_.force.at(l), -booking_.torque_j.at(l)};
+            if (breaks > Real(0))
+                pairs_.record[slot].fracture = bondFractureEnergy(in_.bond(l), in_.pair(l), params_.dt);
+            pairs_.damping[slot] = {damping_.force.at(l), damping_.torque_i.at(l)};
+            pairs_.damping[twin] = {-damping_.force.at(l), -damping_.torque_j.at(l)};
         }
     }
 
@@ -176,7 +174,7 @@ class BondLanes {
     uint32_t slot_[kLanes] = {};
     BondLanesIn<Real> in_;
     BondLanesOut<Real> out_;
-    BookingLanesOut<Real> booking_;
+    DampingLanesOut<Real> damping_;
 };
 
 }  // namespace demolish

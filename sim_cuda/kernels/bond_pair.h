@@ -89,29 +89,27 @@ DEM_FN BondEffect<Real> bondEffect(const BondConstants<Real>& bond, const PairMo
     return effect;
 }
 
-/// What the ledger wants to know of a bond.
+/// The damper's share of force and torques, for the ledger.
 template <class Real>
-struct BondBooking {
-    BondEffect<Real> damping;  ///< the damper's share of force and torques
-    Real fracture{};           ///< J, leaves with the bond if it breaks in this substep
-};
+DEM_FN BondEffect<Real> bondDamping(const BondConstants<Real>& bond, const PairMotion<Real>& pair) {
+    const BondDeformation<Real> d = faceBondDeformation(bond, pair);
+    const BondRates<Real> rates = bondRates(d, pair.velocity_i, pair.spin_i, pair.velocity_j, pair.spin_j);
+    return loadEffect(dampedBondLoad(BondLoad<Real>{}, bond.stiffness, d, rates, bond.beta_r), d);
+}
 
-/// The bond still pulls through this kick, so that what it takes along is its energy half a step later, less
-/// what the compressed faces keep (A.6).
+/// J, leaves with the bond if it breaks in this substep: it still pulls through this kick, so its energy half a step later,
+/// less what the compressed faces keep (A.6).
 template <class Real>
-DEM_FN BondBooking<Real> bondBooking(const BondConstants<Real>& bond, const PairMotion<Real>& pair, Real dt) {
+DEM_FN Real bondFractureEnergy(const BondConstants<Real>& bond, const PairMotion<Real>& pair, Real dt) {
     const BondDeformation<Real> d = faceBondDeformation(bond, pair);
     const BondRates<Real> rates = bondRates(d, pair.velocity_i, pair.spin_i, pair.velocity_j, pair.spin_j);
     const BondLoad<Real> elastic = bondLoad(bond.stiffness, d);
-    BondBooking<Real> booking;
-    booking.damping = loadEffect(dampedBondLoad(BondLoad<Real>{}, bond.stiffness, d, rates, bond.beta_r), d);
     const Vec3<Real> force = axpy(elastic.normal_force, d.normal, elastic.shear_force);
     const Vec3<Real> moment = axpy(elastic.torsion_moment, d.normal, elastic.bending_moment);
     const Real power = dot(force, rates.velocity) + dot(moment, rates.spin);
     const Real energy = madd(Real(0.5) * dt, power, bondEnergy(bond.stiffness, d));
     const Real overlap = brokenOverlap(length(bond.rest), length(pair.separation));
-    booking.fracture = fractureEnergy(energy, bond.stiffness.normal, overlap);
-    return booking;
+    return fractureEnergy(energy, bond.stiffness.normal, overlap);
 }
 
 }  // namespace demolish

@@ -33,7 +33,7 @@ class CpuParticleStep {
                     const BondPairs<Real>& pairs)
         : arrays_(arrays), params_(params), pairs_(pairs) {}
 
-    void operator()(uint32_t i) const {
+    [[gnu::flatten]] void operator()(uint32_t i) const {
         const OwnParticle<Real> own = loadOwn(arrays_, i);
         Tally<Real> tally;
         Wrench<Real> load =
