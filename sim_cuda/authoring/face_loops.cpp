@@ -41,35 +41,39 @@ void FaceLoops::addLoop(std::span<const uint32_t> vertex_ids) {
     start_.push_back(uint32_t(ids_.size()));
 }
 
+/// Takes the way since the last visit of `id` out of the path, as a loop.
+void FaceLoops::closeLoop(uint32_t id) {
+    const auto since = std::find(path_.begin(), path_.end(), id);
+    if (since == path_.end()) return;
+    if (path_.end() - since >= 3) addLoop({since, path_.end()});  // there and back bounds nothing
+    path_.erase(since, path_.end());
+}
+
 bool FaceLoops::trace(std::vector<FaceArc>& arcs) {
     std::sort(arcs.begin(), arcs.end(), [](const FaceArc& a, const FaceArc& b) {
         return a.from != b.from ? a.from < b.from : a.to < b.to;
     });
     is_used_.assign(arcs.size(), 0);
+    path_.clear();
     const size_t ids_before = ids_.size(), loops_before = start_.size();
-    const auto unusedFrom = [&](uint32_t id) {
-        auto arc = std::lower_bound(arcs.begin(), arcs.end(), id,
-                                    [](const FaceArc& a, uint32_t from) { return a.from < from; });
-        while (arc != arcs.end() && arc->from == id && is_used_[size_t(arc - arcs.begin())]) ++arc;
-        return arc != arcs.end() && arc->from == id ? size_t(arc - arcs.begin()) : kNoLoop;
-    };
     for (size_t first = 0; first < arcs.size(); ++first) {
-        if (is_used_[first]) continue;
-        for (size_t arc = first;;) {
+        for (size_t arc = first; !is_used_[arc];) {
             is_used_[arc] = 1;
-            ids_.push_back(arcs[arc].from);
-            if (arcs[arc].to == arcs[first].from) break;
-            arc = unusedFrom(arcs[arc].to);
-            if (arc == kNoLoop) {
+            path_.push_back(arcs[arc].from);
+            const uint32_t at = arcs[arc].to;
+            arc = size_t(std::lower_bound(arcs.begin(), arcs.end(), at,
+                                          [](const FaceArc& a, uint32_t from) { return a.from < from; }) -
+                         arcs.begin());
+            const bool is_crossroads = arc + 1 < arcs.size() && arcs[arc + 1].from == at;
+            if (is_crossroads || at == arcs[first].from) closeLoop(at);
+            if (path_.empty()) break;
+            while (arc < arcs.size() && arcs[arc].from == at && is_used_[arc]) ++arc;
+            if (arc == arcs.size() || arcs[arc].from != at) {
                 ids_.resize(ids_before);
                 start_.resize(loops_before);
                 return false;
             }
         }
-        if (ids_.size() - start_.back() < 3)
-            ids_.resize(start_.back());  // there and back: bounds nothing, and both cells leave it out
-        else
-            start_.push_back(uint32_t(ids_.size()));
     }
     return true;
 }

@@ -36,6 +36,7 @@ class FaceLoops {
     void emit(uint32_t cell_a, uint32_t cell_b, FaceArrays& out);
 
   private:
+    void closeLoop(uint32_t id);
     void project(uint32_t cell_a, uint32_t cell_b);
     size_t outerLoopAround(size_t hole) const;
     void emitPart(uint32_t cell_a, uint32_t cell_b, std::span<const size_t> loops, FaceArrays& out);
@@ -50,6 +51,7 @@ class FaceLoops {
     std::vector<uint32_t> part_ids_, part_start_;
     std::vector<PlanePoint> part_points_;
     Double3 origin_, axis_x_, axis_y_;  // frame of the face's plane
+    std::vector<uint32_t> path_;
     std::vector<size_t> around_, part_;
     std::vector<char> is_used_;
     FaceTriangulation triangulation_;

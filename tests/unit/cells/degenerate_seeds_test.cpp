@@ -1,0 +1,85 @@
+// Seeds in special position: the re-jitter repairs them; hardly disturbed ones need no repair
+// (geometry.md 2.5).
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "sim_cuda/authoring/double3.h"
+#include "sim_cuda/authoring/hash_random.h"
+#include "tests/unit/cells/complex_checks.h"
+#include "tests/unit/cells/test_bodies.h"
+
+namespace demolish::test {
+namespace {
+
+/// n^3 seeds at the centres of equal cubes that fill the unit cube, moved by up to `jitter` (m) along each
+/// axis.
+std::vector<Double3> lattice(int n, double jitter) {
+    std::vector<Double3> seeds;
+    for (int z = 0; z < n; ++z)
+        for (int y = 0; y < n; ++y)
+            for (int x = 0; x < n; ++x)
+                seeds.push_back(Double3{(x + 0.5) / n - 0.5, (y + 0.5) / n - 0.5, (z + 0.5) / n - 0.5} +
+                                hashRandomInCube(3, 1, seeds.size()) * (2 * jitter));
+    return seeds;
+}
+
+void expectEqualCubes(const CellComplex& complex, int n) {
+    EXPECT_EQ(countOpenCells(complex), 0u);
+    EXPECT_TRUE(complex.open_cells.empty());
+    const std::vector<double> volumes = loopVolumes(complex);
+    for (const double volume : volumes) ASSERT_NEAR(volume * n * n * n, 1, 1e-4);
+    EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-9);
+    EXPECT_NEAR(exteriorArea(complex), 6, 1e-8);
+}
+
+TEST(DegenerateSeeds, ExactLatticeIsRepaired) {
+    const QueriedMesh& cube = *testBody("cube");
+    for (const int n : {2, 4, 9, 12}) {
+        SCOPED_TRACE(n);
+        const CellComplex complex = buildCellComplex(cube.mesh, cube.queries, lattice(n, 0), 1.0 / n, 1);
+        EXPECT_GT(complex.rejitter_rounds, 0u);
+        expectEqualCubes(complex, n);
+        const std::vector<Double3> exact = lattice(n, 0);
+        for (size_t i = 0; i < exact.size(); ++i)
+            ASSERT_LT(length(complex.seeds[i] - exact[i]), 3 * 2e-6 / n);
+    }
+}
+
+TEST(DegenerateSeeds, HardlyDisturbedLatticeNeedsNoRepair) {
+    const QueriedMesh& cube = *testBody("cube");
+    for (const int n : {4, 10, 17}) {
+        SCOPED_TRACE(n);
+        const CellComplex complex =
+            buildCellComplex(cube.mesh, cube.queries, lattice(n, 1e-7 / n), 1.0 / n, 1);
+        EXPECT_EQ(complex.rejitter_rounds, 0u);
+        expectEqualCubes(complex, n);
+    }
+}
+
+TEST(DegenerateSeeds, BisectorsInMeshFacesNeedNoRepair) {
+    // Every other layer of seeds lies outside the cube, whose faces then are bisectors but for the jitter.
+    const QueriedMesh& cube = *testBody("cube");
+    std::vector<Double3> seeds = lattice(6, 1e-7 / 6);
+    for (Double3& p : seeds) p = p * 1.5;
+    const CellComplex complex = buildCellComplex(cube.mesh, cube.queries, seeds, 1.5 / 6, 1);
+    EXPECT_EQ(countOpenCells(complex), 0u);
+    const std::vector<double> volumes = loopVolumes(complex);
+    EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-9);
+}
+
+TEST(DegenerateSeeds, SeedsOfOnePlaneAreEnough) {
+    const QueriedMesh& cube = *testBody("cube");
+    std::vector<Double3> seeds;
+    for (uint64_t i = 0; i < 40; ++i) {
+        seeds.push_back(hashRandomInCube(5, 1, i));
+        seeds.back().y *= 1e-7;
+    }
+    const CellComplex complex = buildCellComplex(cube.mesh, cube.queries, seeds, std::cbrt(1.0 / 40), 1);
+    EXPECT_EQ(countOpenCells(complex), 0u);
+    const std::vector<double> volumes = loopVolumes(complex);
+    EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-9);
+}
+
+}  // namespace
+}  // namespace demolish::test
