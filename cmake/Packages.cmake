@@ -15,10 +15,12 @@ find_program(GLAD_PROGRAM glad HINTS /usr/bin REQUIRED)
 # Dear ImGui: Debian's static library brings the GLFW and OpenGL 3 backends and has no CMake file of its own.
 find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
 find_library(IMGUI_LIBRARY imgui REQUIRED)
+find_library(STB_LIBRARY NAMES libstb.a stb)  # Debian's static imgui leaves its font code to this one
 add_library(imgui INTERFACE)
 target_include_directories(imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
 find_package(Freetype)
-target_link_libraries(imgui INTERFACE ${IMGUI_LIBRARY} $<$<TARGET_EXISTS:Freetype::Freetype>:Freetype::Freetype> glfw
+target_link_libraries(imgui INTERFACE ${IMGUI_LIBRARY} $<$<BOOL:${STB_LIBRARY}>:${STB_LIBRARY}>
+    $<$<TARGET_EXISTS:Freetype::Freetype>:Freetype::Freetype> glfw
     OpenGL::OpenGL ${CMAKE_DL_LIBS})
 
 # The GL and EGL loader, written at build time by the packaged generator (offline, byte-identical on every run).
