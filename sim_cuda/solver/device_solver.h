@@ -14,6 +14,9 @@
 
 #include "sim_cuda/api/solver.h"
 #include "sim_cuda/solver/checkpoint.h"
+#include "sim_cuda/solver/clustering.h"
+#include "sim_cuda/solver/fracture_surface.h"
+#include "sim_cuda/solver/fragment_motion.h"
 #include "sim_cuda/solver/substep_runner.h"
 
 namespace demolish {
@@ -63,9 +66,14 @@ class DeviceSolver final : public Solver {
     void collectFrame(uint32_t substeps);
     void collectLedger();
     uint32_t countBroken();
-    void updateFragments();
+    void summarizeFragments();
+    void updateSurface();
+    void restoreSurface(uint32_t broken, const std::vector<std::byte>& state);
+    Span<const uint8_t> brokenBonds();
     void writeBuffers(ByteStream& out) const;
     void readBuffers(ByteStream& in);
+
+    static constexpr uint32_t kNothingWritten = 0xffffffffu;
 
     /// What changes while stepping and lives on the host.
     struct Progress {
@@ -84,11 +92,17 @@ class DeviceSolver final : public Solver {
     mutable SolverData<Backend, Real> data_;
     mutable NeighbourLists<Backend, Real> lists_;
     SubstepRunner<Backend, Real> runner_;
+    Clustering<Backend> clusters_;
+    mutable FragmentMotion<Backend, Real> motion_;
+    mutable FractureSurface<Backend> surface_;
+    uint32_t surface_of_ = 0;                ///< broken bonds that the surface has been told of
+    uint32_t written_of_ = kNothingWritten;  ///< broken bonds when the draw lists were last written
     Checkpoint<Backend, Real> frame_start_, dry_run_;
     typename Backend::Reader reader_;
     Buffer<uint32_t> look_words_;
     mutable Buffer<uint64_t> hash_sum_;
     Buffer<Vec4<Real>> shown_projectiles_;
+    Buffer<uint8_t> broken_bonds_;
     StepParams<Real> params_;
     std::vector<Projectile> projectiles_;  ///< in their slots
     Progress progress_;
@@ -97,6 +111,7 @@ class DeviceSolver final : public Solver {
 
 }  // namespace demolish
 
+#include "sim_cuda/solver/device_solver_export.h"
 #include "sim_cuda/solver/device_solver_projectiles.h"
 #include "sim_cuda/solver/device_solver_state.h"
 #include "sim_cuda/solver/device_solver_step.h"

@@ -70,7 +70,9 @@ void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
     stats_.max_stress_ratio = static_cast<double>(backend_.reduce(
         tables_.counts.in_bodies, Real(0), MeasureStress<Real>{data_.arrays(lists_.contacts())},
         MaxInto<Real>{}, "highest bond stress"));
-    if (stats_.fracture_changed) updateFragments();
+    if (stats_.fracture_changed) clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
+    motion_.advanceAges(clusters_.rows());
+    summarizeFragments();
 }
 
 /// A dry substep gives the velocities after the next kick; then all is put back.
@@ -137,6 +139,9 @@ Snapshot DeviceSolver<Backend, Real>::save() const {
     out.writeValue(lists_.contacts().used);
     out.writeValue(lists_.horizon());
     writeBuffers(out);
+    out.writeVector(motion_.saveState());
+    out.writeValue(surface_of_);
+    out.writeVector(surface_.saveState());
     return {out.take()};
 }
 
@@ -151,6 +156,11 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
         const auto used = in.readValue<uint32_t>();
         lists_.adopt(used, in.readValue<double>());
         readBuffers(in);
+        motion_.restoreState(in.readVector<std::byte>());
+        const auto shown = in.readValue<uint32_t>();
+        const auto surface = in.readVector<std::byte>();
+        if (!in.atEnd()) throw std::out_of_range("snapshot of another scene");
+        restoreSurface(shown, surface);
     } catch (const std::out_of_range& problem) {
         throw UsageError(std::string("The state cannot be restored: ") + problem.what() + ".");
     }
@@ -160,15 +170,7 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
     stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
     stats_.bonds_broken = progress_.broken;
     stats_.energy = progress_.energy;
-    updateFragments();
-}
-
-template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::updateFragments() {}
-
-template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams&, bool) {
-    showProjectiles();
+    summarizeFragments();
 }
 
 }  // namespace demolish

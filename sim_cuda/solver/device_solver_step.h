@@ -31,6 +31,22 @@ StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tab
     return params;
 }
 
+/// m, body frame, in the solver's order.
+template <class Real>
+std::vector<Vec4<Real>> restPositions(const std::vector<BodyInstance>& bodies) {
+    std::vector<Vec4<Real>> rest;
+    for (const BodyInstance& instance : bodies)
+        for (const Particle& p : instance.body->particles)
+            rest.push_back(withW(toReal<Real>({p.seed.x, p.seed.y, p.seed.z}), Real(0)));
+    return rest;
+}
+inline std::vector<uint32_t> particlesPerBody(const std::vector<BodyInstance>& bodies) {
+    std::vector<uint32_t> counts;
+    for (const BodyInstance& instance : bodies)
+        counts.push_back(static_cast<uint32_t>(instance.body->particles.size()));
+    return counts;
+}
+
 template <class Backend, class Real>
 DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress)
     : setup_(setup),
@@ -38,10 +54,14 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       data_(backend_, tables_, static_cast<uint32_t>(setup.params.planes.size())),
       lists_(backend_, tables_.counts, tables_.largest_radius),
       runner_(backend_),
+      clusters_(backend_, tables_.counts),
+      motion_(backend_, restPositions<Real>(setup.bodies), particlesPerBody(setup.bodies)),
+      surface_(backend_, concatenateGeometry(setup.bodies)),
       reader_(backend_),
       look_words_(backend_.template allocate<uint32_t>(kLookWords)),
       hash_sum_(backend_.template allocate<uint64_t>(1)),
       shown_projectiles_(backend_.template allocate<Vec4<Real>>(kMaxProjectiles)),
+      broken_bonds_(backend_.template allocate<uint8_t>(data_.bonds.count)),
       params_(makeStepParams<Real>(setup.params, tables_)),
       projectiles_(setup.projectiles) {
     data_.uploadLaws(backend_, buildLawTables(setup_, tables_, projectiles_));
@@ -52,7 +72,9 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     if (setup.params.settle_time > 0) settle(setup.params.settle_time, progress);
     progress_.projectiles = static_cast<uint32_t>(projectiles_.size());
     startProjectiles();
-    updateFragments();
+    clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
+    motion_.advanceAges(clusters_.rows());
+    summarizeFragments();
 }
 
 template <class Backend, class Real>

@@ -1,0 +1,88 @@
+// Fragments, and one frame written for drawing. Part of device_solver.h.
+#pragma once
+#include <algorithm>
+
+#include "sim_cuda/kernels/write_particles.h"
+#include "sim_cuda/solver/device_solver.h"
+
+namespace demolish {
+
+struct MarkBrokenBonds {
+    Span<const uint32_t> slot_of_bond;
+    Span<const BondLink> link;
+    Span<uint8_t> broken;
+    DEM_FN void operator()(uint32_t b) const { broken[b] = isBonded(link[slot_of_bond[b]]) ? 0 : 1; }
+};
+
+/// Slots of the bodies' particles and of the projectiles, one each.
+struct CopyFragments {
+    Span<const uint32_t> from;
+    Span<uint32_t> to;
+    DEM_FN void operator()(uint32_t i) const { to[i] = from[i]; }
+};
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::summarizeFragments() {
+    const FragmentRows rows = clusters_.rows();
+    motion_.gather(rows, data_.particles.in(data_.current), data_.particles.constants.view());
+    const FragmentSummary summary = motion_.summary(rows);
+    stats_.fragments = summary.fragments;
+    stats_.largest_fragment_fraction = summary.largest_mass / tables_.mass_in_bodies;
+}
+
+template <class Backend, class Real>
+Span<const uint8_t> DeviceSolver<Backend, Real>::brokenBonds() {
+    backend_.forEach(
+        data_.bonds.count,
+        MarkBrokenBonds{data_.bonds.slot_of_bond.view(), data_.bonds.link.view(), broken_bonds_.span()},
+        "mark broken bonds");
+    return broken_bonds_.view();
+}
+
+/// Bonds never heal, so that their number says whether anything has changed.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::updateSurface() {
+    if (surface_of_ == progress_.broken) return;
+    surface_.update(clusters_.fragment(), brokenBonds());
+    surface_of_ = progress_.broken;
+}
+
+/// `broken`: how many bonds were broken when the state was taken; clusters are brought up to date first.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::restoreSurface(uint32_t broken, const std::vector<std::byte>& state) {
+    clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
+    surface_.restoreState(state, clusters_.fragment(), brokenBonds());
+    surface_of_ = broken;
+    written_of_ = kNothingWritten;
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams& streams, bool streams_fresh) {
+    const FragmentRows rows = clusters_.rows();
+    const uint32_t total = tables_.counts.total;
+    updateSurface();
+    if (streams.particles.data != nullptr) {
+        showProjectiles();
+        const double speed = 2 * setup_.bodies[0].material.critical_velocity;
+        const Span<ParticleInstance> instances(streams.particles.data, streams.particles.capacity);
+        backend_.forEach(total,
+                         WriteParticles<Real>{data_.arrays(lists_.contacts()), clusters_.fragment(),
+                                              shown_projectiles_.view(), instances, tables_.counts.in_bodies,
+                                              streams.colour, static_cast<Real>(1 / speed)},
+                         "write particles");
+    }
+    if (streams.particle_fragment.data != nullptr) {
+        const Span<uint32_t> slots(streams.particle_fragment.data, streams.particle_fragment.capacity);
+        backend_.forEach(std::min<size_t>(total, slots.size()), CopyFragments{clusters_.fragment(), slots},
+                         "write fragments");
+    }
+    if (streams.transforms.data != nullptr)
+        motion_.writeTransforms(rows, Span(streams.transforms.data, streams.transforms.capacity));
+    if (streams_fresh || written_of_ != progress_.broken) {
+        surface_.write(streams, clusters_.fragment());
+        written_of_ = progress_.broken;
+    }
+    backend_.synchronize();
+}
+
+}  // namespace demolish
