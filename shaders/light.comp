@@ -39,36 +39,45 @@ float visibilityAt(ivec2 pixel, float depth) {
     return sum / weights;
 }
 
-vec3 lit(ivec2 pixel, int i, vec4 material, vec4 normals, float depth) {
+vec3 lit(ivec2 pixel, int i) {
     vec2 ndc = 2.0 * (vec2(pixel) + sample_position[i]) * frame.viewport.zw - 1.0;
     vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
+    float depth = texelFetch(depth_buffer, pixel, i).r;
     if (depth <= 0.0) return toneMap(skyRadiance(normalize(ray)), curve);
     float along = linearDepth(depth);
-    Surface s = unpackSurface(material, normals, frame.eye.xyz + ray * along);
+    Surface s = unpackSurface(texelFetch(material_buffer, pixel, i), texelFetch(normal_buffer, pixel, i),
+                              frame.eye.xyz + ray * along);
     float visibility = has_occlusion != 0 ? visibilityAt(pixel, along) : 1.0;
     return toneMap(throughAir(shade(s, visibility, vec2(pixel)), s.position), curve);
+}
+
+// Samples that one triangle covers hold the same values, those of the sky none: 4 bits of count for each distinct one,
+// at the place of the first like it.
+uint distinctSamples(ivec2 pixel) {
+    vec4 materials[SAMPLES], normals[SAMPLES];
+    uint counts = 0u;
+    for (int i = 0; i < SAMPLES; ++i) {
+        bool sky = texelFetch(depth_buffer, pixel, i).r <= 0.0;
+        materials[i] = sky ? vec4(-1.0) : texelFetch(material_buffer, pixel, i);
+        normals[i] = sky ? vec4(-1.0) : texelFetch(normal_buffer, pixel, i);
+        int first = i;
+        for (int j = i - 1; j >= 0; --j) {
+            if (materials[i] == materials[j] && normals[i] == normals[j]) first = j;
+        }
+        counts += 1u << (4 * first);
+    }
+    return counts;
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    vec4 materials[SAMPLES], normals[SAMPLES];
-    float depths[SAMPLES];
-    vec3 colours[SAMPLES];
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < SAMPLES; ++i) {
-        materials[i] = texelFetch(material_buffer, pixel, i);
-        normals[i] = texelFetch(normal_buffer, pixel, i);
-        depths[i] = texelFetch(depth_buffer, pixel, i).r;
-        // Samples that one triangle covers hold the same values; sky samples are all alike.
-        int same = -1;
-        for (int j = 0; j < i; ++j) {
-            bool both_sky = depths[i] <= 0.0 && depths[j] <= 0.0;
-            bool alike = materials[i] == materials[j] && normals[i] == normals[j] && (depths[i] <= 0.0) == (depths[j] <= 0.0);
-            if (both_sky || alike) same = j;
-        }
-        colours[i] = same >= 0 ? colours[same] : lit(pixel, i, materials[i], normals[i], depths[i]);
-        sum += colours[i];
+    // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
+    for (uint left = distinctSamples(pixel); left != 0u;) {
+        int i = findLSB(left) / 4;
+        sum += float((left >> (4 * i)) & 15u) * lit(pixel, i);
+        left &= ~(15u << (4 * i));
     }
     imageStore(result, pixel, vec4(encodeSrgb(sum / float(SAMPLES)), 1.0));
 }

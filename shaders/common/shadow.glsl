@@ -23,6 +23,11 @@ vec2 receiverSlope(vec3 normal) {
     return clamp(-metres.xy / away, -4.0, 4.0) * frame.shadow.z / frame.shadow.w;
 }
 
+// Nothing drawn lies beyond the map's far end, where receivers may: they stay just before it.
+const float kFarEnd = 0.9999;
+
+float receiverDepth(float depth, vec2 slope, vec2 offset) { return min(depth + dot(slope, offset), kFarEnd); }
+
 // 1 in the sun, 0 in full shadow. `normal` is the geometric one.
 float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     float facing = dot(normal, frame.to_sun.xyz);
@@ -31,7 +36,7 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     vec3 shifted = position + normal * texel * (0.8 + 1.6 * (1.0 - facing));
     vec3 p = (frame.light_matrix * vec4(shifted, 1.0)).xyz;
     if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThan(p.xy, vec2(1.0)))) return 1.0;
-    p.z = clamp(p.z, 0.0, 0.9999) - 0.5 * texel / frame.shadow.w;
+    p.z = clamp(p.z, 0.0, kFarEnd) - 0.5 * texel / frame.shadow.w;
 #ifdef SHADOW_DRAFT
     float lit = 0.0;
     for (int k = 0; k < 4; ++k) {
@@ -47,7 +52,7 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     for (int k = 0; k < kBlockerTaps; ++k) {
         vec2 offset = search * discPoint(k, kBlockerTaps, angle);
         float depth = texture(shadow_depth, p.xy + offset).r;
-        if (depth < p.z + dot(slope, offset)) {
+        if (depth < receiverDepth(p.z, slope, offset)) {
             blocker_sum += depth;
             blockers += 1.0;
         }
@@ -58,7 +63,7 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     float lit = 0.0;
     for (int k = 0; k < SHADOW_TAPS; ++k) {
         vec2 offset = radius * discPoint(k, SHADOW_TAPS, angle);
-        lit += texture(shadow_compare, vec3(p.xy + offset, p.z + dot(slope, offset)));
+        lit += texture(shadow_compare, vec3(p.xy + offset, receiverDepth(p.z, slope, offset)));
     }
     return lit / float(SHADOW_TAPS);
 #endif
