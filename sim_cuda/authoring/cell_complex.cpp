@@ -1,8 +1,6 @@
 // The stages of geometry.md 2 in order, and the fall-back for degenerate seeds.
 #include "sim_cuda/authoring/cell_complex.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
 

@@ -10,6 +10,8 @@ namespace demolish {
 
 namespace {
 
+constexpr size_t kCellsPerBlock = 128;
+
 /// Volume moments of orders 0, 1, 2 about the seed. A tetrahedron (0, a, b, c) of volume v has the second
 /// moment v / 20 (aa + bb + cc + ss), s = a + b + c.
 class Moments {
@@ -101,6 +103,28 @@ void forEachTriangle(const CellComplex& complex, const FacesOfCells& faces, uint
     }
 }
 
+void weigh(const CellComplex& complex, const FacesOfCells& faces, uint32_t cell, uint32_t first_piece,
+           Particle& particle) {
+    particle.seed = complex.seeds[cell];
+    Moments moments;
+    double lowest = 1e300;  // m, relative to the seed
+    forEachTriangle(complex, faces, cell, first_piece,
+                    [&](const Double3& a, const Double3& b, const Double3& c) {
+                        moments.addTriangle(a, b, c);
+                        lowest = std::min({lowest, a.y, b.y, c.y});
+                    });
+    moments.store(particle.seed, particle);
+    particle.lowest = lowest < 1e300 ? particle.seed.y + lowest : particle.seed.y;
+}
+
+/// Seeds that follow each other mostly lie close together: the last one's depth bounds the search.
+double signedDepth(const MeshQueries& queries, const Double3& seed, const Particle* last) {
+    constexpr double kRounding = 1 + 1e-9;
+    const double bound = last ? (std::abs(last->depth) + length(seed - last->seed)) * kRounding : 1e300;
+    const double distance = queries.closestPoint(seed, bound).distance;
+    return queries.windingNumber(seed) > 0 ? distance : -distance;
+}
+
 }  // namespace
 
 std::vector<Particle> massProperties(const TriangleMesh& mesh, const MeshQueries& queries,
@@ -112,22 +136,16 @@ std::vector<Particle> massProperties(const TriangleMesh& mesh, const MeshQueries
     for (const Double3& p : mesh.positions) lowest_of_mesh = std::min(lowest_of_mesh, p.y);
 
     std::vector<Particle> particles(complex.seeds.size());
-    tbb::parallel_for(size_t(0), particles.size(), [&](size_t index) {
-        const uint32_t cell = uint32_t(index);
-        Particle& particle = particles[cell];
-        particle.seed = complex.seeds[cell];
-        Moments moments;
-        double lowest = 1e300;  // relative to the seed
-        forEachTriangle(complex, faces, cell, first_piece[cell],
-                        [&](const Double3& a, const Double3& b, const Double3& c) {
-                            moments.addTriangle(a, b, c);
-                            lowest = std::min({lowest, a.y, b.y, c.y});
-                        });
-        moments.store(particle.seed, particle);
-        particle.lowest =
-            lowest < 1e300 ? std::max(particle.seed.y + lowest, lowest_of_mesh) : particle.seed.y;
-        const double distance = queries.closestPoint(particle.seed).distance;
-        particle.depth = queries.windingNumber(particle.seed) > 0 ? distance : -distance;
+    const size_t block_count = (particles.size() + kCellsPerBlock - 1) / kCellsPerBlock;
+    tbb::parallel_for(size_t(0), block_count, [&](size_t block) {
+        const size_t begin = block * kCellsPerBlock, end = std::min(begin + kCellsPerBlock, particles.size());
+        for (size_t cell = begin; cell < end; ++cell) {
+            Particle& particle = particles[cell];
+            weigh(complex, faces, uint32_t(cell), first_piece[cell], particle);
+            particle.lowest = std::max(particle.lowest, lowest_of_mesh);  // rounding must not reach below
+            particle.depth =
+                signedDepth(queries, particle.seed, cell > begin ? &particles[cell - 1] : nullptr);
+        }
     });
     return particles;
 }

@@ -58,7 +58,8 @@ void registerAll(const Model& model) {
             ->Arg(5000)
             ->Arg(20000)
             ->Unit(benchmark::kMillisecond)
-            ->UseRealTime();
+            ->UseRealTime()
+            ->MeasureProcessCPUTime();
     };
     add("pack", pack);
     add("cells", cells);

@@ -75,6 +75,20 @@ size_t countOpenCells(const CellComplex& complex) {
         std::count_if(unbalanced.begin(), unbalanced.end(), [](uint32_t edges) { return edges > 0; }));
 }
 
+double excessTriangleArea(const CellComplex& complex) {
+    double excess = 0;
+    for (const ComplexFace& face : complex.faces) {
+        double area = 0;
+        for (uint32_t t = face.first_triangle; t < face.first_triangle + face.triangle_count; ++t) {
+            const auto& [a, b, c] = complex.face_triangles[t];
+            const Double3& p = complex.vertices[a].position;
+            area += 0.5 * length(cross(complex.vertices[b].position - p, complex.vertices[c].position - p));
+        }
+        excess += area - face.area;
+    }
+    return excess;
+}
+
 bool triangulationsFitLoops(const CellComplex& complex) {
     for (const ComplexFace& face : complex.faces) {
         std::map<std::pair<uint32_t, uint32_t>, int> balance;

@@ -24,6 +24,9 @@ std::vector<double> loopVolumes(const CellComplex& complex);
 /// Cells with an edge used not equally often in both directions.
 size_t countOpenCells(const CellComplex& complex);
 
+/// m^2, how much more the face triangles cover than the faces: triangles that overlap or are flipped.
+double excessTriangleArea(const CellComplex& complex);
+
 /// Does every face's triangulation have the border of its loops?
 bool triangulationsFitLoops(const CellComplex& complex);
 

@@ -2,6 +2,7 @@
 // (geometry.md 2.5).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "sim_cuda/authoring/double3.h"
@@ -79,6 +80,34 @@ TEST(DegenerateSeeds, SeedsOfOnePlaneAreEnough) {
     EXPECT_EQ(countOpenCells(complex), 0u);
     const std::vector<double> volumes = loopVolumes(complex);
     EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-9);
+}
+
+TEST(DegenerateSeeds, CoincidingSeedsAreMovedApart) {
+    const QueriedMesh& torus = *testBody("torus");
+    std::vector<Double3> seeds = randomSeeds(torus.mesh, torus.queries, 300, 5);
+    seeds[17] = seeds[203];
+    seeds[299] = seeds[1];
+    const CellComplex complex =
+        buildCellComplex(torus.mesh, torus.queries, seeds, spacingOf(torus.mesh, 300), 1);
+    EXPECT_GT(complex.rejitter_rounds, 0u);
+    EXPECT_EQ(countOpenCells(complex), 0u);
+    const std::vector<double> volumes = loopVolumes(complex);
+    EXPECT_GT(std::min(volumes[17], volumes[203]), 0);
+}
+
+TEST(DegenerateSeeds, MeshWithAHoleEndsWithItsOpenCellsNamed) {
+    TriangleMesh mesh = testBody("torus")->mesh;
+    mesh.triangles.pop_back();
+    mesh.corners.pop_back();
+    const QueriedMesh open(std::move(mesh));
+    const std::vector<Double3> seeds =
+        randomSeeds(testBody("torus")->mesh, testBody("torus")->queries, 200, 5);
+    const CellComplex complex =
+        buildCellComplex(open.mesh, open.queries, seeds, spacingOf(open.mesh, 200), 1);
+    EXPECT_EQ(complex.rejitter_rounds, 3u);
+    EXPECT_GT(complex.open_cells.size(), 0u);
+    EXPECT_LT(complex.open_cells.size(), 20u);
+    EXPECT_EQ(complex.open_cells.size(), countOpenCells(complex));
 }
 
 }  // namespace
