@@ -24,8 +24,8 @@ void main() {
     s.geometric_normal = s.normal;
     gl_FragDepth = clipDepth(s.position);
     if (colour_map == kMetal) {
-        s.albedo = vec3(0.36, 0.33, 0.31);
-        s.roughness = 0.32;
+        s.albedo = vec3(0.23, 0.215, 0.205);
+        s.roughness = 0.36;
         s.metalness = 1.0;
     } else {
         s.albedo = colour_map == 0 ? fragmentColour(fragment_slot) : rampColour(value);

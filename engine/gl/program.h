@@ -29,7 +29,6 @@ class Program {
     void set(GLint location, float value) { glProgramUniform1f(id(), location, value); }
     void set(GLint location, int value) { glProgramUniform1i(id(), location, value); }
     void set(GLint location, glm::vec2 v) { glProgramUniform2f(id(), location, v.x, v.y); }
-    void set(GLint location, glm::vec3 v) { glProgramUniform3f(id(), location, v.x, v.y, v.z); }
     void set(GLint location, glm::vec4 v) { glProgramUniform4f(id(), location, v.x, v.y, v.z, v.w); }
 
   private:

@@ -15,7 +15,7 @@ constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionU
 /// where middle grey and white land (Lottes, "Advanced techniques and optimization of HDR color pipelines",
 /// GDC 2016).
 glm::vec4 toneCurve() {
-    constexpr float kContrast = 1.28f, kShoulder = 0.97f, kWhite = 9.0f, kGreyIn = 0.18f, kGreyOut = 0.19f;
+    constexpr float kContrast = 1.36f, kShoulder = 0.97f, kWhite = 9.0f, kGreyIn = 0.18f, kGreyOut = 0.19f;
     const float grey = std::pow(kGreyIn, kContrast), grey_d = std::pow(kGreyIn, kContrast * kShoulder);
     const float white = std::pow(kWhite, kContrast), white_d = std::pow(kWhite, kContrast * kShoulder);
     const float b = (white * kGreyOut - grey) / ((white_d - grey_d) * kGreyOut);
