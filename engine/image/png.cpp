@@ -33,9 +33,15 @@ std::vector<uint8_t> packedRows(const Image& image, bool alpha) {
     return rgb;
 }
 
+// libpng would print to stderr by itself; the caller of writePng is told by an exception instead.
+void jumpBack(png_structp png, png_const_charp) {
+    png_longjmp(png, 1);
+}
+void ignoreWarning(png_structp, png_const_charp) {}
+
 /// False on any libpng or disk error.
 bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha, int compression) {
-    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, nullptr);
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpBack, ignoreWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
         png_destroy_write_struct(&png, &info);
