@@ -3,28 +3,10 @@
 #pragma once
 #include "sim_cuda/kernels/bond_lanes.h"
 #include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/partial_sums.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
 namespace demolish {
-
-/// Slot k of a row goes to partial sum k mod kPartials, contacts after bonds into the same ones; then a fixed
-/// tree. A projectile's long row has kLongPartials. The same on every device, whatever the number of threads
-/// a particle.
-inline constexpr uint32_t kPartials = 4, kLongPartials = 128;
-
-template <uint32_t kCount, class Real>
-class PartialSums {
-  public:
-    void add(uint32_t k, const Wrench<Real>& term) { demolish::add(sums_[k % kCount], term); }
-    Wrench<Real> total() {
-        for (uint32_t step = kCount / 2; step > 0; step /= 2)
-            for (uint32_t l = 0; l < step; ++l) demolish::add(sums_[l], sums_[l + step]);
-        return sums_[0];
-    }
-
-  private:
-    Wrench<Real> sums_[kCount];
-};
 
 template <bool kLedger, class Real>
 class CpuParticleStep {

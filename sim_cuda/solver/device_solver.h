@@ -17,12 +17,10 @@
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fracture_surface.h"
 #include "sim_cuda/solver/fragment_motion.h"
+#include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
 
 namespace demolish {
-
-/// Substeps between two moments at which something is decided.
-inline constexpr uint32_t kLookInterval = 10;
 
 template <class Backend, class Real>
 class DeviceSolver final : public Solver {

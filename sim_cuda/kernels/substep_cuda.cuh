@@ -1,0 +1,193 @@
+// One substep on the GPU, one kernel: T threads gather a particle's slots, agree on the sum in the fixed
+// order, and the first of them moves it. Whatever T is, slot k of a row ends in partial sum k mod kPartials
+// and is added in slot order, so that every T, and the CPU, give the same bits (frame facts 3).
+#pragma once
+#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/partial_sums.h"
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+inline constexpr uint32_t kSubstepBlock = 128;
+
+/// A slot that is still a solid bond; breaks it when its time has come.
+template <bool kLedger, class Real>
+__device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>& arrays,
+                                                      const StepParams<Real>& params,
+                                                      const OwnParticle<Real>& own, uint32_t slot,
+                                                      BondLink link, Tally<Real>& tally) {
+    const uint32_t j = linkedParticle(link);
+    const BondConstants<Real> bond =
+        bondConstants(arrays.rest[slot], link.grade, arrays.body_laws[own.owner]);
+    const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
+    const BondEffect<Real> effect = bondEffect(bond, pair);
+    const bool breaks = params.breaking != 0 && effect.severity >= effect.limit;
+    if (breaks) arrays.link[slot].link = linkWord(j, PairState::kBroken);
+    if constexpr (kLedger) {
+        const BondEffect<Real> damping = bondDamping(bond, pair);
+        add(tally.damping, {damping.force, damping.torque_i});
+        if (breaks && own.id < j) tally.fracture += bondFractureEnergy(bond, pair, params.dt);
+    }
+    return {effect.force, effect.torque_i};
+}
+
+template <bool kLedger, class Real>
+__device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
+                                                 const StepParams<Real>& params, const OwnParticle<Real>& own,
+                                                 uint32_t slot, Tally<Real>& tally) {
+    const BondLink link = arrays.link[slot];
+    if (isBonded(link)) return solidBondSlot<kLedger>(arrays, params, own, slot, link, tally);
+    return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
+}
+
+template <class Real>
+__device__ __forceinline__ Wrench<Real> shuffledDown(const Wrench<Real>& value, uint32_t by, uint32_t width) {
+    constexpr unsigned kAll = 0xffffffffu;
+    return {
+        {__shfl_down_sync(kAll, value.force.x, by, width), __shfl_down_sync(kAll, value.force.y, by, width),
+         __shfl_down_sync(kAll, value.force.z, by, width)},
+        {__shfl_down_sync(kAll, value.torque.x, by, width), __shfl_down_sync(kAll, value.torque.y, by, width),
+         __shfl_down_sync(kAll, value.torque.z, by, width)}};
+}
+
+/// The partial sums that one of T threads keeps: those whose number is its own modulo T; with T above
+/// kPartials the first kPartials threads keep one each and are handed the slots of the others.
+template <uint32_t T, class Real>
+class LanePartials {
+  public:
+    static constexpr uint32_t kKept = T < kPartials ? kPartials / T : 1;
+
+    /// Round r of a row: this thread's slot is r T + lane. All threads of the warp take part; an absent slot
+    /// is null.
+    template <uint32_t kWhich>
+    __device__ __forceinline__ void add(const Wrench<Real>& term) {
+        demolish::add(sums_[kWhich], term);
+        if constexpr (T > kPartials)
+            for (uint32_t from = kPartials; from < T; from += kPartials)
+                demolish::add(sums_[0], shuffledDown(term, from, T));
+    }
+    /// In the row's first thread.
+    __device__ __forceinline__ Wrench<Real> total() {
+#pragma unroll
+        for (uint32_t step = kPartials / 2; step > 0; step /= 2) {
+            if (step >= T) {
+#pragma unroll
+                for (uint32_t l = 0; l < step / T; ++l) demolish::add(sums_[l], sums_[l + step / T]);
+            } else {
+                demolish::add(sums_[0], shuffledDown(sums_[0], step, T));
+            }
+        }
+        return sums_[0];
+    }
+
+  private:
+    Wrench<Real> sums_[kKept];
+};
+
+/// Adds slots first .. last-1 of one list, T at a time, to the right partials. `rounds`: the same for the
+/// whole warp.
+template <uint32_t T, class Real, class Slot>
+__device__ __forceinline__ void gatherRow(uint32_t first, uint32_t last, uint32_t lane,
+                                          LanePartials<T, Real>& sums, const Slot& slot) {
+    constexpr uint32_t kKept = LanePartials<T, Real>::kKept;
+    uint32_t k = first + lane;
+    const auto next = [&] {
+        const Wrench<Real> value = k < last ? slot(k) : Wrench<Real>{};
+        k += T;
+        return value;
+    };
+    const auto more = [&] {
+        if constexpr (T > kPartials) return __any_sync(0xffffffffu, k < last) != 0;
+        return k < last;
+    };
+    while (more()) {
+        sums.template add<0>(next());
+        if constexpr (kKept > 1) sums.template add<1>(next());
+        if constexpr (kKept > 2) {
+            sums.template add<2>(next());
+            sums.template add<3>(next());
+        }
+    }
+}
+
+/// In the row's first thread; the ledger is no part of the state, so that its order may depend on T.
+template <uint32_t T, class Real>
+__device__ __forceinline__ void sumTally(Tally<Real>& tally) {
+#pragma unroll
+    for (uint32_t step = T / 2; step > 0; step /= 2) {
+        add(tally.damping, shuffledDown(tally.damping, step, T));
+        add(tally.friction, shuffledDown(tally.friction, step, T));
+        tally.spring_energy += __shfl_down_sync(0xffffffffu, tally.spring_energy, step, T);
+        tally.fracture += __shfl_down_sync(0xffffffffu, tally.fracture, step, T);
+    }
+}
+
+/// Planes, kick and drift, ledger: what the first thread of a particle does once the sum is there.
+template <bool kLedger, class Real>
+__device__ __forceinline__ void finishParticle(const SubstepArrays<Real>& arrays,
+                                               const StepParams<Real>& params, const OwnParticle<Real>& own,
+                                               Wrench<Real> load, Tally<Real>& tally) {
+    if (own.constants.inverse_mass > Real(0))
+        for (uint32_t p = 0; p < params.planes.count; ++p)
+            add(load, planeContact<kLedger>(arrays, params, own, p, tally));
+    const LoadedState<Real> next = kickAndDrift(own, load, params);
+    if constexpr (kLedger) bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    storeState(arrays.out, own.id, next);
+}
+
+/// A projectile: its row is long, so that a whole block gathers it into kLongPartials sums.
+template <bool kLedger, class Real>
+__device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                               uint32_t i) {
+    static_assert(kSubstepBlock == kLongPartials);
+    __shared__ alignas(16) unsigned char sums_memory[kLongPartials * sizeof(Wrench<Real>)];
+    __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kLongPartials * sizeof(Tally<Real>) : 16];
+    auto* sums = reinterpret_cast<Wrench<Real>*>(sums_memory);
+    auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
+    const OwnParticle<Real> own = loadOwn(arrays, i);
+    const uint32_t lane = threadIdx.x;
+    Wrench<Real> sum;
+    Tally<Real> tally;
+    const uint32_t first = arrays.contact_row[i], last = arrays.contact_row[i + 1];
+    for (uint32_t k = first + lane; k < last; k += kLongPartials)
+        add(sum, contactSlot<kLedger>(arrays, params, own, k, tally));
+    sums[lane] = sum;
+    if constexpr (kLedger) tallies[lane] = tally;
+    for (uint32_t step = kLongPartials / 2; step > 0; step /= 2) {
+        __syncthreads();
+        if (lane >= step) continue;
+        add(sums[lane], sums[lane + step]);
+        if constexpr (kLedger) tallies[lane] += tallies[lane + step];
+    }
+    if (lane == 0) finishParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
+}
+
+/// The first blocks do the bodies' particles, the last kMaxProjectiles one projectile each.
+template <uint32_t T, bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
+    substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
+    constexpr uint32_t kParticles = kSubstepBlock / T;
+    const uint32_t body_blocks = (params.in_bodies + kParticles - 1) / kParticles;
+    if (blockIdx.x >= body_blocks) {
+        stepProjectile<kLedger>(arrays, params, params.in_bodies + (blockIdx.x - body_blocks));
+        return;
+    }
+    const uint32_t i = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    const bool present = i < params.in_bodies;
+    const OwnParticle<Real> own = loadOwn(arrays, present ? i : params.in_bodies - 1);
+    LanePartials<T, Real> sums;
+    Tally<Real> tally;
+    const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
+        return present ? rows[own.id + end] : 0u;
+    };
+    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
+                 [&](uint32_t slot) { return bondSlot<kLedger>(arrays, params, own, slot, tally); });
+    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
+                 [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, tally); });
+    if constexpr (T > 1) __syncwarp();
+    const Wrench<Real> load = sums.total();
+    if constexpr (kLedger) sumTally<T>(tally);
+    if (present && lane == 0) finishParticle<kLedger>(arrays, params, own, load, tally);
+}
+
+}  // namespace demolish

@@ -1,0 +1,45 @@
+// Runs substeps on the CPU.
+#pragma once
+#include "sim_cuda/backend/cpu_backend.h"
+#include "sim_cuda/kernels/substep_cpu.h"
+#include "sim_cuda/solver/substep_runner.h"
+
+namespace demolish {
+
+template <class Real>
+class SubstepRunner<CpuBackend, Real> {
+  public:
+    explicit SubstepRunner(CpuBackend&) {}
+
+    /// n substeps from data.current on, which turns with each of them.
+    void run(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
+             ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+             uint32_t n) {
+        for (uint32_t k = 0; k < n; ++k) {
+            ledger ? runOne<true>(backend, data, contacts, params)
+                   : runOne<false>(backend, data, contacts, params);
+            data.current = 1 - data.current;
+        }
+    }
+
+  private:
+    template <bool kLedger>
+    void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
+                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params) {
+        const size_t slots = data.bonds.link.size();
+        if (record_.size() != slots) record_ = backend.allocate<BondRecord<Real>>(slots);
+        if (kLedger && damping_.size() != slots) damping_ = backend.allocate<DampingRecord<Real>>(slots);
+        const SubstepArrays<Real> arrays = data.arrays(contacts);
+        const BondPairs<Real> pairs{data.bonds.slot_of_bond.view(), data.bonds.twin.view(), record_.span(),
+                                    damping_.span()};
+        backend.forRanges(data.bonds.count, [&](size_t first, size_t last) {
+            BondLanes<kLedger, Real>(arrays, params, pairs).evaluate(first, last);
+        });
+        backend.forEach(params.total, CpuParticleStep<kLedger, Real>(arrays, params, pairs), "substep");
+    }
+
+    CpuBackend::Buffer<BondRecord<Real>> record_;
+    CpuBackend::Buffer<DampingRecord<Real>> damping_;
+};
+
+}  // namespace demolish

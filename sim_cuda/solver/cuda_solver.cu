@@ -1,0 +1,34 @@
+// The solver on the GPU, and the question whether there is one.
+#include "sim_cuda/solver/cuda_substep_runner.cuh"
+#include "sim_cuda/solver/device_solver.h"
+
+namespace demolish {
+
+std::unique_ptr<Solver> makeCudaSolver(const SceneSetup& setup, const ProgressCallback& progress) {
+    const CudaDevice device = findCudaDevice();
+    if (!device.usable) throw DeviceError("No usable GPU: " + device.problem + "; use --device cpu.");
+    return std::make_unique<DeviceSolver<CudaBackend, float>>(setup, progress);
+}
+
+CudaDevice findCudaDevice() {
+    CudaDevice device;
+    device.built_with_cuda = true;
+    int count = 0;
+    cudaError_t problem = cudaDriverGetVersion(&device.driver_version);
+    if (problem == cudaSuccess) problem = cudaGetDeviceCount(&count);
+    if (problem == cudaSuccess) problem = cudaGetDevice(&device.ordinal);
+    cudaDeviceProp properties{};
+    if (problem == cudaSuccess) problem = cudaGetDeviceProperties(&properties, device.ordinal);
+    cudaFuncAttributes attributes{};
+    if (problem == cudaSuccess) problem = cudaFuncGetAttributes(&attributes, substepKernel<1, false, float>);
+    cudaGetLastError();  // a missing GPU is no error of what follows
+    if (problem != cudaSuccess) {
+        device.problem = cudaGetErrorString(problem);
+        return device;
+    }
+    device.name = properties.name;
+    device.usable = true;
+    return device;
+}
+
+}  // namespace demolish
