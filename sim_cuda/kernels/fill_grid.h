@@ -22,14 +22,22 @@ struct CountInBuckets {
     }
 };
 
+template <class Real>
 struct FillBuckets {
+    PathsIn<Real> paths;
     Span<const uint64_t> key;
     Span<const uint32_t> bucket_start;  ///< exclusive sums of the counters
     Span<const uint32_t> place;
     uint32_t mask = 0;
-    Span<uint32_t> member;  ///< ids, bucket by bucket; the paper's gridCells
+    Span<uint32_t> member;                              ///< ids, bucket by bucket; the paper's gridCells
+    Span<Vec4<Real>> member_position, member_velocity;  ///< their paths, so that a bucket is read in one go
 
-    DEM_FN void operator()(uint32_t i) const { member[bucket_start[bucketOf(key[i], mask)] + place[i]] = i; }
+    DEM_FN void operator()(uint32_t i) const {
+        const uint32_t at = bucket_start[bucketOf(key[i], mask)] + place[i];
+        member[at] = i;
+        member_position[at] = paths.position[i];
+        member_velocity[at] = paths.velocity[i];
+    }
 };
 
 }  // namespace demolish

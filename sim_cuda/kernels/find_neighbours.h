@@ -12,6 +12,7 @@ struct NeighbourSearch {
     PathsIn<Real> paths;
     Span<const uint64_t> key;
     Span<const uint32_t> bucket_start, member;
+    Span<const Vec4<Real>> member_position, member_velocity;
     Span<const uint32_t> bond_row;  ///< total + 1
     Span<const BondLink> link;      ///< sorted by id in each row
     Real horizon{};                 ///< s
@@ -33,10 +34,11 @@ struct NeighbourSearch {
     DEM_FN void visitCell(uint32_t i, const GridCell& cell, Visit& visit) const {
         const uint64_t wanted = cellKey(cell);
         const uint32_t bucket = bucketOf(wanted, mask);
+        const Vec4<Real> x = paths.position[i], v = paths.velocity[i];
         for (uint32_t at = bucket_start[bucket]; at < bucket_start[bucket + 1]; ++at) {
+            if (!mayMeet(x, v, member_position[at], member_velocity[at], horizon)) continue;
             const uint32_t j = member[at];
-            if (j == i || key[j] != wanted) continue;
-            if (meets(i, j) && !hasBondRecord(i, j)) visit(j);
+            if (j != i && key[j] == wanted && !hasBondRecord(i, j)) visit(j);
         }
     }
     template <class Visit>
@@ -59,6 +61,18 @@ struct CountVisits {
     DEM_FN void operator()(uint32_t) { ++count; }
 };
 
+/// Rows up to this length are kept from the first pass; longer ones are searched twice.
+inline constexpr uint32_t kDraftLength = 24;
+
+struct DraftVisits {
+    uint32_t* draft = nullptr;
+    uint32_t count = 0;
+    DEM_FN void operator()(uint32_t j) {
+        if (count < kDraftLength) draft[count] = j;
+        ++count;
+    }
+};
+
 struct AppendVisits {
     uint32_t* row = nullptr;
     uint32_t count = 0;
@@ -79,9 +93,10 @@ template <class Real>
 struct CountNeighbours {
     NeighbourSearch<Real> search;
     Span<uint32_t> count;
+    Span<uint32_t> draft;  ///< kDraftLength words a particle
 
     DEM_FN void operator()(uint32_t i) const {
-        CountVisits visits;
+        DraftVisits visits{&draft[size_t{i} * kDraftLength]};
         search.visitNeighbours(i, visits);
         search.visitProjectiles(i, visits);
         count[i] = visits.count;
@@ -114,14 +129,21 @@ struct WriteNeighbours {
     NeighbourSearch<Real> search;
     FormerRows<Real> former;
     Span<const uint32_t> row_start;
+    Span<const uint32_t> draft;
     Span<uint32_t> neighbour;
     Span<Vec4<Real>> spring;
 
     DEM_FN void operator()(uint32_t i) const {
         AppendVisits row{&neighbour[row_start[i]]};
-        search.visitNeighbours(i, row);
-        sortRow(row.row, row.count);
-        search.visitProjectiles(i, row);
+        const uint32_t length = row_start[i + 1] - row_start[i];
+        if (length > kDraftLength) {
+            search.visitNeighbours(i, row);
+            sortRow(row.row, row.count);
+            search.visitProjectiles(i, row);
+        } else {
+            for (uint32_t k = 0; k < length; ++k) row(draft[size_t{i} * kDraftLength + k]);
+            sortRow(row.row, row.count);  // projectiles have the highest ids
+        }
         for (uint32_t k = 0; k < row.count; ++k) spring[row_start[i] + k] = former.springOf(i, row.row[k]);
     }
 };

@@ -2,11 +2,12 @@
 //
 //   start sums -> fold 1, 8, 64 ... -> transforms;  spins about the centres -> fold -> rigid motions
 #pragma once
+#include <cstring>
+#include <stdexcept>
 #include <vector>
 
 #include "sim_cuda/kernels/write_fragments.h"
 #include "sim_cuda/solver/clustering.h"
-#include "sim_cuda/solver/state_bytes.h"
 
 namespace demolish {
 
@@ -33,7 +34,7 @@ class FragmentMotion {
     /// After gather(). Waits.
     FragmentSummary summary(const FragmentRows& rows);
 
-    /// Ages, for snapshots. Wait for the device.
+    /// Ages, for snapshots. Wait for the device; std::out_of_range when the bytes are of another scene.
     std::vector<std::byte> saveState();
     void restoreState(const std::vector<std::byte>& state);
 
@@ -124,21 +125,22 @@ FragmentSummary FragmentMotion<Backend, Real>::summary(const FragmentRows& rows)
 
 template <class Backend, class Real>
 std::vector<std::byte> FragmentMotion<Backend, Real>::saveState() {
-    StateWriter out;
-    out.values(backend_.downloaded(former_size_.view()));
-    out.values(backend_.downloaded(age_.view()));
-    return out.bytes();
+    std::vector<uint32_t> words = backend_.downloaded(former_size_.view());
+    const std::vector<uint32_t> ages = backend_.downloaded(age_.view());
+    words.insert(words.end(), ages.begin(), ages.end());
+    std::vector<std::byte> state(words.size() * sizeof(uint32_t));
+    std::memcpy(state.data(), words.data(), state.size());
+    return state;
 }
 
 template <class Backend, class Real>
 void FragmentMotion<Backend, Real>::restoreState(const std::vector<std::byte>& state) {
-    StateReader in(state);
-    std::vector<uint32_t> sizes(count_), ages(count_);
-    in.values(sizes);
-    in.values(ages);
-    backend_.upload(former_size_.span(), sizes.data(), sizes.size());
-    backend_.upload(age_.span(), ages.data(), ages.size());
-    backend_.synchronize();  // the host copies go out of scope
+    std::vector<uint32_t> words(2 * size_t{count_});
+    if (state.size() != words.size() * sizeof(uint32_t)) throw std::out_of_range("ages of another scene");
+    std::memcpy(words.data(), state.data(), state.size());
+    backend_.upload(former_size_.span(), words.data(), count_);
+    backend_.upload(age_.span(), words.data() + count_, count_);
+    backend_.synchronize();  // the host copy goes out of scope
 }
 
 }  // namespace demolish

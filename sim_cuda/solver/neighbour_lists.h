@@ -14,7 +14,6 @@
 #include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/find_projectile_rows.h"
 #include "sim_cuda/kernels/start_paths.h"
-#include "sim_cuda/solver/state_bytes.h"
 #include "sim_cuda/solver/velocity_range.h"
 
 namespace demolish {
@@ -44,16 +43,8 @@ class NeighbourLists {
     void adopt(uint32_t used, double horizon) {
         horizon_ = horizon;
         contacts_.used = used;
-        if (contacts_.neighbour.size() >= used) return;
-        backend_.synchronize();
-        contacts_.neighbour = backend_.template allocate<uint32_t>(used + used / 2);
-        contacts_.spring = backend_.template allocate<Vec4<Real>>(used + used / 2);
+        makeRoom();
     }
-
-    /// What a later build and the sums over the rows depend on, for snapshots. Wait for the device.
-    std::vector<std::byte> saveState();
-    /// Of saveState() on the same scene.
-    void restoreState(const std::vector<std::byte>& state);
 
     /// s after the last build.
     double horizon() const { return horizon_; }
@@ -82,7 +73,8 @@ class NeighbourLists {
     GridFrame<Real> frame_;
     ContactArrays<Backend, Real> contacts_, former_;  ///< the lists, and those of the build before
     Buffer<uint64_t> key_;
-    Buffer<uint32_t> bucket_start_, place_, member_, count_, chunk_start_;
+    Buffer<uint32_t> bucket_start_, place_, member_, draft_, count_, chunk_start_;
+    Buffer<Vec4<Real>> member_position_, member_velocity_;
 };
 
 template <class Backend, class Real>
@@ -99,8 +91,11 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       bucket_start_(backend.template allocate<uint32_t>(mask_ + 2)),
       place_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
       count_(backend.template allocate<uint32_t>(counts.total)),
-      chunk_start_(backend.template allocate<uint32_t>((counts.total - counts.in_bodies) * chunks_ + 1)) {
+      chunk_start_(backend.template allocate<uint32_t>((counts.total - counts.in_bodies) * chunks_ + 1)),
+      member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
+      member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)) {
     for (ContactArrays<Backend, Real>* lists : {&contacts_, &former_}) {
         lists->row_start = backend.template allocate<uint32_t>(counts.total + 1);
         lists->neighbour = backend.template allocate<uint32_t>(1);
@@ -159,21 +154,29 @@ void NeighbourLists<Backend, Real>::fillGrid() {
         n, CountInBuckets<Real>{contacts_.paths(), frame_, mask_, key_.span(), counter, place_.span()},
         "count in buckets");
     backend_.exclusiveScan(counter, bucket_start_.span());
-    backend_.forEach(n, FillBuckets{key_.view(), bucket_start_.view(), place_.view(), mask_, member_.span()},
-                     "fill buckets");
+    backend_.forEach(
+        n,
+        FillBuckets<Real>{contacts_.paths(), key_.view(), bucket_start_.view(), place_.view(), mask_,
+                          member_.span(), member_position_.span(), member_velocity_.span()},
+        "fill buckets");
 }
 
 template <class Backend, class Real>
 NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<Real>& bonds) const {
-    return {contacts_.paths(), key_.view(), bucket_start_.view(), member_.view(), bonds.row_start, bonds.link,
-            Real(horizon_),    mask_,       counts_.in_bodies,    counts_.total};
+    return {contacts_.paths(),       key_.view(),
+            bucket_start_.view(),    member_.view(),
+            member_position_.view(), member_velocity_.view(),
+            bonds.row_start,         bonds.link,
+            Real(horizon_),          mask_,
+            counts_.in_bodies,       counts_.total};
 }
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::countRows(const NeighbourSearch<Real>& search) {
     const uint32_t shots = counts_.total - counts_.in_bodies;
     const Span<uint32_t> chunk_count = chunk_start_.span().part(0, shots * chunks_);
-    backend_.forEach(counts_.in_bodies, CountNeighbours<Real>{search, count_.span()}, "count neighbours");
+    backend_.forEach(counts_.in_bodies, CountNeighbours<Real>{search, count_.span(), draft_.span()},
+                     "count neighbours");
     backend_.forEach(shots * chunks_, CountProjectileChunks<Real>{{search, chunks_}, chunk_count},
                      "count projectile chunks");
     backend_.exclusiveScan(chunk_count, chunk_start_.span());
@@ -187,6 +190,7 @@ void NeighbourLists<Backend, Real>::countRows(const NeighbourSearch<Real>& searc
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::makeRoom() {
     if (contacts_.neighbour.size() >= contacts_.used) return;
+    backend_.synchronize();  // what was started before may still read them
     const size_t capacity = contacts_.used + contacts_.used / 2;
     contacts_.neighbour = backend_.template allocate<uint32_t>(capacity);
     contacts_.spring = backend_.template allocate<Vec4<Real>>(capacity);
@@ -197,7 +201,7 @@ void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& searc
     makeRoom();
     const FormerRows<Real> former{former_.row_start.view(), former_.neighbour.view(), former_.spring.view()};
     backend_.forEach(counts_.in_bodies,
-                     WriteNeighbours<Real>{search, former, contacts_.row_start.view(),
+                     WriteNeighbours<Real>{search, former, contacts_.row_start.view(), draft_.view(),
                                            contacts_.neighbour.span(), contacts_.spring.span()},
                      "write neighbours");
     backend_.forEach((counts_.total - counts_.in_bodies) * chunks_,
@@ -208,38 +212,6 @@ void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& searc
                                                contacts_.neighbour.span(),
                                                contacts_.spring.span()},
                      "write projectile rows");
-}
-
-template <class Backend, class Real>
-std::vector<std::byte> NeighbourLists<Backend, Real>::saveState() {
-    StateWriter out;
-    out.value(horizon_);
-    out.value(contacts_.used);
-    out.values(backend_.downloaded(contacts_.row_start.view()));
-    out.values(backend_.downloaded(contacts_.neighbour.view().part(0, contacts_.used)));
-    out.values(backend_.downloaded(contacts_.spring.view().part(0, contacts_.used)));
-    out.values(backend_.downloaded(contacts_.built_position.view()));
-    out.values(backend_.downloaded(contacts_.built_velocity.view()));
-    return out.bytes();
-}
-
-template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::restoreState(const std::vector<std::byte>& state) {
-    StateReader in(state);
-    in.value(horizon_);
-    in.value(contacts_.used);
-    makeRoom();
-    const auto load = [&](auto span) {
-        std::vector<std::remove_cvref_t<decltype(span[0])>> values(span.size());
-        in.values(values);
-        backend_.upload(span, values.data(), values.size());
-        backend_.synchronize();  // the host copy goes out of scope
-    };
-    load(contacts_.row_start.span());
-    load(contacts_.neighbour.span().part(0, contacts_.used));
-    load(contacts_.spring.span().part(0, contacts_.used));
-    load(contacts_.built_position.span());
-    load(contacts_.built_velocity.span());
 }
 
 }  // namespace demolish

@@ -152,29 +152,6 @@ TEST(NeighbourLists, CarrySpringsOverById) {
     EXPECT_GT(kept, 500u);
 }
 
-TEST(NeighbourLists, RestoredListsAreTheSavedOnes) {
-    Cloud cloud = test::randomCloud(500, 0.2, 0.01, 0.02, 2, 11);
-    CloudArrays arrays(cloud);
-    Lists lists(arrays.backend, cloud.counts(), cloud.largestRadius());
-    const auto build = [&] {
-        lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
-    };
-    build();
-    lists.contacts().spring.span()[3] = {1, 2, 3, 0};
-    const auto rows = rowsOf(lists);
-    const double horizon = lists.horizon();
-    const auto saved = lists.saveState();
-    for (auto& item : cloud.items) item.x = 0.5f * item.x;
-    arrays.move(cloud);
-    build();
-    ASSERT_NE(rowsOf(lists), rows);
-    lists.restoreState(saved);
-    EXPECT_EQ(rowsOf(lists), rows);
-    EXPECT_EQ(lists.horizon(), horizon);
-    EXPECT_EQ(lists.contacts().spring.span()[3].y, 2);
-    EXPECT_EQ(lists.saveState(), saved);
-}
-
 TEST(MayMeet, SeesPathsThatCrossWithinTheHorizonOnly) {
     const Vec4<float> a{0, 0, 0, 0.1f}, b{1, 0, 0, 0.1f}, still{0, 0, 0, 0}, coming{-1, 0, 0, 0},
         leaving{1, 0, 0, 0};
