@@ -110,7 +110,7 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
     command->add_option("--report", options.report, "Report of the run, JSON, SI units")->type_name("FILE");
     command->add_option("--view", options.view, "What to draw")
         ->type_name("surface|particles")
-        ->check(CLI::IsMember({"surface", "particles"}))
+        ->check(CLI::IsMember({"surface", "particles"}).description(""))
         ->capture_default_str();
     command->callback([&options] { runCapture(options); });
 }

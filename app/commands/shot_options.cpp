@@ -86,11 +86,11 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("NAME");
     command.add_option("--device", options.device, "Where to simulate")
         ->type_name("auto|cpu|cuda")
-        ->check(CLI::IsMember({"auto", "cpu", "cuda"}))
+        ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))
         ->capture_default_str();
     command.add_option("--quality", options.quality, "Fineness and picture: draft suits a CPU, full a GPU")
         ->type_name("auto|draft|full")
-        ->check(CLI::IsMember({"auto", "draft", "full"}))
+        ->check(CLI::IsMember({"auto", "draft", "full"}).description(""))
         ->capture_default_str();
     command
         .add_option("--substeps", options.substeps, "Substeps per 1/60 s (default: from the particle size)")

@@ -33,7 +33,9 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GT(sheet.width, 3 * 160);
     for (const auto& entry : std::filesystem::directory_iterator(out))
         EXPECT_NE(entry.path().extension(), ".tmp");
-    if (has_ffmpeg) EXPECT_GT(std::filesystem::file_size(folder.path() / "film.mp4"), 1000u);
+    if (has_ffmpeg) {
+        EXPECT_GT(std::filesystem::file_size(folder.path() / "film.mp4"), 1000u);
+    }
 
     const auto report = nlohmann::json::parse(readText(folder.path() / "report.json"));
     EXPECT_EQ(report["frames"], 14);
