@@ -39,7 +39,6 @@ void showColumn(PanelContext& context) {
     showParticlesPanel(context);
     showMaterialPanel(context);
     showViewPanel(context);
-    showStatisticsPanel(context);
     ImGui::Separator();
     checkbox(context, "panel.advanced", "More settings", context.state.advanced,
              "Shows the knobs that are seldom turned");
@@ -65,7 +64,15 @@ void showPanels(PanelContext& context) {
     if (!context.state.show_panels) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float column = columnWidth(), transport = transportHeight(), status = statusHeight();
-    fixedWindow("panels", ImVec2(0, 0), ImVec2(column, display.y - status), 0, [&] { showColumn(context); });
+    // The statistics stay in sight below the panels that scroll; as high as they were in the frame before.
+    const float statistics = std::min(context.state.statistics_height, 0.6f * display.y);
+    const float above = display.y - status - statistics;
+    fixedWindow("panels", ImVec2(0, 0), ImVec2(column, above), 0, [&] { showColumn(context); });
+    fixedWindow(
+        "statistics", ImVec2(0, above), ImVec2(column, statistics), ImGuiWindowFlags_NoScrollbar, [&] {
+            showStatisticsPanel(context);
+            context.state.statistics_height = ImGui::GetCursorPosY() + ImGui::GetStyle().WindowPadding.y;
+        });
     fixedWindow("transport", ImVec2(column, display.y - status - transport),
                 ImVec2(display.x - column, transport), ImGuiWindowFlags_NoScrollbar,
                 [&] { showTransportBar(context); });

@@ -26,6 +26,7 @@ struct ViewSettings {
 struct PanelState {
     bool show_panels = true, show_help = false, advanced = false;
     std::string typed_model;  ///< path in the model field
+    float statistics_height = 0;  ///< px, measured
 };
 
 struct PanelContext {

@@ -62,15 +62,13 @@ void showStatisticsPanel(PanelContext& context) {
     valueRow("Simulation", "%.2f ms, %u substeps", summary.sim_ms, context.status.substeps_per_frame);
     valueRow("Draw", "%.2f ms", summary.draw_ms);
     const FrameStats& stats = context.status.stats;
-    valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
-    valueRow("Bonds", "%u", stats.bonds);
-    valueRow("Broken bonds", "%u", stats.bonds_broken);
+    valueRow("Particles", "%u of %.2f mm, %.3g kg", stats.particles, 1000 * context.status.particle_size,
+             stats.mass);
+    valueRow("Bonds", "%u, broken %u", stats.bonds, stats.bonds_broken);
     valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
-    valueRow("Mass", "%.3g kg", stats.mass);
     valueRow("Time", "%.3f s, step %.2f us", stats.time, 1e6 * stats.time_step);
-    valueRow("Device", "%s", context.status.device.c_str());
-    valueRow("Transfer", "%s", context.status.transfer.c_str());
-    if (!context.status.transfer_note.empty()) ImGui::TextWrapped("%s", context.status.transfer_note.c_str());
+    valueRow("Device", "%s, transfer: %s", context.status.device.c_str(), context.status.transfer.c_str());
+    if (!context.status.transfer_note.empty()) tooltipOnHover(context.status.transfer_note.c_str());
     valueRow("Drawn by", "%s", context.gl_renderer.c_str());
 }
 

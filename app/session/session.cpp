@@ -213,7 +213,8 @@ SessionStatus Session::status() const {
     status.recorded_frames = recording_.size();
     status.recorded_bytes = recording_.bytes();
     status.memory_limit = recording_.memoryLimit();
-    status.substeps_per_frame = built_.solver->stats().substeps;
+    const uint32_t done = built_.solver->stats().substeps;  // 0 before the first frame
+    status.substeps_per_frame = done > 0 ? done : built_.setup.params.substeps;
     status.particle_size = built_.body->spacing;
     status.body_volume = built_.body->mesh_volume;
     status.build_seconds = built_.build_seconds;
