@@ -28,3 +28,9 @@ if(test_targets)
     set_target_properties(${test_targets} PROPERTIES INSTALL_RPATH ${bundle_rpath})
     install(TARGETS ${test_targets} RUNTIME DESTINATION tests COMPONENT tests EXCLUDE_FROM_ALL)
 endif()
+
+# RPATH, not RUNPATH: libraries of the bundle must find each other there too.
+target_link_options(demolish_program PRIVATE -Wl,--disable-new-dtags)
+foreach(target ${test_targets})
+    target_link_options(${target} PRIVATE -Wl,--disable-new-dtags)
+endforeach()
