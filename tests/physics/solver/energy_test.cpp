@@ -1,0 +1,77 @@
+// The ledger closes: what an impact brings in is found again as motion, heat and broken bonds (physics.md D
+// 20).
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/physics/solver/lattice_body.h"
+
+namespace demolish::tests {
+namespace {
+
+SceneSetup drop(double safety, uint32_t substeps) {
+    SceneSetup setup = freeBody(latticeBody(6, 6, 6, 0.05, 0.2));
+    setup.bodies[0].position = {0, 0.06, 0};
+    setup.bodies[0].rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
+    setup.bodies[0].velocity = {0, -3, 0};
+    setup.params.planes.push_back(Plane{});
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.step_safety = safety;
+    setup.params.substeps = substeps;
+    return setup;
+}
+
+double sum(const FrameStats& stats) {
+    const EnergyLedger& e = stats.energy;
+    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+}
+
+/// Surplus over the energy of the impact after `frames`.
+double surplus(const SceneSetup& setup, int frames, double& broken) {
+    auto solver = makeCpuSolver(setup);
+    solver->measure();
+    const double before = sum(solver->stats()), impact = solver->stats().energy.kinetic;
+    for (int frame = 0; frame < frames; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    const FrameStats& stats = solver->stats();
+    EXPECT_GE(stats.energy.damping, 0);
+    EXPECT_GE(stats.energy.friction, 0);
+    EXPECT_GE(stats.energy.fracture, 0);
+    broken = static_cast<double>(stats.bonds_broken) / stats.bonds;
+    return (sum(stats) - before) / impact;
+}
+
+TEST(Energy, TheLedgerClosesThroughAnImpact) {
+    double broken = 0;
+    EXPECT_LT(std::abs(surplus(drop(0.5, 200), 4, broken)), 0.03);
+    EXPECT_GT(broken, 0.1);
+}
+
+TEST(Energy, ASmallerStepClosesItBetter) {
+    double broken = 0;
+    EXPECT_LT(std::abs(surplus(drop(0.25, 400), 4, broken)), 0.015);  // the same wave speed, half the step
+}
+
+TEST(Energy, AShotFiredDuringTheRunIsExternalWork) {
+    SceneSetup setup = drop(0.5, 200);
+    setup.bodies[0].velocity = {};
+    setup.params.gravity = {};
+    auto solver = makeCpuSolver(setup);
+    ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    const double before = sum(solver->stats());
+    Projectile ball;
+    ball.radius = 0.05;
+    ball.position = {-0.5, 0.2, 0};
+    ball.velocity = {20, 0, 0};
+    solver->fire(ball);
+    const double energy = 0.5 * 7800 * 4.0 / 3 * 3.141592653589793 * 0.000125 * 400;
+    for (int frame = 0; frame < 3; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    EXPECT_NEAR(solver->stats().energy.external, energy, 1e-6 * energy);
+    EXPECT_GT(solver->stats().bonds_broken, 0u);
+    EXPECT_LT(std::abs(sum(solver->stats()) - before) / energy, 0.03);
+}
+
+}  // namespace
+}  // namespace demolish::tests

@@ -1,0 +1,108 @@
+// What the solver makes of a set-up, and what it refuses.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/solver/scene_tables.h"
+#include "tests/physics/solver/lattice_body.h"
+
+namespace demolish::tests {
+namespace {
+
+TEST(SolverSetup, RowsHoldEveryBondTwiceAndSorted) {
+    SceneSetup setup = freeBody(latticeBody(3, 4, 2, 0.1, 0.2));
+    setup.bodies.push_back(setup.bodies[0]);
+    const SceneTables tables = buildSceneTables(setup, {});
+    const size_t bonds = setup.bodies[0].body->bonds.size();
+    ASSERT_EQ(tables.slots.size(), 4 * bonds);
+    ASSERT_EQ(tables.slot_of_bond.size(), 2 * bonds);
+    for (uint32_t i = 0; i < tables.counts.in_bodies; ++i)
+        for (uint32_t s = tables.row_start[i]; s < tables.row_start[i + 1]; ++s) {
+            const uint32_t t = tables.twin[s];
+            if (s > tables.row_start[i]) {
+                EXPECT_LT(tables.slots[s - 1].other, tables.slots[s].other);
+            }
+            EXPECT_EQ(tables.twin[t], s);
+            EXPECT_EQ(tables.slots[t].other, i);
+            EXPECT_EQ(tables.slots[t].rest.x, -tables.slots[s].rest.x);
+            EXPECT_EQ(tables.owner[i], tables.owner[tables.slots[s].other]);
+        }
+    for (size_t b = 0; b < bonds; ++b)
+        EXPECT_EQ(tables.slots[tables.slot_of_bond[b]].other, setup.bodies[0].body->bonds[b].j);
+}
+
+TEST(SolverSetup, ContactRadiiNeverOverlapAtRest) {
+    const auto body = latticeBody(5, 4, 6, 0.1, 0.3);
+    const auto radii = contactRadii(*body);
+    for (size_t i = 0; i < radii.size(); ++i)
+        for (size_t j = 0; j < i; ++j) {
+            const Double3 a = body->particles[i].seed, b = body->particles[j].seed;
+            EXPECT_LE(radii[i] + radii[j], std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) * (1 + 1e-12));
+        }
+}
+
+TEST(SolverSetup, AStandingBodyTouchesTheFloorWithItsWholeSole) {
+    const auto body = latticeBody(4, 3, 4, 0.1, 0.2);
+    const auto standing = floorRadii(*body, true), lying = floorRadii(*body, false);
+    for (size_t i = 0; i < standing.size(); ++i) {
+        const Particle& p = body->particles[i];
+        if (p.lowest < 0.01) {
+            EXPECT_NEAR(standing[i], p.seed.y, 1e-12);
+        }
+        EXPECT_LE(lying[i], p.depth);
+    }
+}
+
+TEST(SolverSetup, StrengthFollowsTheArtistsNumber) {
+    SceneSetup setup = freeBody(latticeBody(5, 5, 5, 0.1));
+    setup.bodies[0].material.critical_velocity = 4;
+    const SofteningReport once = makeCpuSolver(setup)->softening();
+    setup.bodies[0].material.critical_velocity = 8;
+    const SofteningReport twice = makeCpuSolver(setup)->softening();
+    EXPECT_NEAR(twice.strength / once.strength, 2, 1e-12);
+    EXPECT_NEAR(once.strength, 0.4 * 2400 * once.wave_speed * 4, 1e-6 * once.strength);
+    EXPECT_NEAR(once.effective_modulus, 2400 * once.wave_speed * once.wave_speed,
+                1e-6 * once.effective_modulus);
+    EXPECT_NEAR(once.strain_at_failure, once.strength / once.effective_modulus, 1e-12);
+}
+
+TEST(SolverSetup, MassDoesNotDependOnParticleSize) {
+    const auto mass = [](uint32_t n) {
+        return makeCpuSolver(freeBody(latticeBody(n, n, n, 0.4 / n)))->stats().mass;
+    };
+    EXPECT_NEAR(mass(2), mass(5), 1e-9 * mass(2));
+}
+
+TEST(SolverSetup, WhatCannotBeSimulatedIsRefused) {
+    const auto refused = [](auto change) {
+        SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+        change(setup);
+        EXPECT_THROW(makeCpuSolver(setup), UsageError);
+    };
+    refused([](SceneSetup& s) { s.bodies.clear(); });
+    refused([](SceneSetup& s) { s.bodies[0].material.density = -1; });
+    refused([](SceneSetup& s) { s.bodies[0].velocity.x = std::nan(""); });
+    refused([](SceneSetup& s) { s.params.substeps = 0; });
+    refused([](SceneSetup& s) { s.params.planes.resize(5); });
+    refused([](SceneSetup& s) { s.projectiles.resize(17); });
+    refused([](SceneSetup& s) { s.projectiles.push_back({{}, {}, -1, 7800, 3, 0}); });
+}
+
+TEST(SolverSetup, CancellingEndsInCancelled) {
+    SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+    EXPECT_THROW(makeCpuSolver(setup, [](double, const char*) { return false; }), Cancelled);
+    setup.params.settle_time = 0.1;
+    const auto until_settling = [](double, const char* stage) { return std::string(stage) != "Settling"; };
+    EXPECT_THROW(makeCpuSolver(setup, until_settling), Cancelled);
+}
+
+TEST(SolverSetup, TheCudaSolverSaysWhenThereIsNoGpu) {
+    const CudaDevice device = findCudaDevice();
+    if (device.usable) GTEST_SKIP() << "this machine has " << device.name;
+    EXPECT_FALSE(device.problem.empty());
+    EXPECT_THROW(makeCudaSolver(freeBody(latticeBody(2, 2, 2, 0.1))), DeviceError);
+}
+
+}  // namespace
+}  // namespace demolish::tests
