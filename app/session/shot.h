@@ -48,7 +48,7 @@ struct Shot {
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
     double settle_time = 0;            ///< s
-    double scene_radius = 50;          ///< m, what flies farther ends the run
+    double scene_radius = 1000;        ///< m, what flies farther ends the run
     double fps = 60;                   ///< frames per simulated second
     double time_scale = 1;             ///< slow motion, 0 < time_scale <= 1
     uint64_t seed = 1;

@@ -30,7 +30,7 @@ class WindowProgram : public testing::Test {
     void run(const std::string& script, std::vector<std::string> more = {}) {
         const auto file = folder_.write("script.txt", script);
         std::vector<std::string> words = {"view",       "block",    "--particles", "300",       "--device",
-                                          "cpu",        "--size",   "1000x700",    "--quality", "draft",
+                                          "cpu",        "--size",   "900x640",    "--quality", "draft",
                                           "--no-vsync", "--script", file};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun result =
@@ -128,7 +128,7 @@ TEST_F(WindowProgram, SlidersFireAndReset) {
 
     const auto whole = engine::readPng(screenshot("3_rebuilt")),
                pieces = engine::readPng(screenshot("4_broken"));
-    EXPECT_EQ(whole.width, 1000);
+    EXPECT_EQ(whole.width, 900);
     EXPECT_LT(engine::compare(pieces, whole).ssim, 0.98) << "breaking must show in the picture";
 }
 

@@ -87,6 +87,24 @@ TEST_F(Program, WindowWithoutDisplayIsCodeFour) {
     expectOneSentence(run, 4, "demolish capture");
 }
 
+TEST_F(Program, ABodyThatLeavesTheSceneIsCodeFive) {
+    namespace fs = std::filesystem;
+    const fs::path assets = fs::path(DEMOLISH_SOURCE_DIR) / "assets", own = folder_.path() / "assets";
+    fs::create_directories(own / "scenes");
+    fs::create_directory_symlink(assets / "models", own / "models");
+    fs::create_directory_symlink(assets / "materials", own / "materials");
+    folder_.write("assets/scenes/narrow.toml",
+                  "version = 1\nmodel = \"models/block.obj\"\n"
+                  "[solver]\nscene_radius_m = 0.2\n");
+    const auto report = folder_.path() / "report.json";
+    const ProgramRun run = runProgram({"bench", "narrow", "--no-draw", "--device", "cpu", "--particles",
+                                       "100", "--frames", "2", "--json", report},
+                                      {"DEMOLISH_DATA=" + folder_.path().string()});
+    expectOneSentence(run, 5, "");
+    EXPECT_NE(nlohmann::json::parse(readText(report)).value("status", ""), "ok")
+        << "the report is written all the same";
+}
+
 TEST_F(Program, OutputThatCannotBeWrittenIsCodeSix) {
     expectOneSentence(runProgram(smallBench({"--json", "/no/such/folder/report.json"})), 6,
                       "/no/such/folder/report.json");
