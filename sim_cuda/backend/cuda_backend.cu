@@ -31,6 +31,14 @@ CudaBackend::~CudaBackend() {
     cudaStreamDestroy(stream_);
 }
 
+void* CudaBackend::scratch(size_t bytes) {
+    if (scratch_.size() < bytes) {
+        synchronize();
+        scratch_ = Buffer<unsigned char>(bytes + bytes / 2 + 4096);
+    }
+    return scratch_.span().data;
+}
+
 void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
     const size_t n = in.count;
     if (n == 0) {
@@ -40,14 +48,10 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
     constexpr size_t kKeptBytes = 256;  // keeps CUB's part aligned
     size_t bytes = 0;
     checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in.data, out.data, n, stream_), "adding up");
-    if (scan_memory_.size() < bytes + kKeptBytes) {
-        synchronize();
-        scan_memory_ = Buffer<unsigned char>(bytes + kKeptBytes);
-    }
-    auto* kept = reinterpret_cast<uint32_t*>(scan_memory_.span().data);
+    auto* memory = static_cast<unsigned char*>(scratch(bytes + kKeptBytes));
+    auto* kept = reinterpret_cast<uint32_t*>(memory);
     keepLast<<<1, 1, 0, stream_>>>(in.data, n, kept);
-    checkCuda(cub::DeviceScan::ExclusiveSum(scan_memory_.span().data + kKeptBytes, bytes, in.data, out.data,
-                                            n, stream_),
+    checkCuda(cub::DeviceScan::ExclusiveSum(memory + kKeptBytes, bytes, in.data, out.data, n, stream_),
               "adding up");
     writeTotal<<<1, 1, 0, stream_>>>(out.data, n, kept);
     checkCuda(cudaGetLastError(), "adding up");

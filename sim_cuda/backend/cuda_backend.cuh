@@ -145,18 +145,17 @@ class CudaBackend {
     T reduce(size_t n, const T& zero, const Map& map, const Fold& fold, const char* name) {
         if (n == 0) return zero;
         size_t chunks = (n + kReductionChunk - 1) / kReductionChunk;
-        Buffer<T> partial(chunks);
+        T* partial = static_cast<T*>(scratch(2 * chunks * sizeof(T)));
+        T* next = partial + chunks;
         launchReduce(n, chunks, zero, map, fold, partial, name);
         while (chunks > 1) {
             const size_t count = chunks;
             chunks = (count + kReductionChunk - 1) / kReductionChunk;
-            Buffer<T> next(chunks);
-            launchReduce(count, chunks, zero, ElementOf<T>{partial.span().data}, fold, next, name);
-            synchronize();
-            partial = std::move(next);
+            launchReduce(count, chunks, zero, ElementOf<T>{partial}, fold, next, name);
+            std::swap(partial, next);
         }
         T result;
-        download(partial.view(), &result);
+        download(Span<const T>(partial, 1), &result);
         return result;
     }
 
@@ -203,21 +202,23 @@ class CudaBackend {
     };
 
   private:
+    /// Memory for one scan or reduction, kept for the next.
+    void* scratch(size_t bytes);
     void transfer(void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
         checkCuda(cudaMemcpyAsync(to, from, bytes, kind, stream_), "copying memory");
     }
     template <class T, class Map, class Fold>
-    void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold,
-                      Buffer<T>& partial, const char* name) {
-        runReduce<<<static_cast<unsigned>(chunks), kReductionChunk, 0, stream_>>>(
-            static_cast<uint32_t>(n), zero, map, fold, partial.span().data);
+    void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold, T* partial,
+                      const char* name) {
+        runReduce<<<static_cast<unsigned>(chunks), kReductionChunk, 0, stream_>>>(static_cast<uint32_t>(n),
+                                                                                  zero, map, fold, partial);
         checkCuda(cudaGetLastError(), name);
     }
 
     cudaStream_t stream_ = nullptr;
     std::string device_name_;
     int multiprocessors_ = 0;
-    Buffer<unsigned char> scan_memory_;
+    Buffer<unsigned char> scratch_;
 };
 
 }  // namespace demolish

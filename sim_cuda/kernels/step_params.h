@@ -35,8 +35,10 @@ struct PairLaw {
 
 /// k_t / k_n of the linear contact law (models E.4).
 inline constexpr double kContactShearRatio = 0.8;
-/// A contact never gets stiffer than this times m_e / dt^2: light slivers between stiff cells stay stable.
-inline constexpr double kContactStiffnessShare = 0.3;
+/// A contact never gets stiffer than this times m_e / dt^2, so that it lasts nine substeps or more: light
+/// slivers between stiff cells stay stable, and the strong damper of a low restitution is integrated within a
+/// few per cent of its energy (at 0.3 a hard shot gained 7 % of its energy, at 0.12 it gains 2.5 %).
+inline constexpr double kContactStiffnessShare = 0.12;
 
 template <class Real>
 struct StepParams {

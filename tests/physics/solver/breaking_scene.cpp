@@ -11,13 +11,13 @@ SceneSetup breakingScene() {
     body.material.critical_velocity = 2;
     body.material.weibull_modulus = 6;
     body.material.tough_cells = 15;
-    body.position = {0, 0.06, 0};
+    body.position = {0, 0.12, 0};
     body.rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
     body.velocity = {0.5, -4, 0};
     body.angular_velocity = {1, 2, -1};
     Projectile ball;
     ball.radius = 0.05;
-    ball.position = {-0.26, 0.25, 0.02};
+    ball.position = {-0.26, 0.3, 0.02};
     ball.velocity = {12, 0, 1};
     ball.start_time = 0.004;
     setup.projectiles.push_back(ball);

@@ -18,16 +18,16 @@ std::vector<ParticleInstance> particlesOf(Solver& solver, size_t count) {
 }
 
 TEST(Floor, ASettledBodyStandsStill) {
-    SceneSetup setup = freeBody(latticeBody(3, 8, 3, 0.05, 0.2));
+    SceneSetup setup = freeBody(latticeBody(4, 5, 4, 0.05, 0.2));
     setup.params.planes.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.substeps = 100;
-    setup.params.settle_time = 0.5;
+    setup.params.settle_time = 0.8;
     setup.bodies[0].material.critical_velocity = 3;
     auto solver = makeCpuSolver(setup);
-    const auto before = particlesOf(*solver, 72);
+    const auto before = particlesOf(*solver, 80);
     for (int frame = 0; frame < 30; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
-    const auto after = particlesOf(*solver, 72);
+    const auto after = particlesOf(*solver, 80);
     for (size_t i = 0; i < before.size(); ++i) {
         EXPECT_NEAR(after[i].position.x, before[i].position.x, 1e-4);
         EXPECT_NEAR(after[i].position.y, before[i].position.y, 1e-4);
