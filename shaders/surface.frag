@@ -1,6 +1,7 @@
 #version 450 core
 // Body surface. INTERIOR: the broken material, lighter, rough, its normal bent by noise of the rest position
-// (geometry.md 4a). Otherwise the model's own outside.
+// (geometry.md 4a); pits are darker, as light gets lost in them, ridges and the rim paler with dust. Otherwise the
+// model's own outside.
 #include "common/frame.glsl"
 #include "common/gbuffer.glsl"
 #include "common/noise.glsl"
@@ -8,6 +9,9 @@ in vec3 world_position;
 in vec3 world_normal;
 in vec3 rest;
 flat in vec4 rotation;
+#ifdef INTERIOR
+in vec2 relief;  // x: 0 at the outside .. 1 deep; y: -1 pit .. 1 ridge
+#endif
 layout(location = 0) out vec4 material_out;
 layout(location = 1) out vec4 normals_out;
 layout(location = 0) uniform vec4 material;     // rgb albedo, a roughness
@@ -29,6 +33,8 @@ void main() {
     slope -= s.normal * dot(slope, s.normal);
     s.normal = normalize(s.normal - noise_shape.y * slope);
     float tint = 1.0 + 0.22 * fine.w + 0.22 * coarse;
+    float pit = max(-relief.y, 0.0), dust = max(relief.y, 0.0) + 0.4 * (1.0 - relief.x);
+    tint *= (1.0 - 0.4 * pit) * (1.0 + 0.12 * dust);
     s.albedo = material.rgb * tint * mix(vec3(1.0), vec3(1.04, 1.0, 0.94), coarse);
     s.roughness = clamp(material.a + 0.08 * fine.w, 0.05, 1.0);
 #else

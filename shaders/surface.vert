@@ -6,6 +6,10 @@
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
 layout(location = 2) in uint cell;
+#ifdef INTERIOR
+layout(location = 3) in vec2 relief_in;
+out vec2 relief;
+#endif
 
 out vec3 world_position;
 out vec3 world_normal;
@@ -18,5 +22,8 @@ void main() {
     world_normal = rotate(t.rotation, decodeOctahedral(rest_normal));
     rest = rest_position;
     rotation = t.rotation;
+#ifdef INTERIOR
+    relief = relief_in;
+#endif
     gl_Position = frame.view_projection * vec4(world_position, 1.0);
 }

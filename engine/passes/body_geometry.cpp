@@ -5,7 +5,7 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLsizei kVertexBytes = 24;
-constexpr GLuint kNormalOffset = 12, kCellOffset = 20;
+constexpr GLuint kNormalOffset = 12, kUvOffset = 16, kCellOffset = 20;
 
 }  // namespace
 
@@ -17,6 +17,7 @@ BodyGeometry::BodyGeometry() {
     layout_.floatAttribute(0, 3, GL_FLOAT, false, 0);
     layout_.floatAttribute(1, 2, GL_SHORT, true, kNormalOffset);
     layout_.integerAttribute(2, 1, GL_UNSIGNED_INT, kCellOffset);
+    layout_.floatAttribute(3, 2, GL_HALF_FLOAT, false, kUvOffset);
 }
 
 void BodyGeometry::bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices) {

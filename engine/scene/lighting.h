@@ -9,7 +9,7 @@ struct Lighting {
     glm::vec3 sun_colour{3.1f, 2.72f, 2.2f};  ///< what a white surface facing the sun shines with, linear
     glm::vec3 sky_zenith{0.20f, 0.42f, 0.80f};
     glm::vec3 sky_horizon{0.86f, 0.98f, 1.10f};
-    glm::vec3 floor_colour{0.30f, 0.29f, 0.275f};
+    glm::vec3 floor_colour{0.17f, 0.168f, 0.162f};
     float exposure = 0.85f;  ///< of everything, before the tone curve
 };
 
