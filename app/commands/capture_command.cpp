@@ -16,6 +16,7 @@ namespace demolish {
 namespace {
 
 constexpr Range kFrameRange{1, 100000};
+constexpr Range kYawRange{-360, 360}, kPitchRange{-180, 180};  // degrees
 constexpr double kLargestVideoRate = 60;  // frames of faster shots play at this rate: slow motion
 
 struct Capture {
@@ -41,6 +42,8 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, bool s
     engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
                                            renderQuality(capture.options.shot, software));
     if (capture.options.view == "particles") view.mode = engine::ViewMode::kParticles;
+    view.camera.orbit(static_cast<float>(glm::radians(capture.options.camera_yaw)),
+                      static_cast<float>(glm::radians(capture.options.camera_pitch)));
     return view;
 }
 
@@ -69,6 +72,8 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
 void runCapture(const CaptureOptions& options) {
     const Shot shot = makeShot(options.shot);
     requireInRange("--frames", options.frames, kFrameRange, "");
+    requireInRange("--camera-yaw", options.camera_yaw, kYawRange, "degrees");
+    requireInRange("--camera-pitch", options.camera_pitch, kPitchRange, "degrees");
     if (options.out.empty() && options.video.empty() && options.report.empty())
         throw UsageError("nothing to write: give --out DIR, --video FILE or --report FILE.json");
     const bool on_gpu = choosesCuda(shot);
@@ -112,6 +117,11 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
         ->type_name("surface|particles")
         ->check(CLI::IsMember({"surface", "particles"}).description(""))
         ->capture_default_str();
+    command
+        ->add_option("--camera-yaw", options.camera_yaw, "Turn the camera round the body; 180 = from behind")
+        ->type_name("DEGREES");
+    command->add_option("--camera-pitch", options.camera_pitch, "Raise the camera over the body")
+        ->type_name("DEGREES");
     command->callback([&options] { runCapture(options); });
 }
 

@@ -11,6 +11,7 @@ namespace demolish {
 struct CaptureOptions {
     ShotOptions shot;
     double frames = 150;
+    double camera_yaw = 0, camera_pitch = 0;  ///< degrees, from the shot's camera about its target
     std::string out, video, report, view = "surface";
 };
 
