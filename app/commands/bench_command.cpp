@@ -25,6 +25,7 @@ struct Stage {
     HeadlessStage headless;
     engine::FrameView view;
     engine::FrameCapture target;
+    NamedTimes passes;
 
     Stage(bool on_gpu, const BuiltShot& built, const ShotOptions& options, PictureSize size)
         : headless(on_gpu),
@@ -32,10 +33,15 @@ struct Stage {
                              renderQuality(options, headless.info().software))),
           target(size.width, size.height, [](uint64_t, engine::Image) {}) {}
 
-    double draw(Session& session) {
-        headless.renderer().draw(session.mesh(), session.spheres(), view, target.framebuffer());
+    /// Draws and waits; `timed` frames count in the passes' times. Returns the GPU's time, ms.
+    double draw(Session& session, bool timed) {
+        engine::Renderer& renderer = headless.renderer();
+        renderer.draw(session.mesh(), session.spheres(), view, target.framebuffer());
         glFinish();
-        return headless.renderer().lastDrawMs();
+        if (timed) {
+            for (const auto& pass : renderer.lastPassTimes()) passes.add(pass.name, pass.ms);
+        }
+        return renderer.lastDrawMs();
     }
 };
 
@@ -49,7 +55,7 @@ std::vector<FrameSample> timeFrames(const BenchOptions& options, Session& sessio
         const StopWatch watch;
         status = session.advance();
         if (status != StepStatus::kOk) break;
-        const double draw_ms = stage != nullptr ? stage->draw(session) : 0;
+        const double draw_ms = stage != nullptr ? stage->draw(session, frame >= warmup) : 0;
         if (frame >= warmup) samples.push_back({watch.milliseconds(), session.lastSimMs(), draw_ms});
         bar.show(static_cast<double>(frame + 1) / static_cast<double>(frames), "timing");
     }
@@ -79,6 +85,7 @@ void runBench(const BenchOptions& options) {
         report.width = static_cast<uint32_t>(size.width);
         report.height = static_cast<uint32_t>(size.height);
         report.transfer_note = session.status().transfer_note;
+        report.draw_passes = stage->passes.medians();
     }
     report.transfer = session.transfer();
     report.frames = samples.size();

@@ -98,6 +98,8 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["frame_ms_p99"] = report.times.frame_ms_p99;
     json["sim_ms"] = report.times.sim_ms;
     json["draw_ms"] = report.times.draw_ms;
+    json["draw_passes_ms"] = Json::object();
+    for (const auto& [pass, ms] : report.draw_passes) json["draw_passes_ms"][pass] = ms;
     json["substeps_per_frame"] = stats.substeps;
     json["time_step"] = stats.time_step;
     json["time"] = stats.time;

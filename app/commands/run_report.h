@@ -17,6 +17,7 @@ struct RunReport {
     uint64_t frames = 0;
     double wall_seconds = 0;
     FrameSummary times;
+    std::vector<std::pair<std::string, double>> draw_passes;  ///< median GPU time of each pass, ms
 };
 
 /// Reads stats and hash from the solver; call Solver::measure() before.

@@ -13,6 +13,9 @@ class ItemRegistry {
   public:
     void clear() { items_.clear(); }
     void note(const std::string& id, const ItemRect& rect) { items_[id] = rect; }
+    /// A control that a script looks for: the panel that has it scrolls it into sight.
+    void want(const std::string& id) { wanted_ = id; }
+    bool isWanted(const std::string& id) const { return id == wanted_; }
     /// Null when the control is not on screen.
     const ItemRect* find(const std::string& id) const {
         const auto found = items_.find(id);
@@ -21,6 +24,7 @@ class ItemRegistry {
 
   private:
     std::map<std::string, ItemRect> items_;
+    std::string wanted_;
 };
 
 }  // namespace demolish

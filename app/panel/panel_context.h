@@ -25,7 +25,7 @@ struct ViewSettings {
 /// What the window remembers about its panels.
 struct PanelState {
     bool show_panels = true, show_help = false, advanced = false;
-    std::string typed_model;  ///< path in the model field
+    std::string typed_model;      ///< path in the model field
     float statistics_height = 0;  ///< px, measured
 };
 

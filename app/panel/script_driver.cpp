@@ -103,7 +103,7 @@ void ScriptDriver::prepare(const Line& line, const ItemRegistry& items, const Pi
     }
 }
 
-void ScriptDriver::inject(const ItemRegistry& items, const PictureArea& picture) {
+void ScriptDriver::inject(ItemRegistry& items, const PictureArea& picture) {
     while (inputs_.empty() && !output_ && next_ < lines_.size()) {
         const Line& line = lines_[next_];
         const std::string& name = line.words[0];
@@ -115,11 +115,13 @@ void ScriptDriver::inject(const ItemRegistry& items, const PictureArea& picture)
             const bool needs_item = name == "set" || name == "click" || name == "type";
             if (needs_item && items.find(line.words[1]) == nullptr && patience_ < kPatience) {
                 ++patience_;
+                items.want(line.words[1]);
                 break;
             }
             prepare(line, items, picture);
         }
         patience_ = 0;
+        items.want("");
         ++next_;
     }
     const Input input = inputs_.empty() ? Input{} : inputs_.front();

@@ -35,7 +35,7 @@ class ScriptDriver {
     ScriptDriver(const std::filesystem::path& file, ScriptHooks hooks);
 
     /// Between the backend's and ImGui's NewFrame: overrides this frame's input.
-    void inject(const ItemRegistry& items, const PictureArea& picture);
+    void inject(ItemRegistry& items, const PictureArea& picture);
     /// After the frame was drawn: screenshots and state of what is on screen.
     void afterDraw();
     bool finished() const { return next_ >= lines_.size() && inputs_.empty(); }

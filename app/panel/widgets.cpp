@@ -26,7 +26,13 @@ void showLabel(const char* label, bool marked) {
 
 void noteItem(PanelContext& context, const char* id) {
     const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-    context.items.note(id, {low.x, low.y, high.x, high.y});
+    const ImVec2 top = ImGui::GetWindowDrawList()->GetClipRectMin(),
+                 bottom = ImGui::GetWindowDrawList()->GetClipRectMax();
+    const float middle = 0.5f * (low.y + high.y);
+    if (middle > top.y && middle < bottom.y)
+        context.items.note(id, {low.x, low.y, high.x, high.y});
+    else if (context.items.isWanted(id))
+        ImGui::SetScrollHereY();
 }
 
 void tooltipOnHover(const char* text) {

@@ -34,6 +34,21 @@ FrameSummary summarise(std::span<const FrameSample> samples) {
     return summary;
 }
 
+void NamedTimes::add(const std::string& name, double ms) {
+    const auto known =
+        std::find_if(times_.begin(), times_.end(), [&](const auto& entry) { return entry.first == name; });
+    if (known != times_.end())
+        known->second.push_back(ms);
+    else
+        times_.push_back({name, {ms}});
+}
+
+std::vector<std::pair<std::string, double>> NamedTimes::medians() const {
+    std::vector<std::pair<std::string, double>> result;
+    for (const auto& [name, values] : times_) result.emplace_back(name, quantile(values, 0.5));
+    return result;
+}
+
 void FrameHistory::add(const FrameSample& sample) {
     if (samples_.size() == capacity_) samples_.erase(samples_.begin());
     samples_.push_back(sample);

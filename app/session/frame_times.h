@@ -2,6 +2,8 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace demolish {
@@ -25,6 +27,16 @@ struct FrameSummary {
     double sim_ms = 0, draw_ms = 0;  ///< medians
 };
 FrameSummary summarise(std::span<const FrameSample> samples);
+
+/// Medians of named times, in the order in which the names first came.
+class NamedTimes {
+  public:
+    void add(const std::string& name, double ms);
+    std::vector<std::pair<std::string, double>> medians() const;
+
+  private:
+    std::vector<std::pair<std::string, std::vector<double>>> times_;
+};
 
 /// The last samples, oldest first, for graphs.
 class FrameHistory {

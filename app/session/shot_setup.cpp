@@ -98,9 +98,9 @@ void placeDropped(const Shot& shot, const BreakableBody& body, BodyInstance& ins
     double lowest = 1e300;
     for (const auto& particle : body.particles)
         lowest = std::min(lowest, (rotation * toGlm(particle.seed)).y - body.spacing);
-    // Falls for about a tenth of a second, so that one sees it come.
+    // Falls for some hundredths of a second, so that one sees it come.
     const double speed = shot.impact.velocity;
-    const double gap = std::min(0.1 * speed, speed * speed / (2 * kGravity));
+    const double gap = std::min(0.06 * speed, speed * speed / (2 * kGravity));
     instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
     instance.position = {0, gap - lowest, 0};
     instance.velocity = {0, -std::sqrt(std::max(0.0, speed * speed - 2 * kGravity * gap)), 0};

@@ -30,7 +30,7 @@ class WindowProgram : public testing::Test {
     void run(const std::string& script, std::vector<std::string> more = {}) {
         const auto file = folder_.write("script.txt", script);
         std::vector<std::string> words = {"view",       "block",    "--particles", "300",       "--device",
-                                          "cpu",        "--size",   "900x640",    "--quality", "draft",
+                                          "cpu",        "--size",   "900x640",     "--quality", "draft",
                                           "--no-vsync", "--script", file};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun result =
@@ -149,6 +149,32 @@ TEST_F(WindowProgram, LimitsHoldWhenTyping) {
     EXPECT_EQ(read("high")["impact_velocity"], 60.0);
     EXPECT_NEAR(read("typed")["impact_velocity"].get<double>(), 7.5, 1e-5);
     EXPECT_EQ(read("low")["impact_velocity"], 0.0);
+}
+
+TEST_F(WindowProgram, ViewModeAndMaterialAreChosenFromLists) {
+    run("wait 2\n"
+        "key space\n"
+        "screenshot " +
+        screenshot("11_surface") +
+        "\n"
+        "click view.mode\n"
+        "click view.mode.Particles\n"
+        "click material.preset\n"
+        "click material.preset.glass\n"
+        "wait 2\n"
+        "until rebuilt\n"
+        "wait 2\n"
+        "state " +
+        state("glass") +
+        "\n"
+        "screenshot " +
+        screenshot("12_particles") + "\n");
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(read("glass")["material"], "glass");
+    EXPECT_EQ(read("glass")["particles"], 300) << "a material makes no new cells";
+    const auto surface = engine::readPng(screenshot("11_surface")),
+               spheres = engine::readPng(screenshot("12_particles"));
+    EXPECT_FALSE(engine::compare(surface, spheres).passed);
 }
 
 TEST_F(WindowProgram, ClickShootsKeysAndCameraWork) {
