@@ -56,6 +56,7 @@ void ScriptDriver::prepareClick(float x, float y, bool ctrl) {
     inputs_.push_back({.x = x, .y = y, .ctrl = ctrl});
     inputs_.push_back({.x = x, .y = y, .left = true, .ctrl = ctrl});
     inputs_.push_back({.x = x, .y = y, .ctrl = ctrl});
+    inputs_.push_back({});  // what the click unfolds has its place one frame later
 }
 
 void ScriptDriver::preparePicture(const Line& line, const PictureArea& picture) {

@@ -62,8 +62,8 @@ void showStatisticsPanel(PanelContext& context) {
     valueRow("Simulation", "%.2f ms, %u substeps", summary.sim_ms, context.status.substeps_per_frame);
     valueRow("Draw", "%.2f ms", summary.draw_ms);
     const FrameStats& stats = context.status.stats;
-    valueRow("Particles", "%u of %.2f mm, %.3g kg", stats.particles, 1000 * context.status.particle_size,
-             stats.mass);
+    valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
+    valueRow("Mass", "%.4g kg", stats.mass);
     valueRow("Bonds", "%u, broken %u", stats.bonds, stats.bonds_broken);
     valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
     valueRow("Time", "%.3f s, step %.2f us", stats.time, 1e6 * stats.time_step);
