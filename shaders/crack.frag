@@ -14,6 +14,6 @@ void main() {
     float uneven = 0.5 * noise(rest / (kFine * width)).w + noise(rest / (kCoarse * width)).w;
     float edge = half_width * clamp(1.0 + 0.9 * uneven, 0.25, 1.0);
     float cover = clamp(edge + 0.5 - abs(across), 0.0, 1.0);
-    float dark = clamp(0.86 + 0.5 * uneven, 0.4, 0.95);
+    float dark = clamp(0.78 + 0.5 * uneven, 0.35, 0.95);
     material_out = vec4(vec3(0.09, 0.085, 0.08), dark * cover * strength);  // albedo as its square root
 }
