@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "engine/image/compare.h"
 #include "engine/image/png.h"
@@ -28,7 +29,7 @@ class WindowProgram : public testing::Test {
     }
 
     void run(const std::string& script, std::vector<std::string> more = {}) {
-        const auto file = folder_.write("script.txt", script);
+        const auto file = folder_.write("script.txt", withPaths(script));
         std::vector<std::string> words = {"view",       "block",    "--particles", "300",       "--device",
                                           "cpu",        "--size",   "900x640",     "--quality", "draft",
                                           "--no-vsync", "--script", file};
@@ -36,6 +37,20 @@ class WindowProgram : public testing::Test {
         const ProgramRun result =
             runProgram(words, {"LIBGL_ALWAYS_SOFTWARE=1"}, {"xvfb-run", "-a", "-s", "-screen 0 1280x800x24"});
         ASSERT_EQ(result.exit_code, 0) << result.err;
+    }
+    /// "state NAME" and "screenshot NAME" get their files.
+    std::string withPaths(const std::string& script) const {
+        std::istringstream lines(script);
+        std::string text;
+        for (std::string line; std::getline(lines, line);) {
+            const size_t space = line.find(' ');
+            const std::string word = line.substr(0, space),
+                              name = line.substr(std::min(line.size(), space + 1));
+            if (word == "state") line = "state " + state(name);
+            if (word == "screenshot") line = "screenshot " + screenshot(name);
+            text += line + "\n";
+        }
+        return text;
     }
     std::string state(const std::string& name) const { return (folder_.path() / (name + ".json")).string(); }
     nlohmann::json read(const std::string& name) const {
@@ -45,87 +60,74 @@ class WindowProgram : public testing::Test {
         return (screenshots_ / (name + ".png")).string();
     }
 
+    std::string slidersFireAndReset() const {
+        return R"(
+wait 3
+key space
+key r
+state start
+screenshot 1_start
+set impact.velocity 0.75
+state velocity
+set particles.size 0.62
+wait 2
+screenshot 2_rebuilding
+until rebuilt
+wait 2
+state size
+screenshot 3_rebuilt
+click transport.real_time
+click transport.play
+wait 16
+click impact.fire
+wait 3
+click transport.play
+state broken
+screenshot 4_broken
+set transport.timeline 0.3
+state scrubbed
+screenshot 5_scrubbed
+click transport.reset
+state reset
+screenshot 6_reset
+)";
+    }
+    void expectSettingsActed() const {
+        const auto start = read("start"), velocity = read("velocity"), size = read("size");
+        EXPECT_EQ(start["bonds_broken"], 0);
+        EXPECT_EQ(start["playing"], false);
+        EXPECT_EQ(start["impact_velocity"], 25.0);
+        // Three quarters along a slider of 0..60 m/s, less the width of its grab.
+        EXPECT_NEAR(velocity["impact_velocity"].get<double>(), 45, 2);
+        EXPECT_EQ(velocity["particles"], start["particles"]) << "velocity must not rebuild";
+        EXPECT_NE(size["particles"], start["particles"]);
+        EXPECT_NE(size["particle_size"], start["particle_size"]);
+        EXPECT_EQ(size["impact_velocity"], velocity["impact_velocity"])
+            << "the rebuild keeps the chosen velocity";
+    }
+    void expectRunActed() const {
+        const auto broken = read("broken"), scrubbed = read("scrubbed"), reset = read("reset");
+        EXPECT_GT(broken["bonds_broken"].get<int>(), 0);
+        EXPECT_GT(broken["time"].get<double>(), 0.1);
+        EXPECT_EQ(broken["projectiles"], 2) << "the shot's own ball and the one fired";
+        EXPECT_GT(broken["recorded_frames"].get<int>(), 10);
+        EXPECT_EQ(scrubbed["replaying"], true);
+        EXPECT_LT(scrubbed["time"].get<double>(), broken["time"].get<double>());
+        EXPECT_EQ(reset["bonds_broken"], 0);
+        EXPECT_EQ(reset["time"], 0.0);
+        EXPECT_EQ(reset["projectiles"], 1);
+        EXPECT_EQ(reset["message"], "");
+    }
+
     TemporaryFolder folder_;
     const fs::path screenshots_ = DEMOLISH_SCREENSHOTS;
 };
 
 TEST_F(WindowProgram, SlidersFireAndReset) {
-    run("wait 3\n"
-        "key space\n"  // pause
-        "key r\n"
-        "state " +
-        state("start") +
-        "\n"
-        "screenshot " +
-        screenshot("1_start") +
-        "\n"
-        "set impact.velocity 0.75\n"
-        "state " +
-        state("velocity") +
-        "\n"
-        "set particles.size 0.62\n"
-        "wait 2\n"
-        "screenshot " +
-        screenshot("2_rebuilding") +
-        "\n"
-        "until rebuilt\n"
-        "wait 2\n"
-        "state " +
-        state("size") +
-        "\n"
-        "screenshot " +
-        screenshot("3_rebuilt") +
-        "\n"
-        "click transport.real_time\n"
-        "click transport.play\n"
-        "wait 16\n"
-        "click impact.fire\n"
-        "wait 3\n"
-        "click transport.play\n"
-        "state " +
-        state("broken") +
-        "\n"
-        "screenshot " +
-        screenshot("4_broken") +
-        "\n"
-        "set transport.timeline 0.3\n"
-        "state " +
-        state("scrubbed") +
-        "\n"
-        "screenshot " +
-        screenshot("5_scrubbed") +
-        "\n"
-        "click transport.reset\n"
-        "state " +
-        state("reset") +
-        "\n"
-        "screenshot " +
-        screenshot("6_reset") + "\n");
+    run(slidersFireAndReset());
     if (HasFatalFailure()) return;
-
-    const auto start = read("start"), velocity = read("velocity"), size = read("size"),
-               broken = read("broken"), scrubbed = read("scrubbed"), reset = read("reset");
-    EXPECT_EQ(start["bonds_broken"], 0);
-    EXPECT_EQ(start["playing"], false);
-    EXPECT_EQ(start["impact_velocity"], 25.0);
-    // Three quarters along a slider of 0..60 m/s, less the width of its grab.
-    EXPECT_NEAR(velocity["impact_velocity"].get<double>(), 45, 2);
-    EXPECT_EQ(velocity["particles"], start["particles"]) << "velocity must not rebuild";
-    EXPECT_NE(size["particles"], start["particles"]);
-    EXPECT_NE(size["particle_size"], start["particle_size"]);
-    EXPECT_EQ(size["impact_velocity"], velocity["impact_velocity"])
-        << "the rebuild keeps the chosen velocity";
-    EXPECT_GT(broken["bonds_broken"].get<int>(), 0);
-    EXPECT_GT(broken["time"].get<double>(), 0.1);
-    EXPECT_EQ(broken["projectiles"], 2) << "the shot's own ball and the one fired";
-    EXPECT_GT(broken["recorded_frames"].get<int>(), 10);
-    EXPECT_EQ(scrubbed["replaying"], true);
-    EXPECT_LT(scrubbed["time"].get<double>(), broken["time"].get<double>());
-    EXPECT_EQ(reset["bonds_broken"], 0);
-    EXPECT_EQ(reset["time"], 0.0);
-    EXPECT_EQ(reset["projectiles"], 1);
-    EXPECT_EQ(reset["message"], "");
-
+    expectSettingsActed();
+    expectRunActed();
     const auto whole = engine::readPng(screenshot("3_rebuilt")),
                pieces = engine::readPng(screenshot("4_broken"));
     EXPECT_EQ(whole.width, 900);
@@ -133,18 +135,15 @@ TEST_F(WindowProgram, SlidersFireAndReset) {
 }
 
 TEST_F(WindowProgram, LimitsHoldWhenTyping) {
-    run("wait 2\n"
-        "type impact.velocity 5000\n"
-        "state " +
-        state("high") +
-        "\n"
-        "type impact.velocity 7.5\n"
-        "state " +
-        state("typed") +
-        "\n"
-        "type impact.velocity -3\n"
-        "state " +
-        state("low") + "\n");
+    run(R"(
+wait 2
+type impact.velocity 5000
+state high
+type impact.velocity 7.5
+state typed
+type impact.velocity -3
+state low
+)");
     if (HasFatalFailure()) return;
     EXPECT_EQ(read("high")["impact_velocity"], 60.0);
     EXPECT_NEAR(read("typed")["impact_velocity"].get<double>(), 7.5, 1e-5);
@@ -152,23 +151,20 @@ TEST_F(WindowProgram, LimitsHoldWhenTyping) {
 }
 
 TEST_F(WindowProgram, ViewModeAndMaterialAreChosenFromLists) {
-    run("wait 2\n"
-        "key space\n"
-        "screenshot " +
-        screenshot("11_surface") +
-        "\n"
-        "click view.mode\n"
-        "click view.mode.Particles\n"
-        "click material.preset\n"
-        "click material.preset.glass\n"
-        "wait 2\n"
-        "until rebuilt\n"
-        "wait 2\n"
-        "state " +
-        state("glass") +
-        "\n"
-        "screenshot " +
-        screenshot("12_particles") + "\n");
+    run(R"(
+wait 2
+key space
+screenshot 11_surface
+click view.mode
+click view.mode.Particles
+click material.preset
+click material.preset.glass
+wait 2
+until rebuilt
+wait 2
+state glass
+screenshot 12_particles
+)");
     if (HasFatalFailure()) return;
     EXPECT_EQ(read("glass")["material"], "glass");
     EXPECT_EQ(read("glass")["particles"], 300) << "a material makes no new cells";
@@ -178,34 +174,25 @@ TEST_F(WindowProgram, ViewModeAndMaterialAreChosenFromLists) {
 }
 
 TEST_F(WindowProgram, ClickShootsKeysAndCameraWork) {
-    run("wait 2\n"
-        "key r\n"
-        "screenshot " +
-            screenshot("7_before_orbit") +
-            "\n"
-            "drag_picture 0.5 0.5 0.7 0.6\n"
-            "wait 2\n"
-            "screenshot " +
-            screenshot("8_after_orbit") +
-            "\n"
-            "state " +
-            state("before") +
-            "\n"
-            "click_picture 0.5 0.5\n"
-            "wait 2\n"
-            "state " +
-            state("shot") +
-            "\n"
-            "key question\n"
-            "wait 2\n"
-            "screenshot " +
-            screenshot("9_keys") +
-            "\n"
-            "key escape\n"
-            "key tab\n"
-            "wait 2\n"
-            "screenshot " +
-            screenshot("10_no_panels") + "\n",
+    run(R"(
+wait 2
+key r
+screenshot 7_before_orbit
+drag_picture 0.5 0.5 0.7 0.6
+wait 2
+screenshot 8_after_orbit
+state before
+click_picture 0.5 0.5
+wait 2
+state shot
+key question
+wait 2
+screenshot 9_keys
+key escape
+key tab
+wait 2
+screenshot 10_no_panels
+)",
         {"--impact-velocity", "10"});
     if (HasFatalFailure()) return;
     EXPECT_EQ(read("before")["projectiles"], 1);
