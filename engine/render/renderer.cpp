@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "engine/gl/error.h"
-#include "engine/gl/timer_query.h"
 #include "engine/passes/ambient_occlusion_pass.h"
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/floor_pass.h"
@@ -87,7 +86,7 @@ struct Renderer::Passes {
     IdPass ids;
     gl::Texture noise;
     gl::Buffer frame_block;
-    gl::TimerQuery timer;
+    gl::PassClock clock;
     std::optional<RenderTargets> targets;
     int max_samples = 1;
 };
@@ -98,6 +97,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh);
     spheres.drawSphereShadows();
     shadow.finish();
+    clock.mark("shadow");
 }
 
 void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& view) {
@@ -108,21 +108,27 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
         glClearNamedFramebufferfv(targets->scene.id(), GL_COLOR, target, nothing);
     glClearNamedFramebufferfv(targets->scene.id(), GL_DEPTH, 0, &far_depth);
     glDepthFunc(GL_GEQUAL);
+    clock.mark("clear");
     noise.bind(kNoiseUnit);
     if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
+    clock.mark("body");
     if (view.show_floor) floor.draw(tileSize(view.scene_radius));
+    clock.mark("floor");
     const bool with_cracks = mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks;
     if (with_cracks) cracks.draw(*mesh, view.look.crack_width);
+    clock.mark("cracks");
 }
 
 void Renderer::Passes::computeLight(const FrameView& view) {
     const bool with_occlusion = view.quality == RenderQuality::kFull;
     const gl::Texture* visibility = with_occlusion ? &occlusion.run(*targets, view.scene_radius) : nullptr;
+    clock.mark("occlusion");
     shadow.bindMap();
     light.run(*targets, visibility, view.quality);
     ShadowPass::unbindMap();
+    clock.mark("light");
 }
 
 IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles,
@@ -143,7 +149,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
                     unsigned target_framebuffer) {
     Passes& p = *passes_;
     if (view.width <= 0 || view.height <= 0) return;  // a minimised window
-    p.timer.begin();
+    p.clock.begin();
     p.prepareTargets(view);
     p.uploadFrame(view);
     p.spheres.setSpheres(spheres);
@@ -163,7 +169,8 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.computeLight(view);
     glBlitNamedFramebuffer(p.targets->resolved.id(), target_framebuffer, 0, 0, view.width, view.height, 0, 0,
                            view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    p.timer.end();
+    p.clock.mark("present");
+    p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
     glBindVertexArray(0);
     glUseProgram(0);
@@ -186,7 +193,11 @@ std::vector<uint32_t> Renderer::fragmentIds(const FractureMesh* mesh, std::span<
 }
 
 double Renderer::lastDrawMs() const {
-    return passes_->timer.lastMs();
+    return passes_->clock.lastMs();
+}
+
+std::span<const gl::PassTime> Renderer::lastPassTimes() const {
+    return passes_->clock.lastPasses();
 }
 
 }  // namespace demolish::engine

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "engine/gl/pass_clock.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/lighting.h"
@@ -76,8 +77,10 @@ class Renderer {
     std::vector<uint32_t> fragmentIds(const FractureMesh* mesh, std::span<const SphereDraw> spheres,
                                       const FrameView& view);
 
-    /// GPU time of the last finished draw, ms (timer query; lags by a few frames).
+    /// GPU time of the last finished draw, ms (time stamps; lags by a few frames).
     double lastDrawMs() const;
+    /// The same, pass by pass. Valid until the next call of draw, lastDrawMs or lastPassTimes.
+    std::span<const gl::PassTime> lastPassTimes() const;
 
   private:
     struct Passes;

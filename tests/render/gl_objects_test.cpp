@@ -5,9 +5,9 @@
 
 #include "engine/gl/buffer.h"
 #include "engine/gl/error.h"
+#include "engine/gl/pass_clock.h"
 #include "engine/gl/program.h"
 #include "engine/gl/shader_source.h"
-#include "engine/gl/timer_query.h"
 #include "tests/render/gl_fixture.h"
 
 namespace demolish::engine::test {
@@ -100,18 +100,25 @@ TEST_F(GlObjects, MissingShaderIsNamed) {
     }
 }
 
-TEST_F(GlObjects, TimerReportsTimeAfterAFewSpans) {
-    gl::TimerQuery timer;
+TEST_F(GlObjects, ClockReportsEachPassAfterAFewFrames) {
+    gl::PassClock clock;
     gl::Buffer buffer = gl::Buffer::resizable(1 << 20);
-    EXPECT_EQ(timer.lastMs(), 0.0);
-    for (int span = 0; span < 6; ++span) {
-        timer.begin();
-        buffer.fill(static_cast<uint32_t>(span));
-        timer.end();
+    EXPECT_EQ(clock.lastMs(), 0.0);
+    EXPECT_TRUE(clock.lastPasses().empty());
+    for (int frame = 0; frame < 6; ++frame) {
+        clock.begin();
+        buffer.fill(static_cast<uint32_t>(frame));
+        clock.mark("first");
+        if (frame > 2) clock.mark("second");
+        clock.end();
     }
     glFinish();
-    EXPECT_GT(timer.lastMs(), 0.0);
-    EXPECT_LT(timer.lastMs(), 1e4);
+    EXPECT_GT(clock.lastMs(), 0.0);
+    EXPECT_LT(clock.lastMs(), 1e4);
+    ASSERT_EQ(clock.lastPasses().size(), 2u);
+    EXPECT_STREQ(clock.lastPasses()[0].name, "first");
+    EXPECT_STREQ(clock.lastPasses()[1].name, "second");
+    EXPECT_GE(clock.lastPasses()[1].ms, 0.0);
 }
 
 }  // namespace
