@@ -24,10 +24,6 @@ std::map<uint32_t, size_t> histogram(const std::vector<uint32_t>& ids) {
     return counts;
 }
 
-bool isBody(uint32_t id) {
-    return id < kSphereId;
-}
-
 /// Does the ray through a pixel meet the unit block that stands on the floor?
 bool hitsBlock(const FrameView& view, float x, float y) {
     const Ray ray = pixelRay(view.camera, view.width, view.height, x, y);
@@ -55,17 +51,6 @@ size_t silhouetteErrors(const Scene& scene, const std::vector<uint32_t>& ids) {
     }
     EXPECT_GT(certain, ids.size() * 9 / 10);
     return errors;
-}
-
-size_t differingPixels(const Image& a, const Image& b, int more_than) {
-    size_t count = 0;
-    for (size_t i = 0; i < a.pixels.size(); i += 4) {
-        int difference = 0;
-        for (size_t c = 0; c < 3; ++c)
-            difference = std::max(difference, std::abs(a.pixels[i + c] - b.pixels[i + c]));
-        count += difference > more_than;
-    }
-    return count;
 }
 
 Scene shatteredInPlace() {

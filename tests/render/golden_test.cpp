@@ -1,9 +1,7 @@
-// Every test scene against its stored picture, one set per class of renderer. A failure leaves new, reference
-// and difference x 16 side by side in an HTML page.
+// Every test scene against its stored picture, one set per class of renderer.
 #include "tests/render/golden_test.h"
 
-#include <cstdlib>
-#include <fstream>
+#include <algorithm>
 
 #include "engine/image/compare.h"
 #include "engine/image/png.h"
@@ -12,33 +10,6 @@
 
 namespace demolish::engine::test {
 namespace {
-
-constexpr uintmax_t kLargestGolden = 100'000;  // bytes
-
-std::filesystem::path goldenFile(const std::string& name) {
-    return std::filesystem::path(DEMOLISH_SOURCE_DIR) / "tests/render/golden/llvmpipe" / (name + ".png");
-}
-
-std::filesystem::path outFolder() {
-    const char* folder = std::getenv("DEMOLISH_TEST_OUT");
-    return folder != nullptr ? std::filesystem::path(folder) : std::filesystem::path(DEMOLISH_RENDER_OUT);
-}
-
-void report(const std::string& name, const Image& picture, const Image& reference, const Comparison& result) {
-    const std::filesystem::path out = outFolder();
-    std::filesystem::create_directories(out);
-    writePng(out / (name + "_new.png"), picture);
-    writePng(out / (name + "_reference.png"), reference);
-    std::string columns = "<img src=\"" + name + "_new.png\"><img src=\"" + name + "_reference.png\">";
-    if (result.same_size) {
-        writePng(out / (name + "_difference.png"), differencePicture(picture, reference));
-        columns += "<img src=\"" + name + "_difference.png\">";
-    }
-    std::ofstream(out / (name + ".html"))
-        << "<!doctype html><title>" << name << "</title><h1>" << name << "</h1><p>wrong pixels "
-        << 100.0 * result.wrong_fraction << " %, SSIM " << result.ssim << ", largest difference "
-        << result.largest_difference << "</p><p>new, reference, difference x 16</p>" << columns << '\n';
-}
 
 /// One pixel to the right.
 Image shifted(const Image& image) {
@@ -60,18 +31,7 @@ class Golden : public GlTest, public testing::WithParamInterface<std::string> {
 };
 
 TEST_P(Golden, LooksAsStored) {
-    const Image picture = drawPicture(renderer(), makeScene(GetParam()));
-    if (update_goldens) {
-        writePng(goldenFile(GetParam()), picture, false, 9);
-        ASSERT_LT(std::filesystem::file_size(goldenFile(GetParam())), kLargestGolden);
-        return;
-    }
-    const Image reference = readPng(goldenFile(GetParam()));
-    const Comparison result = compare(picture, reference);
-    if (!result.passed) report(GetParam(), picture, reference, result);
-    EXPECT_TRUE(result.passed) << "wrong pixels " << 100.0 * result.wrong_fraction << " %, SSIM "
-                               << result.ssim << "; see " << outFolder() / (GetParam() + ".html")
-                               << "; accept with --update-goldens if the new picture is right";
+    expectLooksAsStored(GetParam(), drawPicture(renderer(), makeScene(GetParam())));
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(sceneNames()),

@@ -1,6 +1,7 @@
 // Each scene shows one thing that can go wrong.
 #include "tests/render/scenes.h"
 
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <stdexcept>
@@ -148,6 +149,21 @@ Scene makeScene(const std::string& name) {
     const auto found = table().find(name);
     if (found == table().end()) throw std::invalid_argument("No test scene is called " + name);
     return found->second();
+}
+
+size_t differingPixels(const Image& a, const Image& b, int more_than) {
+    size_t count = 0;
+    for (size_t i = 0; i < a.pixels.size(); i += 4) {
+        int difference = 0;
+        for (size_t c = 0; c < 3; ++c)
+            difference = std::max(difference, std::abs(a.pixels[i + c] - b.pixels[i + c]));
+        count += difference > more_than;
+    }
+    return count;
+}
+
+bool isBody(uint32_t id) {
+    return id < kSphereId;
 }
 
 Image drawPicture(Renderer& renderer, const Scene& scene) {

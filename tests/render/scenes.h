@@ -25,6 +25,11 @@ std::vector<std::string> sceneNames();
 /// Draws one frame into a picture.
 Image drawPicture(Renderer& renderer, const Scene& scene);
 
+/// Pixels of which a channel differs by more than `more_than` of 255.
+size_t differingPixels(const Image& a, const Image& b, int more_than);
+/// Is this id of Renderer::fragmentIds() a piece of the body?
+bool isBody(uint32_t id);
+
 /// A block in one piece, and the same broken into flying pieces.
 Scene wholeBlock();
 Scene brokenBlock();
