@@ -138,6 +138,13 @@ class CpuBackend {
         return partial[0];
     }
 
+    /// The same into result[0].
+    template <class T, class Map, class Fold>
+    void reduceInto(Span<T> result, size_t n, const T& zero, const Map& map, const Fold& fold,
+                    const char* name) {
+        result[0] = reduce(n, zero, map, fold, name);
+    }
+
     void synchronize() {}
     std::string deviceName() const { return "CPU"; }
 

@@ -1,18 +1,20 @@
 // What of the CUDA backend needs no kernel of the caller: the stream, the prefix sum, the timer.
 #include "sim_cuda/backend/cuda_backend.cuh"
 
+#include <thrust/iterator/counting_iterator.h>
+#include <thrust/iterator/transform_iterator.h>
+
 #include <cub/device/device_scan.cuh>
 
 namespace demolish {
 namespace {
 
-/// out[n] = out[n-1] + in[n-1], which the scan itself leaves out. Started before the scan overwrites `in`.
-__global__ void keepLast(const uint32_t* in, size_t n, uint32_t* kept) {
-    *kept = in[n - 1];
-}
-__global__ void writeTotal(uint32_t* out, size_t n, const uint32_t* kept) {
-    out[n] = out[n - 1] + *kept;
-}
+/// in[0] .. in[n-1], then one zero: the sum up to there is the total.
+struct WithZero {
+    const uint32_t* in;
+    size_t n;
+    __host__ __device__ uint32_t operator()(size_t i) const { return i < n ? in[i] : 0u; }
+};
 
 }  // namespace
 
@@ -45,16 +47,12 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
         checkCuda(cudaMemsetAsync(out.data, 0, sizeof(uint32_t), stream_), "adding up");
         return;
     }
-    constexpr size_t kKeptBytes = 256;  // keeps CUB's part aligned
+    const auto padded =
+        thrust::make_transform_iterator(thrust::counting_iterator<size_t>(0), WithZero{in.data, n});
     size_t bytes = 0;
-    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, in.data, out.data, n, stream_), "adding up");
-    auto* memory = static_cast<unsigned char*>(scratch(bytes + kKeptBytes));
-    auto* kept = reinterpret_cast<uint32_t*>(memory);
-    keepLast<<<1, 1, 0, stream_>>>(in.data, n, kept);
-    checkCuda(cub::DeviceScan::ExclusiveSum(memory + kKeptBytes, bytes, in.data, out.data, n, stream_),
+    checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, padded, out.data, n + 1, stream_), "adding up");
+    checkCuda(cub::DeviceScan::ExclusiveSum(scratch(bytes), bytes, padded, out.data, n + 1, stream_),
               "adding up");
-    writeTotal<<<1, 1, 0, stream_>>>(out.data, n, kept);
-    checkCuda(cudaGetLastError(), "adding up");
 }
 
 CudaBackend::Reader::Reader(CudaBackend&) {

@@ -144,19 +144,15 @@ class CudaBackend {
     template <class T, class Map, class Fold>
     T reduce(size_t n, const T& zero, const Map& map, const Fold& fold, const char* name) {
         if (n == 0) return zero;
-        size_t chunks = (n + kReductionChunk - 1) / kReductionChunk;
-        T* partial = static_cast<T*>(scratch(2 * chunks * sizeof(T)));
-        T* next = partial + chunks;
-        launchReduce(n, chunks, zero, map, fold, partial, name);
-        while (chunks > 1) {
-            const size_t count = chunks;
-            chunks = (count + kReductionChunk - 1) / kReductionChunk;
-            launchReduce(count, chunks, zero, ElementOf<T>{partial}, fold, next, name);
-            std::swap(partial, next);
-        }
         T result;
-        download(Span<const T>(partial, 1), &result);
+        download(Span<const T>(startReduce(n, zero, map, fold, static_cast<T*>(nullptr), name), 1), &result);
         return result;
+    }
+    /// The same into result[0] on the device, n > 0. Does not wait.
+    template <class T, class Map, class Fold>
+    void reduceInto(Span<T> result, size_t n, const T& zero, const Map& map, const Fold& fold,
+                    const char* name) {
+        startReduce(n, zero, map, fold, result.data, name);
     }
 
     /// Throws DeviceError when anything since the last call failed.
@@ -206,6 +202,24 @@ class CudaBackend {
     void* scratch(size_t bytes);
     void transfer(void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
         checkCuda(cudaMemcpyAsync(to, from, bytes, kind, stream_), "copying memory");
+    }
+    /// Where the result will lie: `result`, or scratch memory where that is null.
+    template <class T, class Map, class Fold>
+    const T* startReduce(size_t n, const T& zero, const Map& map, const Fold& fold, T* result,
+                         const char* name) {
+        size_t chunks = (n + kReductionChunk - 1) / kReductionChunk;
+        T* partial = static_cast<T*>(scratch(2 * chunks * sizeof(T)));
+        T* next = partial + chunks;
+        if (chunks == 1 && result != nullptr) partial = result;
+        launchReduce(n, chunks, zero, map, fold, partial, name);
+        while (chunks > 1) {
+            const size_t count = chunks;
+            chunks = (count + kReductionChunk - 1) / kReductionChunk;
+            if (chunks == 1 && result != nullptr) next = result;
+            launchReduce(count, chunks, zero, ElementOf<T>{partial}, fold, next, name);
+            std::swap(partial, next);
+        }
+        return partial;
     }
     template <class T, class Map, class Fold>
     void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold, T* partial,

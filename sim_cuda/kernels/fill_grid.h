@@ -9,14 +9,14 @@ namespace demolish {
 template <class Real>
 struct CountInBuckets {
     PathsIn<Real> paths;
-    GridFrame<Real> frame;
+    Span<const GridFrame<Real>> frame;  ///< one
     uint32_t mask = 0;
     Span<uint64_t> key;      ///< per particle
     Span<uint32_t> counter;  ///< per bucket, 0 before; the paper's gridCounters
     Span<uint32_t> place;    ///< per particle: its place in the bucket
 
     DEM_FN void operator()(uint32_t i) const {
-        const uint64_t own = cellKey(gridCell(frame, paths.position[i], paths.velocity[i]));
+        const uint64_t own = cellKey(gridCell(frame[0], paths.position[i], paths.velocity[i]));
         key[i] = own;
         place[i] = atomicAddU32(&counter[bucketOf(own, mask)], 1);
     }
@@ -25,18 +25,18 @@ struct CountInBuckets {
 template <class Real>
 struct FillBuckets {
     PathsIn<Real> paths;
+    Span<const GridFrame<Real>> frame;  ///< one
     Span<const uint64_t> key;
     Span<const uint32_t> bucket_start;  ///< exclusive sums of the counters
     Span<const uint32_t> place;
     uint32_t mask = 0;
-    Span<uint32_t> member;                              ///< ids, bucket by bucket; the paper's gridCells
-    Span<Vec4<Real>> member_position, member_velocity;  ///< their paths, so that a bucket is read in one go
+    Span<uint32_t> member;         ///< ids, bucket by bucket; the paper's gridCells
+    Span<Vec4<Real>> member_ball;  ///< ballAroundPath of each, so that a bucket is read in one go
 
     DEM_FN void operator()(uint32_t i) const {
         const uint32_t at = bucket_start[bucketOf(key[i], mask)] + place[i];
         member[at] = i;
-        member_position[at] = paths.position[i];
-        member_velocity[at] = paths.velocity[i];
+        member_ball[at] = ballAroundPath(frame[0], paths.position[i], paths.velocity[i]);
     }
 };
 

@@ -1,4 +1,5 @@
-// Rows of the bodies' particles: count them, then write them sorted by id, with the projectiles at the end.
+// Which particles may meet: those of bodies among each other by way of the grid, and each with the
+// projectiles. What is found goes into short drafts, in any order; write_neighbours.h makes rows of them.
 #pragma once
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/kernels/grid_cell.h"
@@ -6,47 +7,70 @@
 
 namespace demolish {
 
-/// What both passes read.
+/// Rows of cells about a particle's own: 3 x 3.
+inline constexpr uint32_t kCellRows = 9;
+
+/// What all passes read.
 template <class Real>
 struct NeighbourSearch {
     PathsIn<Real> paths;
+    Span<const GridFrame<Real>> frame;  ///< one
     Span<const uint64_t> key;
     Span<const uint32_t> bucket_start, member;
-    Span<const Vec4<Real>> member_position, member_velocity;
+    Span<const Vec4<Real>> member_ball;
     Span<const uint32_t> bond_row;  ///< total + 1
     Span<const BondLink> link;      ///< sorted by id in each row
-    Real horizon{};                 ///< s
     uint32_t mask = 0, in_bodies = 0, total = 0;
 
     DEM_FN bool takesPart(uint32_t i) const { return paths.velocity[i].w >= Real(0); }
     DEM_FN bool meets(uint32_t i, uint32_t j) const {
-        return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j], horizon);
+        return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j],
+                       frame[0].horizon);
     }
     /// A pair with a bond record is that record's business, in whatever state it is.
     DEM_FN bool hasBondRecord(uint32_t i, uint32_t j) const {
-        for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot)
-            if (linkedParticle(link[slot]) == j) return true;
-        return false;
+        uint32_t low = bond_row[i], high = bond_row[i + 1];
+        const uint32_t end = high;
+        while (low < high) {
+            const uint32_t middle = (low + high) / 2;
+            if (linkedParticle(link[middle]) < j)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return low < end && linkedParticle(link[low]) == j;
     }
 
-    /// visit(j) for every particle of a body in the cell, in any order.
+    /// visit(j) for those members first, first + step, ... before `last` that lie in the row of cells and
+    /// meet i.
     template <class Visit>
-    DEM_FN void visitCell(uint32_t i, const GridCell& cell, Visit& visit) const {
-        const uint64_t wanted = cellKey(cell);
-        const uint32_t bucket = bucketOf(wanted, mask);
-        const Vec4<Real> x = paths.position[i], v = paths.velocity[i];
-        for (uint32_t at = bucket_start[bucket]; at < bucket_start[bucket + 1]; ++at) {
-            if (!mayMeet(x, v, member_position[at], member_velocity[at], horizon)) continue;
+    DEM_FN void visitMembers(uint32_t i, const Vec4<Real>& ball, uint64_t row, uint32_t first, uint32_t last,
+                             uint32_t step, Visit& visit) const {
+        for (uint32_t at = first; at < last; at += step) {
+            if (!ballsTouch(ball, member_ball[at])) continue;
             const uint32_t j = member[at];
-            if (j != i && key[j] == wanted && !hasBondRecord(i, j)) visit(j);
+            if (j != i && cellRow(key[j]) == row && meets(i, j) && !hasBondRecord(i, j)) visit(j);
         }
     }
+    /// visit(j) for every step-th particle of a body in the three cells of row `which` about i's own.
     template <class Visit>
-    DEM_FN void visitNeighbours(uint32_t i, Visit& visit) const {
-        const GridCell own = cellOf(key[i]);
-        for (int32_t z = -1; z <= 1; ++z)
-            for (int32_t y = -1; y <= 1; ++y)
-                for (int32_t x = -1; x <= 1; ++x) visitCell(i, {own.x + x, own.y + y, own.z + z}, visit);
+    DEM_FN void visitRow(uint32_t i, const Vec4<Real>& ball, uint32_t which, uint32_t offset, uint32_t step,
+                         Visit& visit) const {
+        GridCell cell = cellOf(key[i]);
+        cell.x -= 1;
+        cell.y += static_cast<int32_t>(which % 3) - 1;
+        cell.z += static_cast<int32_t>(which / 3) - 1;
+        const uint64_t wanted = cellKey(cell);
+        const uint32_t bucket = bucketOf(wanted, mask), buckets = mask + 1, end = bucket + 3;
+        visitMembers(i, ball, cellRow(wanted), bucket_start[bucket] + offset,
+                     bucket_start[end < buckets ? end : buckets], step, visit);
+        if (end > buckets)
+            visitMembers(i, ball, cellRow(wanted), offset, bucket_start[end - buckets], step, visit);
+    }
+    /// visit(j) for every neighbour in a body, in any order.
+    template <class Visit>
+    DEM_FN void visitNeighbours(uint32_t i, const Vec4<Real>& ball, Visit& visit) const {
+        for (uint32_t row = 0; row < kCellRows; ++row) visitRow(i, ball, row, 0, 1, visit);
     }
     /// Ascending.
     template <class Visit>
@@ -56,95 +80,48 @@ struct NeighbourSearch {
     }
 };
 
-struct CountVisits {
-    uint32_t count = 0;
-    DEM_FN void operator()(uint32_t) { ++count; }
-};
+/// Room for the first neighbours found of each particle; longer rows are searched again when they are
+/// written.
+struct RowDrafts {
+    Span<uint32_t> count;      ///< per particle of a body: all found
+    Span<uint32_t> neighbour;  ///< `length` a particle
+    uint32_t length = 0;
 
-/// Rows up to this length are kept from the first pass; longer ones are searched twice.
-inline constexpr uint32_t kDraftLength = 24;
-
-struct DraftVisits {
-    uint32_t* draft = nullptr;
-    uint32_t count = 0;
-    DEM_FN void operator()(uint32_t j) {
-        if (count < kDraftLength) draft[count] = j;
-        ++count;
+    DEM_FN void put(uint32_t i, uint32_t place, uint32_t j) const {
+        if (place < length) neighbour[size_t{i} * length + place] = j;
     }
 };
 
-struct AppendVisits {
-    uint32_t* row = nullptr;
-    uint32_t count = 0;
-    DEM_FN void operator()(uint32_t j) { row[count++] = j; }
-};
-
-/// Rows are short: insertion.
-DEM_FN void sortRow(uint32_t* row, uint32_t count) {
-    for (uint32_t k = 1; k < count; ++k) {
-        const uint32_t value = row[k];
-        uint32_t at = k;
-        for (; at > 0 && row[at - 1] > value; --at) row[at] = row[at - 1];
-        row[at] = value;
-    }
-}
-
-template <class Real>
-struct CountNeighbours {
+/// kThreads threads a particle, or one for all rows of cells (1). Threads follow the order of the buckets, so
+/// that neighbouring ones read the same members.
+template <uint32_t kThreads, class Real>
+struct FindNeighbours {
+    static_assert(kThreads == 1 || kThreads % kCellRows == 0);
     NeighbourSearch<Real> search;
-    Span<uint32_t> count;
-    Span<uint32_t> draft;  ///< kDraftLength words a particle
+    RowDrafts drafts;
 
-    DEM_FN void operator()(uint32_t i) const {
-        DraftVisits visits{&draft[size_t{i} * kDraftLength]};
-        search.visitNeighbours(i, visits);
-        search.visitProjectiles(i, visits);
-        count[i] = visits.count;
-    }
-};
-
-/// The rows of the build before, whose tangential springs are carried over.
-template <class Real>
-struct FormerRows {
-    Span<const uint32_t> row_start, neighbour;
-    Span<const Vec4<Real>> spring;
-
-    /// Null for a pair that was not listed.
-    DEM_FN Vec4<Real> springOf(uint32_t i, uint32_t j) const {
-        uint32_t low = row_start[i], high = row_start[i + 1];
-        const uint32_t end = high;
-        while (low < high) {
-            const uint32_t middle = (low + high) / 2;
-            if (neighbour[middle] < j)
-                low = middle + 1;
+    struct Append {
+        RowDrafts drafts;
+        uint32_t i, count;
+        DEM_FN void operator()(uint32_t j) {
+            if constexpr (kThreads == 1)
+                drafts.put(i, count++, j);
             else
-                high = middle;
+                drafts.put(i, atomicAddU32(&drafts.count[i], 1), j);
         }
-        return low < end && neighbour[low] == j ? spring[low] : Vec4<Real>{};
-    }
-};
+    };
 
-template <class Real>
-struct WriteNeighbours {
-    NeighbourSearch<Real> search;
-    FormerRows<Real> former;
-    Span<const uint32_t> row_start;
-    Span<const uint32_t> draft;
-    Span<uint32_t> neighbour;
-    Span<Vec4<Real>> spring;
-
-    DEM_FN void operator()(uint32_t i) const {
-        AppendVisits row{&neighbour[row_start[i]]};
-        const uint32_t length = row_start[i + 1] - row_start[i];
-        if (length > kDraftLength) {
-            search.visitNeighbours(i, row);
-            sortRow(row.row, row.count);
-            search.visitProjectiles(i, row);
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t at = k / kThreads, part = k % kThreads;
+        Append append{drafts, search.member[at], 0};
+        const Vec4<Real> ball = search.member_ball[at];
+        if constexpr (kThreads == 1) {
+            search.visitNeighbours(append.i, ball, append);
+            drafts.count[append.i] = append.count;
         } else {
-            for (uint32_t k = 0; k < length; ++k) row(draft[size_t{i} * kDraftLength + k]);
-            sortRow(row.row, row.count);  // projectiles have the highest ids
+            constexpr uint32_t kStep = kThreads / kCellRows;
+            search.visitRow(append.i, ball, part / kStep, part % kStep, kStep, append);
         }
-        for (uint32_t k = 0; k < row.count; ++k) spring[row_start[i] + k] = former.springOf(i, row.row[k]);
     }
 };
 

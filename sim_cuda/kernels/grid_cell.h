@@ -10,10 +10,32 @@ namespace demolish {
 /// velocity. Two that may meet are then never farther apart than one cell.
 template <class Real>
 struct GridFrame {
-    Vec3<Real> common_velocity;  ///< m/s
-    Real half_horizon{};         ///< s
-    Real inverse_cell{};         ///< 1/m
+    Vec3<Real> common_velocity;        ///< m/s
+    Real horizon{};                    ///< s
+    Real cell_size{}, inverse_cell{};  ///< m, 1/m
 };
+
+/// m, seen from the moving frame.
+template <class Real>
+DEM_FN Vec3<Real> middleOfPath(const GridFrame<Real>& frame, const Vec4<Real>& position,
+                               const Vec4<Real>& velocity) {
+    return axpy(Real(0.5) * frame.horizon, xyz(velocity) - frame.common_velocity, xyz(position));
+}
+
+/// (middle of the path, m; radius about it that holds the path and the reach, m). Two whose balls are apart
+/// cannot meet. The excess covers round-off far from the origin.
+template <class Real>
+DEM_FN Vec4<Real> ballAroundPath(const GridFrame<Real>& frame, const Vec4<Real>& position,
+                                 const Vec4<Real>& velocity) {
+    const Real half_way = Real(0.5) * frame.horizon * length(xyz(velocity) - frame.common_velocity);
+    return withW(middleOfPath(frame, position, velocity),
+                 madd(Real(1.01), position.w + half_way, Real(0.005) * frame.cell_size));
+}
+template <class Real>
+DEM_FN bool ballsTouch(const Vec4<Real>& a, const Vec4<Real>& b) {
+    const Real reach = a.w + b.w;
+    return length2(xyz(b) - xyz(a)) < reach * reach;
+}
 
 inline constexpr int32_t kGridReach =
     1 << 20;  ///< cells from the origin to either side; farther ones share the last
@@ -34,7 +56,7 @@ DEM_FN int32_t gridCoordinate(Real scaled) {
 template <class Real>
 DEM_FN GridCell gridCell(const GridFrame<Real>& frame, const Vec4<Real>& position,
                          const Vec4<Real>& velocity) {
-    const Vec3<Real> middle = axpy(frame.half_horizon, xyz(velocity) - frame.common_velocity, xyz(position));
+    const Vec3<Real> middle = middleOfPath(frame, position, velocity);
     return {gridCoordinate(frame.inverse_cell * middle.x), gridCoordinate(frame.inverse_cell * middle.y),
             gridCoordinate(frame.inverse_cell * middle.z)};
 }
@@ -50,10 +72,17 @@ DEM_FN GridCell cellOf(uint64_t key) {
             static_cast<int32_t>(key >> 42 & 0x1fffffu) - kGridReach};
 }
 
-/// `mask` = number of buckets - 1, a power of two less one.
+/// The row of cells along x that a key lies in: its y and z.
+DEM_FN uint64_t cellRow(uint64_t key) {
+    return key >> 21;
+}
+
+/// Cells of a row follow each other in the buckets, the last bucket being followed by the first, so that
+/// three neighbours are read in one go. `mask` = number of buckets - 1, a power of two less one, at least 3.
 DEM_FN uint32_t bucketOf(uint64_t key, uint32_t mask) {
-    key = (key ^ key >> 31) * 0x9e3779b97f4a7c15ull;
-    return static_cast<uint32_t>(key >> 40) & mask;
+    const uint64_t row = cellRow(key);
+    const uint64_t mixed = (row ^ row >> 21) * 0x9e3779b97f4a7c15ull;
+    return (static_cast<uint32_t>(mixed >> 40) + static_cast<uint32_t>(key & 0x1fffffu)) & mask;
 }
 
 }  // namespace demolish

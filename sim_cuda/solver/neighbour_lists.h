@@ -1,20 +1,22 @@
 // Contact lists: which pairs may touch for a while, found on the paper's uniform grid (3.3.1).
 //
-//   start paths -> common velocity, horizon -> count in buckets -> scan -> fill buckets
-//               -> count rows -> scan -> write rows sorted, with the springs of the rows before
+//   start paths -> velocity ranges -> common velocity, horizon -> count in buckets -> scan -> fill buckets
+//               -> find pairs into drafts -> scan -> write rows sorted, with the springs of the rows before
 //
 // Soundness: kernels/predicted_path.h. Everything is counted in whole numbers and every choice is made on
 // equal bits, so the rows are the same on every device and for any number of threads.
+//
+// The host learns how long the rows are while they are written already; should they not fit, they are
+// written again.
 #pragma once
 #include <bit>
-#include <cmath>
 #include <utility>
 
 #include "sim_cuda/data/bonds.h"
+#include "sim_cuda/kernels/choose_frame.h"
 #include "sim_cuda/kernels/fill_grid.h"
-#include "sim_cuda/kernels/find_projectile_rows.h"
 #include "sim_cuda/kernels/start_paths.h"
-#include "sim_cuda/solver/velocity_range.h"
+#include "sim_cuda/kernels/write_neighbours.h"
 
 namespace demolish {
 
@@ -34,8 +36,8 @@ class NeighbourLists {
     NeighbourLists(Backend& backend, ParticleCounts counts, double largest_radius,
                    const NeighbourSettings& settings = {});
 
-    /// Builds the rows from the present state. Waits for the device. Needed at the start, when
-    /// elapsed + lookahead passes horizon(), when CheckPaths says so, and when a projectile starts.
+    /// Builds the rows from the present state. Waits for their length, not for the rows. Needed at the start,
+    /// when elapsed + lookahead passes horizon(), when CheckPaths says so, and when a projectile starts.
     void build(const StateIn<Real>& state, Span<const Vec4<Real>> constants, const BondRowsIn<Real>& bonds);
 
     /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon
@@ -55,26 +57,45 @@ class NeighbourLists {
     const ContactArrays<Backend, Real>& contacts() const { return contacts_; }
 
   private:
-    void chooseFrame();
+    void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
     void fillGrid();
-    void countRows(const NeighbourSearch<Real>& search);
+    void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
     void makeRoom();
-    NeighbourSearch<Real> searchOf(const BondRowsIn<Real>& bonds) const;
+    NeighbourSearch<Real> searchOf(const BondRowsIn<Real>& bonds);
+
+    uint32_t shots() const { return counts_.total - counts_.in_bodies; }
+    /// Parts of zeroed_, one after the other.
+    Span<uint32_t> bucketCounters() { return zeroed_.span().part(0, mask_ + 1); }
+    Span<uint32_t> bucketStarts() { return zeroed_.span().part(0, mask_ + 2); }
+    Span<uint32_t> rowCounts() { return zeroed_.span().part(mask_ + 2, counts_.in_bodies + bit_words_); }
+    Span<uint32_t> bits() { return zeroed_.span().part(mask_ + 2 + rowCounts().count, bit_words_); }
+    RowDrafts drafts() { return {rowCounts().part(0, counts_.in_bodies), draft_.span(), kDraftLength}; }
+    ProjectileBits projectileBits() {
+        return {bits(), rowCounts().part(counts_.in_bodies, bit_words_), bit_words_ / shots()};
+    }
+
+    /// Rows up to this length are kept from the search; longer ones are searched twice.
+    static constexpr uint32_t kDraftLength = 32;
+    /// Particles up to which more threads share the search for one.
+    static constexpr uint32_t kFew = 100'000;
 
     Backend& backend_;
     ParticleCounts counts_;
     NeighbourSettings settings_;
     double reach_;  ///< m, of two particles of the largest radius
     double largest_skin_;
-    uint32_t mask_, chunks_;
+    uint32_t mask_, bit_words_;  ///< buckets - 1; words of projectile bits
     double horizon_ = 0;
     uint64_t builds_ = 0;
-    GridFrame<Real> frame_;
     ContactArrays<Backend, Real> contacts_, former_;  ///< the lists, and those of the build before
+    Buffer<VelocityRanges<Real>> ranges_;
+    Buffer<GridFrame<Real>> frame_;
     Buffer<uint64_t> key_;
-    Buffer<uint32_t> bucket_start_, place_, member_, draft_, count_, chunk_start_;
-    Buffer<Vec4<Real>> member_position_, member_velocity_;
+    Buffer<uint32_t> zeroed_, place_, member_, draft_;
+    Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
+    Buffer<Vec4<Real>> member_ball_;
+    typename Backend::Reader reader_;
 };
 
 template <class Backend, class Real>
@@ -85,17 +106,18 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       settings_(settings),
       reach_(2 * largest_radius * (1 + settings.skin_share)),
       largest_skin_(settings.skin_share * largest_radius),
-      mask_(std::bit_ceil(2 * counts.in_bodies + 1) - 1),
-      chunks_((counts.total + kProjectileChunk - 1) / kProjectileChunk),
+      mask_(std::bit_ceil(counts.in_bodies + 3) - 1),
+      bit_words_(shots() * ((counts.total + kBitsPerWord - 1) / kBitsPerWord)),
+      ranges_(backend.template allocate<VelocityRanges<Real>>(1)),
+      frame_(backend.template allocate<GridFrame<Real>>(1)),
       key_(backend.template allocate<uint64_t>(counts.in_bodies)),
-      bucket_start_(backend.template allocate<uint32_t>(mask_ + 2)),
+      zeroed_(backend.template allocate<uint32_t>(mask_ + 2 + counts.in_bodies + 2 * size_t{bit_words_})),
       place_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
       draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
-      count_(backend.template allocate<uint32_t>(counts.total)),
-      chunk_start_(backend.template allocate<uint32_t>((counts.total - counts.in_bodies) * chunks_ + 1)),
-      member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
-      member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)) {
+      sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
+      member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
+      reader_(backend) {
     for (ContactArrays<Backend, Real>* lists : {&contacts_, &former_}) {
         lists->row_start = backend.template allocate<uint32_t>(counts.total + 1);
         lists->neighbour = backend.template allocate<uint32_t>(1);
@@ -111,80 +133,76 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
     std::swap(contacts_.row_start, former_.row_start);
     std::swap(contacts_.neighbour, former_.neighbour);
     std::swap(contacts_.spring, former_.spring);
+    startPaths(state, constants);
+    fillGrid();
+    const NeighbourSearch<Real> search = searchOf(bonds);
+    findPairs(search);
+    writeRows(search);
+    const std::vector<uint32_t>& told = reader_.wait();
+    contacts_.used = told[0];
+    horizon_ = std::bit_cast<double>(uint64_t{told[1]} | uint64_t{told[2]} << 32);
+    if (contacts_.neighbour.size() < contacts_.used) {
+        makeRoom();
+        writeRows(search);
+    }
+    ++builds_;
+}
+
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
+    backend_.fill(zeroed_.span(), 0u);
     backend_.forEach(
         counts_.total,
         StartPaths<Real>{state, constants, contacts_.built_position.span(), contacts_.built_velocity.span(),
                          Real(settings_.skin_share), Real(largest_skin_)},
         "start paths");
-    chooseFrame();
-    fillGrid();
-    const NeighbourSearch<Real> search = searchOf(bonds);
-    countRows(search);
-    writeRows(search);
-    ++builds_;
-}
-
-/// The horizon is as long as the grid's cells allow: travel_share of the reach for the fastest particle, seen
-/// from the middle of all velocities, and four reaches for the fastest projectile.
-template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::chooseFrame() {
-    const VelocityRanges<Real> ranges =
-        backend_.reduce(counts_.total, VelocityRanges<Real>{},
+    backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
                         VelocityOfPath<Real>{contacts_.built_velocity.view(), counts_.in_bodies},
                         WidenRanges<Real>{}, "velocity ranges");
-    frame_.common_velocity = middleOf(ranges.bodies);
-    const double spread = largestSpeed(ranges.bodies, frame_.common_velocity);
-    const double shot_speed = largestSpeed(ranges.projectiles, frame_.common_velocity);
-    horizon_ = settings_.longest_horizon;
-    if (spread * horizon_ > settings_.travel_share * reach_)
-        horizon_ = settings_.travel_share * reach_ / spread;
-    if (shot_speed * horizon_ > 4 * reach_) horizon_ = 4 * reach_ / shot_speed;
-    horizon_ = static_cast<double>(static_cast<Real>(horizon_));
-    // 2 %: round-off of positions far from the origin (up to 5e4 cells in float).
-    frame_.inverse_cell = static_cast<Real>(1 / (1.02 * (reach_ + spread * horizon_)));
-    frame_.half_horizon = static_cast<Real>(0.5 * horizon_);
+    backend_.forEach(1,
+                     ChooseFrame<Real>{ranges_.view(), frame_.span(),
+                                       sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords), reach_,
+                                       settings_.travel_share, settings_.longest_horizon},
+                     "choose frame");
 }
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::fillGrid() {
-    const uint32_t n = counts_.in_bodies;
-    const Span<uint32_t> counter = bucket_start_.span().part(0, mask_ + 1);
-    backend_.fill(counter, 0u);
-    backend_.forEach(
-        n, CountInBuckets<Real>{contacts_.paths(), frame_, mask_, key_.span(), counter, place_.span()},
-        "count in buckets");
-    backend_.exclusiveScan(counter, bucket_start_.span());
-    backend_.forEach(
-        n,
-        FillBuckets<Real>{contacts_.paths(), key_.view(), bucket_start_.view(), place_.view(), mask_,
-                          member_.span(), member_position_.span(), member_velocity_.span()},
-        "fill buckets");
+    backend_.forEach(counts_.in_bodies,
+                     CountInBuckets<Real>{contacts_.paths(), frame_.view(), mask_, key_.span(),
+                                          bucketCounters(), place_.span()},
+                     "count in buckets");
+    backend_.exclusiveScan(bucketCounters(), bucketStarts());
+    backend_.forEach(counts_.in_bodies,
+                     FillBuckets<Real>{contacts_.paths(), frame_.view(), key_.view(), bucketStarts(),
+                                       place_.view(), mask_, member_.span(), member_ball_.span()},
+                     "fill buckets");
 }
 
 template <class Backend, class Real>
-NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<Real>& bonds) const {
-    return {contacts_.paths(),       key_.view(),
-            bucket_start_.view(),    member_.view(),
-            member_position_.view(), member_velocity_.view(),
-            bonds.row_start,         bonds.link,
-            Real(horizon_),          mask_,
-            counts_.in_bodies,       counts_.total};
+NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<Real>& bonds) {
+    return {contacts_.paths(),   frame_.view(),   key_.view(), bucketStarts(), member_.view(),
+            member_ball_.view(), bonds.row_start, bonds.link,  mask_,          counts_.in_bodies,
+            counts_.total};
 }
 
+/// The total and the horizon are on their way to the host after this.
 template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::countRows(const NeighbourSearch<Real>& search) {
-    const uint32_t shots = counts_.total - counts_.in_bodies;
-    const Span<uint32_t> chunk_count = chunk_start_.span().part(0, shots * chunks_);
-    backend_.forEach(counts_.in_bodies, CountNeighbours<Real>{search, count_.span(), draft_.span()},
-                     "count neighbours");
-    backend_.forEach(shots * chunks_, CountProjectileChunks<Real>{{search, chunks_}, chunk_count},
-                     "count projectile chunks");
-    backend_.exclusiveScan(chunk_count, chunk_start_.span());
-    backend_.forEach(shots,
-                     CountProjectileRows{chunk_start_.view(), chunks_, counts_.in_bodies, count_.span()},
-                     "count projectile rows");
-    backend_.exclusiveScan(count_.view(), contacts_.row_start.span());
-    backend_.download(contacts_.row_start.view().part(counts_.total, 1), &contacts_.used);
+void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& search) {
+    const auto find = [&]<uint32_t kThreads>() {
+        backend_.forEach(size_t{counts_.in_bodies} * kThreads,
+                         FindNeighbours<kThreads, Real>{search, drafts()}, "find neighbours");
+    };
+    if constexpr (!Backend::kOnGpu)
+        find.template operator()<1>();
+    else if (counts_.in_bodies <= kFew)
+        find.template operator()<4 * kCellRows>();
+    else
+        find.template operator()<kCellRows>();
+    backend_.forEach(counts_.total, FindProjectiles<Real>{search, drafts(), projectileBits()},
+                     "find projectiles");
+    backend_.exclusiveScan(rowCounts(), sums_.span().part(0, rowCounts().count + 1));
+    reader_.start(backend_, sums_.view().part(rowCounts().count, 1 + kHorizonWords));
 }
 
 template <class Backend, class Real>
@@ -198,19 +216,17 @@ void NeighbourLists<Backend, Real>::makeRoom() {
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& search) {
-    makeRoom();
-    const FormerRows<Real> former{former_.row_start.view(), former_.neighbour.view(), former_.spring.view()};
-    backend_.forEach(counts_.in_bodies,
-                     WriteNeighbours<Real>{search, former, contacts_.row_start.view(), draft_.view(),
-                                           contacts_.neighbour.span(), contacts_.spring.span()},
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 8 : 1;
+    const RowWriter<Real> rows{{former_.row_start.view(), former_.neighbour.view(), former_.spring.view()},
+                               sums_.view().part(0, rowCounts().count + 1),
+                               contacts_.row_start.span(),
+                               contacts_.neighbour.span(),
+                               contacts_.spring.span()};
+    backend_.forEach(size_t{counts_.in_bodies} * kThreads,
+                     WriteNeighbours<kThreads, Real>{search, rows, draft_.view(), kDraftLength},
                      "write neighbours");
-    backend_.forEach((counts_.total - counts_.in_bodies) * chunks_,
-                     WriteProjectileRows<Real>{{search, chunks_},
-                                               former,
-                                               chunk_start_.view(),
-                                               contacts_.row_start.view(),
-                                               contacts_.neighbour.span(),
-                                               contacts_.spring.span()},
+    backend_.forEach(size_t{bit_words_} * kBitsPerWord,
+                     WriteProjectileRows<Real>{rows, bits(), bit_words_ / shots(), counts_.in_bodies},
                      "write projectile rows");
 }
 

@@ -48,21 +48,22 @@ struct WidenRanges {
 };
 
 template <class Real>
-Vec3<Real> middleOf(const VelocityRange<Real>& range) {
+DEM_FN Vec3<Real> middleOf(const VelocityRange<Real>& range) {
     if (!(range.low.x <= range.high.x)) return {};
     return Real(0.5) * (range.low + range.high);
 }
 
+DEM_FN double farthestFrom(double low, double high, double from) {
+    return maxOf(absOf(low - from), absOf(high - from));
+}
+
 /// Upper bound of |v - common| over the box, m/s; 0 for an empty one.
 template <class Real>
-double largestSpeed(const VelocityRange<Real>& range, const Vec3<Real>& common) {
+DEM_FN double largestSpeed(const VelocityRange<Real>& range, const Vec3<Real>& common) {
     if (!(range.low.x <= range.high.x)) return 0;
-    const auto farther = [](double low, double high, double from) {
-        return std::fmax(std::abs(low - from), std::abs(high - from));
-    };
-    const double x = farther(range.low.x, range.high.x, common.x),
-                 y = farther(range.low.y, range.high.y, common.y),
-                 z = farther(range.low.z, range.high.z, common.z);
+    const double x = farthestFrom(range.low.x, range.high.x, common.x),
+                 y = farthestFrom(range.low.y, range.high.y, common.y),
+                 z = farthestFrom(range.low.z, range.high.z, common.z);
     return std::sqrt(x * x + y * y + z * z);
 }
 

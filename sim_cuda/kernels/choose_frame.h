@@ -1,0 +1,46 @@
+// How long the lists of a build are to hold, and the grid that follows from it. Decided on the device, so
+// that nobody waits for it; in double precision from whole sets of numbers, so that every device decides
+// alike.
+#pragma once
+#include <bit>
+
+#include "sim_cuda/kernels/grid_cell.h"
+#include "sim_cuda/kernels/velocity_range.h"
+
+namespace demolish {
+
+/// Words in which the host is told of the horizon: the bits of a double, low word first.
+inline constexpr uint32_t kHorizonWords = 2;
+
+/// One thread. The horizon is as long as the grid's cells allow: travel_share of the reach for the fastest
+/// particle, seen from the middle of all velocities, and four reaches for the fastest projectile.
+template <class Real>
+struct ChooseFrame {
+    Span<const VelocityRanges<Real>> ranges;  ///< one
+    Span<GridFrame<Real>> frame;              ///< one
+    Span<uint32_t> told;                      ///< kHorizonWords
+    double reach = 0;                         ///< m, of two particles of the largest radius
+    double travel_share = 0, longest_horizon = 0;
+
+    DEM_FN void operator()(uint32_t) const {
+        GridFrame<Real> chosen;
+        chosen.common_velocity = middleOf(ranges[0].bodies);
+        const double spread = largestSpeed(ranges[0].bodies, chosen.common_velocity);
+        const double shot_speed = largestSpeed(ranges[0].projectiles, chosen.common_velocity);
+        double horizon = longest_horizon;
+        if (spread * horizon > travel_share * reach) horizon = travel_share * reach / spread;
+        if (shot_speed * horizon > 4 * reach) horizon = 4 * reach / shot_speed;
+        chosen.horizon = static_cast<Real>(horizon);
+        horizon = static_cast<double>(chosen.horizon);
+        // 2 %: round-off of positions far from the origin (up to 5e4 cells in float).
+        const double cell = 1.02 * (reach + spread * horizon);
+        chosen.cell_size = static_cast<Real>(cell);
+        chosen.inverse_cell = static_cast<Real>(1 / cell);
+        frame[0] = chosen;
+        const uint64_t bits = std::bit_cast<uint64_t>(horizon);
+        told[0] = static_cast<uint32_t>(bits);
+        told[1] = static_cast<uint32_t>(bits >> 32);
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,129 @@
+// Rows from what was found: sorted by id, with the springs of the rows before.
+#pragma once
+#include "sim_cuda/kernels/find_projectile_rows.h"
+
+namespace demolish {
+
+/// The rows of the build before, whose tangential springs are carried over.
+template <class Real>
+struct FormerRows {
+    Span<const uint32_t> row_start, neighbour;
+    Span<const Vec4<Real>> spring;
+
+    /// Null for a pair that was not listed.
+    DEM_FN Vec4<Real> springOf(uint32_t i, uint32_t j) const {
+        uint32_t low = row_start[i], high = row_start[i + 1];
+        const uint32_t end = high;
+        while (low < high) {
+            const uint32_t middle = (low + high) / 2;
+            if (neighbour[middle] < j)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return low < end && neighbour[low] == j ? spring[low] : Vec4<Real>{};
+    }
+};
+
+/// Where rows go. `sums`: exclusive sums of the drafts' counts and then of the counts of all words of
+/// projectile bits, the total last.
+template <class Real>
+struct RowWriter {
+    FormerRows<Real> former;
+    Span<const uint32_t> sums;
+    Span<uint32_t> row_start, neighbour;
+    Span<Vec4<Real>> spring;
+
+    DEM_FN bool fits() const { return sums[sums.count - 1] <= neighbour.count; }
+    DEM_FN void write(uint32_t slot, uint32_t i, uint32_t j) const {
+        neighbour[slot] = j;
+        spring[slot] = former.springOf(i, j);
+    }
+};
+
+struct AppendVisits {
+    uint32_t* row = nullptr;
+    uint32_t count = 0;
+    DEM_FN void operator()(uint32_t j) { row[count++] = j; }
+};
+
+/// Rows are short: insertion.
+DEM_FN void sortRow(uint32_t* row, uint32_t count) {
+    for (uint32_t k = 1; k < count; ++k) {
+        const uint32_t value = row[k];
+        uint32_t at = k;
+        for (; at > 0 && row[at - 1] > value; --at) row[at] = row[at - 1];
+        row[at] = value;
+    }
+}
+
+/// kThreads threads a row. Writes nothing but row_start where the lists have no room.
+template <uint32_t kThreads, class Real>
+struct WriteNeighbours {
+    NeighbourSearch<Real> search;
+    RowWriter<Real> rows;
+    Span<const uint32_t> draft;
+    uint32_t draft_length = 0;
+
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = k / kThreads, thread = k % kThreads;
+        const uint32_t first = rows.sums[i], length = rows.sums[i + 1] - first;
+        if (thread == 0) rows.row_start[i] = first;
+        if (length == 0 || !rows.fits()) return;
+        const uint32_t* found = &draft[size_t{i} * draft_length];
+        if (length > draft_length) {
+            if (thread == 0) searchAgain(i, first);
+        } else if constexpr (kThreads == 1) {
+            AppendVisits row{&rows.neighbour[first]};
+            for (uint32_t n = 0; n < length; ++n) row(found[n]);
+            finish(i, first, row);
+        } else {
+            for (uint32_t n = thread; n < length; n += kThreads) {
+                uint32_t rank = 0;
+                for (uint32_t m = 0; m < length; ++m) rank += found[m] < found[n] ? 1u : 0u;
+                rows.write(first + rank, i, found[n]);
+            }
+        }
+    }
+
+  private:
+    DEM_FN void searchAgain(uint32_t i, uint32_t first) const {
+        AppendVisits row{&rows.neighbour[first]};
+        search.visitNeighbours(
+            i, ballAroundPath(search.frame[0], search.paths.position[i], search.paths.velocity[i]), row);
+        search.visitProjectiles(i, row);
+        finish(i, first, row);
+    }
+    /// Sorts the row and carries its springs over; both rows are ascending.
+    DEM_FN void finish(uint32_t i, uint32_t first, const AppendVisits& row) const {
+        sortRow(row.row, row.count);
+        uint32_t before = rows.former.row_start[i];
+        const uint32_t end = rows.former.row_start[i + 1];
+        for (uint32_t n = 0; n < row.count; ++n) {
+            while (before < end && rows.former.neighbour[before] < row.row[n]) ++before;
+            const bool listed = before < end && rows.former.neighbour[before] == row.row[n];
+            rows.spring[first + n] = listed ? rows.former.spring[before] : Vec4<Real>{};
+        }
+    }
+};
+
+/// One thread for each projectile slot and particle; words * kBitsPerWord threads a slot.
+template <class Real>
+struct WriteProjectileRows {
+    RowWriter<Real> rows;
+    Span<const uint32_t> bits;
+    uint32_t words = 0, in_bodies = 0;
+
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t word = k / kBitsPerWord, bit = k % kBitsPerWord;
+        const uint32_t p = word / words, j = (word - p * words) * kBitsPerWord + bit;
+        const uint32_t first = rows.sums[in_bodies + word];
+        if (j == 0) rows.row_start[in_bodies + p] = first;
+        if (k == 0) rows.row_start[rows.row_start.count - 1] = rows.sums[rows.sums.count - 1];
+        const uint32_t set = bits[word];
+        if ((set >> bit & 1u) == 0 || !rows.fits()) return;
+        rows.write(first + countBits(set & ((1u << bit) - 1)), in_bodies + p, j);
+    }
+};
+
+}  // namespace demolish
