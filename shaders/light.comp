@@ -1,9 +1,11 @@
 #version 450 core
-// Lights what was drawn, once for every distinct sample of a pixel, maps each to display range, averages, encodes sRGB.
+// Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel; maps each to display range,
+// averages, encodes sRGB.
 // Mapping before averaging keeps edges between bright and dark smooth.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "common/shade.glsl"
+#include "common/floor.glsl"
 #include "common/tone.glsl"
 #if SAMPLES > 1
 layout(binding = 3) uniform sampler2DMS material_buffer;
@@ -39,27 +41,48 @@ float visibilityAt(ivec2 pixel, float depth) {
     return sum / weights;
 }
 
-vec3 lit(ivec2 pixel, int i) {
-    vec2 ndc = 2.0 * (vec2(pixel) + sample_position[i]) * frame.viewport.zw - 1.0;
-    vec3 ray = frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
-    float depth = texelFetch(depth_buffer, pixel, i).r;
-    if (depth <= 0.0) return toneMap(skyRadiance(normalize(ray)), curve);
-    float along = linearDepth(depth);
-    Surface s = unpackSurface(texelFetch(material_buffer, pixel, i), texelFetch(normal_buffer, pixel, i),
-                              frame.eye.xyz + ray * along);
+vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position[i]); }
+
+vec3 litSurface(Surface s, float along, ivec2 pixel) {
     float visibility = has_occlusion != 0 ? visibilityAt(pixel, along) : 1.0;
-    return toneMap(throughAir(shade(s, visibility, vec2(pixel)), s.position), curve);
+    return throughAir(shade(s, visibility, vec2(pixel)), s.position);
 }
 
-// Samples that one triangle covers hold the same values, those of the sky none: 4 bits of count for each distinct one,
-// at the place of the first like it.
+// What a sample shows: kSky and kFloor were not drawn, they follow from the ray.
+const int kSky = 0, kFloor = 1, kDrawn = 2;
+
+int kindOf(ivec2 pixel, int i, out float along) {
+    float depth = texelFetch(depth_buffer, pixel, i).r;
+    float drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
+    along = min(drawn, floorAlong(rayOf(pixel, i)));
+    return along == kNoFloor ? kSky : along < drawn ? kFloor : kDrawn;
+}
+
+vec3 lit(ivec2 pixel, int i) {
+    float along;
+    int kind = kindOf(pixel, i, along);
+    vec3 ray = rayOf(pixel, i);
+    vec3 position = frame.eye.xyz + ray * along;
+    if (kind == kSky) return toneMap(skyRadiance(normalize(ray)), curve);
+    Surface s;
+    if (kind == kFloor) {
+        s = floorSurface(position, ray);
+    } else {
+        s = unpackSurface(texelFetch(material_buffer, pixel, i), texelFetch(normal_buffer, pixel, i), position);
+    }
+    return toneMap(litSurface(s, along, pixel), curve);
+}
+
+// Samples that one triangle covers hold the same values, and so do those of the floor and of the sky: 4 bits of count for
+// each distinct one, at the place of the first like it.
 uint distinctSamples(ivec2 pixel) {
     vec4 materials[SAMPLES], normals[SAMPLES];
     uint counts = 0u;
     for (int i = 0; i < SAMPLES; ++i) {
-        bool sky = texelFetch(depth_buffer, pixel, i).r <= 0.0;
-        materials[i] = sky ? vec4(-1.0) : texelFetch(material_buffer, pixel, i);
-        normals[i] = sky ? vec4(-1.0) : texelFetch(normal_buffer, pixel, i);
+        float along;
+        int kind = kindOf(pixel, i, along);
+        materials[i] = kind == kDrawn ? texelFetch(material_buffer, pixel, i) : vec4(-1.0 - float(kind));
+        normals[i] = kind == kDrawn ? texelFetch(normal_buffer, pixel, i) : vec4(-1.0);
         int first = i;
         for (int j = i - 1; j >= 0; --j) {
             if (materials[i] == materials[j] && normals[i] == normals[j]) first = j;

@@ -1,7 +1,8 @@
 #version 450 core
-// Half-size linear depth: the nearest of four pixels, so that thin things keep their outline.
+// Half-size linear depth of what was drawn and of the floor: the nearest of four pixels, so that thin things keep their outline.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
+#include "common/floor.glsl"
 #ifdef MULTISAMPLE
 layout(binding = 0) uniform sampler2DMS depth_buffer;
 #else
@@ -13,10 +14,11 @@ void main() {
     ivec2 p = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(p, imageSize(result)))) return;
     ivec2 last = ivec2(frame.viewport.xy) - 1;
-    float nearest = 0.0;  // reversed: larger is nearer
+    float nearest = frame.depth_range.y;
     for (int k = 0; k < 4; ++k) {
         ivec2 pixel = min(2 * p + ivec2(k & 1, k >> 1), last);
-        nearest = max(nearest, texelFetch(depth_buffer, pixel, 0).r);
+        float along = min(linearDepth(texelFetch(depth_buffer, pixel, 0).r), floorAlong(rayThrough(vec2(pixel) + 0.5)));
+        nearest = min(nearest, along);
     }
-    imageStore(result, p, vec4(linearDepth(nearest)));
+    imageStore(result, p, vec4(nearest));
 }

@@ -27,4 +27,25 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
     }
 }
 
+GLuint writableTexture(GLuint framebuffer, int width, int height) {
+    if (framebuffer == 0) return 0;
+    const auto attached = [framebuffer](GLenum what) {
+        GLint value = 0;
+        glGetNamedFramebufferAttachmentParameteriv(framebuffer, GL_COLOR_ATTACHMENT0, what, &value);
+        return value;
+    };
+    if (attached(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_TEXTURE) return 0;
+    if (attached(GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL) != 0) return 0;
+    const auto texture = static_cast<GLuint>(attached(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+    const auto property = [texture](GLenum what) {
+        GLint value = 0;
+        glGetTextureLevelParameteriv(texture, 0, what, &value);
+        return value;
+    };
+    const bool fits = property(GL_TEXTURE_INTERNAL_FORMAT) == GL_RGBA8 && property(GL_TEXTURE_SAMPLES) == 0 &&
+                      property(GL_TEXTURE_WIDTH) == width && property(GL_TEXTURE_HEIGHT) == height &&
+                      property(GL_TEXTURE_DEPTH) == 1;
+    return fits ? texture : 0;
+}
+
 }  // namespace demolish::engine::gl

@@ -25,4 +25,8 @@ class Framebuffer {
     Object<FramebufferTraits> object_;
 };
 
+/// The texture behind a framebuffer's colour when a compute shader can write it in place of drawing:
+/// single-sample RGBA8 of exactly this size, level 0. 0 when it is anything else (the window, say).
+GLuint writableTexture(GLuint framebuffer, int width, int height);
+
 }  // namespace demolish::engine::gl

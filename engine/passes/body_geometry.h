@@ -13,6 +13,7 @@ enum class StorageBinding : GLuint {
     kCrackList = 3,
     kCrackEdges = 4,
     kExteriorVertices = 5,
+    kTouchedTiles = 6,
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);

@@ -5,22 +5,13 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kTileSize = 0;
 constexpr GLint kId = 0;
 
 }  // namespace
 
 FloorPass::FloorPass(const std::filesystem::path& shaders)
-    : shaded_(shaders, {"floor.vert", "floor.frag"}),
-      ids_(shaders, {"floor.vert", "id.frag"}, "#define CONSTANT_ID\n") {
+    : ids_(shaders, {"floor.vert", "id.frag"}, "#define CONSTANT_ID\n") {
     glProgramUniform1ui(ids_.id(), kId, kFloorId);
-}
-
-void FloorPass::draw(float tile_size) {
-    shaded_.set(kTileSize, tile_size);
-    shaded_.use();
-    no_attributes_.bind();
-    glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
 void FloorPass::drawIds() {

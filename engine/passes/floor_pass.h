@@ -1,4 +1,4 @@
-// The floor plane y = 0.
+// The floor plane y = 0 in the id picture; the light pass finds it without its being drawn.
 #pragma once
 #include <filesystem>
 
@@ -11,12 +11,10 @@ namespace demolish::engine {
 class FloorPass {
   public:
     explicit FloorPass(const std::filesystem::path& shaders);
-    /// `tile_size` in m.
-    void draw(float tile_size);
     void drawIds();
 
   private:
-    gl::Program shaded_, ids_;
+    gl::Program ids_;
     gl::VertexArray no_attributes_;
 };
 

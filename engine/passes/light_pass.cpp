@@ -48,7 +48,8 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality q
     return program;
 }
 
-void LightPass::run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality) {
+void LightPass::run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality,
+                    GLuint picture) {
     gl::Program& program = programFor(targets, quality);
     program.set(kHasOcclusion, occlusion != nullptr ? 1 : 0);
     program.use();
@@ -56,9 +57,10 @@ void LightPass::run(const RenderTargets& targets, const gl::Texture* occlusion, 
     targets.normals.bind(kNormalUnit);
     targets.depth.bind(kDepthUnit);
     if (occlusion != nullptr) occlusion->bind(kOcclusionUnit);
-    glBindImageTexture(0, targets.display.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
     glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
+                    GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 }  // namespace demolish::engine

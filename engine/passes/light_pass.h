@@ -13,8 +13,10 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
-    /// The shadow map is bound. `occlusion` may be null.
-    void run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality);
+    /// The shadow map and the noise volume are bound. `occlusion` may be null. Writes the RGBA8 texture
+    /// `picture`.
+    void run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality,
+             GLuint picture);
 
   private:
     gl::Program& programFor(const RenderTargets& targets, RenderQuality quality);

@@ -3,9 +3,14 @@
 #include "engine/passes/shadow_pass.h"
 
 namespace demolish::engine {
+namespace {
+
+constexpr float kEmptyDepth = 1.0f;
+
+}  // namespace
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
-    : body_(shaders, {"shadow.vert", "shadow.frag"}) {
+    : body_(shaders, {"shadow.vert", "shadow.frag"}), eraser_(shaders, kEmptyDepth) {
     const float lit[4] = {1, 1, 1, 1};
     for (gl::Sampler* sampler : {&compare_, &plain_}) {
         sampler->set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
@@ -20,15 +25,14 @@ ShadowPass::ShadowPass(const std::filesystem::path& shaders)
     plain_.set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
-void ShadowPass::begin(int size) {
+void ShadowPass::begin(int size, bool erase_tiles) {
     if (map_.width() != size) {
         map_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, size, size);
         framebuffer_ = gl::Framebuffer({}, &map_);
+        eraser_.forget();
     }
-    framebuffer_.bind();
-    glViewport(0, 0, size, size);
-    const float far_depth = 1.0f;
-    glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
+    if (!erase_tiles) eraser_.forget();
+    eraser_.erase(framebuffer_, map_);
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
@@ -41,7 +45,8 @@ void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh) {
     body.drawInterior(mesh);
 }
 
-void ShadowPass::finish() {
+void ShadowPass::finish(bool erase_tiles) {
+    if (erase_tiles) eraser_.remember(map_, 1);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
 }

@@ -6,6 +6,7 @@
 #include "engine/gl/program.h"
 #include "engine/gl/texture.h"
 #include "engine/passes/body_geometry.h"
+#include "engine/passes/depth_eraser.h"
 
 namespace demolish::engine {
 
@@ -13,9 +14,10 @@ class ShadowPass {
   public:
     explicit ShadowPass(const std::filesystem::path& shaders);
     /// Binds and clears the map of `size` x `size` texels; passes that cast shadows draw next. Then finish().
-    void begin(int size);
+    /// `erase_tiles`: only where something was drawn last time (DepthEraser).
+    void begin(int size, bool erase_tiles);
     void drawBody(BodyGeometry& body, const FractureMesh& mesh);
-    void finish();
+    void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;
     static void unbindMap();
@@ -25,6 +27,7 @@ class ShadowPass {
     gl::Texture map_;
     gl::Framebuffer framebuffer_;
     gl::Sampler compare_, plain_;
+    DepthEraser eraser_;
 };
 
 }  // namespace demolish::engine

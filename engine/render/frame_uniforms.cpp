@@ -1,6 +1,7 @@
 // From what the caller wants to see to the numbers that shaders use.
 #include "engine/render/frame_uniforms.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -11,6 +12,16 @@ namespace {
 // Apparent radius of the light, tangent; larger than the real sun's 0.0047, which would look hard on a
 // metre-sized body.
 constexpr float kSunTangent = 0.035f;
+
+constexpr float kTilesPerSceneRadius = 2.0f;
+
+/// Tiles of a round size (1, 2 or 5 times a power of ten), about half the scene's radius.
+float tileSize(float scene_radius) {
+    const float wanted = std::max(scene_radius, 1e-4f) / kTilesPerSceneRadius;
+    const float power = std::pow(10.0f, std::floor(std::log10(wanted)));
+    const float digit = wanted / power;
+    return power * (digit < 1.5f ? 1.0f : digit < 3.5f ? 2.0f : digit < 7.5f ? 5.0f : 10.0f);
+}
 
 /// World to shadow map: u, v in 0..1 over the scene's sphere, depth in 0..1 along the light.
 glm::mat4 lightMatrix(glm::vec3 centre, float radius, glm::vec3 to_sun) {
@@ -40,7 +51,7 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_map_size) {
     frame.view_projection = camera.projection(aspect) * frame.view;
     frame.light_matrix = lightMatrix(centre, view.scene_radius, to_sun);
     const glm::mat4 axes = glm::transpose(frame.view);
-    frame.eye = glm::vec4(camera.eye, 0);
+    frame.eye = glm::vec4(camera.eye, tileSize(view.scene_radius));
     frame.ray_right = glm::vec4(glm::vec3(axes[0]) * slope * aspect, 0);
     frame.ray_up = glm::vec4(glm::vec3(axes[1]) * slope, 0);
     frame.ray_forward = glm::vec4(-glm::vec3(axes[2]), 0);

@@ -12,6 +12,7 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
       depth(gl::Texture::makeTarget(GL_DEPTH_COMPONENT32F, width, height, samples)),
       display(gl::Texture::make2d(GL_RGBA8, width, height)),
       scene({&material, &normals}, &depth),
+      depth_only({}, &depth),
       resolved({&display}, nullptr) {}
 
 }  // namespace demolish::engine

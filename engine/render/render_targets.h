@@ -18,7 +18,7 @@ struct RenderTargets {
     gl::Texture normals;   ///< RGBA16, likewise
     gl::Texture depth;     ///< 32 bit float, reversed
     gl::Texture display;   ///< RGBA8, sRGB encoded, single sample
-    gl::Framebuffer scene, resolved;
+    gl::Framebuffer scene, depth_only, resolved;
 };
 
 }  // namespace demolish::engine

@@ -10,6 +10,7 @@
 #include "engine/gl/error.h"
 #include "engine/passes/ambient_occlusion_pass.h"
 #include "engine/passes/crack_pass.h"
+#include "engine/passes/depth_eraser.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/id_pass.h"
 #include "engine/passes/light_pass.h"
@@ -24,18 +25,10 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLuint kFrameBlock = 0, kNoiseUnit = 2;
-constexpr float kTilesPerSceneRadius = 2.0f;
+constexpr float kEmptyDepth = 0.0f;  // reversed
 
 int shadowMapSize(RenderQuality quality) {
     return quality == RenderQuality::kFull ? 2048 : 1024;
-}
-
-/// Tiles of a round size (1, 2 or 5 times a power of ten), about half the scene's radius.
-float tileSize(float scene_radius) {
-    const float wanted = std::max(scene_radius, 1e-4f) / kTilesPerSceneRadius;
-    const float power = std::pow(10.0f, std::floor(std::log10(wanted)));
-    const float digit = wanted / power;
-    return power * (digit < 1.5f ? 1.0f : digit < 3.5f ? 2.0f : digit < 7.5f ? 5.0f : 10.0f);
 }
 
 }  // namespace
@@ -50,6 +43,7 @@ struct Renderer::Passes {
           occlusion(shaders),
           light(shaders),
           ids(shaders),
+          eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
         glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
@@ -61,6 +55,7 @@ struct Renderer::Passes {
         if (!targets || !targets->fits(view.width, view.height, samples)) {
             targets.reset();  // both sets at once might not fit into a small GPU
             targets.emplace(view.width, view.height, samples);
+            eraser.forget();
         }
     }
 
@@ -70,9 +65,11 @@ struct Renderer::Passes {
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
     }
 
+    /// Software renderers fill memory faster than they look through it.
+    static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
-    void computeLight(const FrameView& view);
+    void computeLight(const FrameView& view, GLuint picture);
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     BodyGeometry body;
@@ -84,6 +81,7 @@ struct Renderer::Passes {
     AmbientOcclusionPass occlusion;
     LightPass light;
     IdPass ids;
+    DepthEraser eraser;
     gl::Texture noise;
     gl::Buffer frame_block;
     gl::PassClock clock;
@@ -92,41 +90,38 @@ struct Renderer::Passes {
 };
 
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
-    shadow.begin(shadowMapSize(view.quality));
+    shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh);
     spheres.drawSphereShadows();
-    shadow.finish();
+    shadow.finish(erasesTiles(view));
     clock.mark("shadow");
 }
 
 void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& view) {
+    // Colour is not cleared: it is read only where depth says that something was drawn.
+    if (!erasesTiles(view)) eraser.forget();
+    eraser.erase(targets->depth_only, targets->depth);
     targets->scene.bind();
-    glViewport(0, 0, view.width, view.height);
-    const float nothing[4] = {0, 0, 0, 0}, far_depth = 0.0f;
-    for (const GLint target : {0, 1})
-        glClearNamedFramebufferfv(targets->scene.id(), GL_COLOR, target, nothing);
-    glClearNamedFramebufferfv(targets->scene.id(), GL_DEPTH, 0, &far_depth);
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    noise.bind(kNoiseUnit);
     if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     clock.mark("body");
-    if (view.show_floor) floor.draw(tileSize(view.scene_radius));
-    clock.mark("floor");
     const bool with_cracks = mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks;
     if (with_cracks) cracks.draw(*mesh, view.look.crack_width);
     clock.mark("cracks");
 }
 
-void Renderer::Passes::computeLight(const FrameView& view) {
+void Renderer::Passes::computeLight(const FrameView& view, GLuint picture) {
+    if (erasesTiles(view)) eraser.remember(targets->depth, targets->samples);
+    clock.mark("touched");
     const bool with_occlusion = view.quality == RenderQuality::kFull;
     const gl::Texture* visibility = with_occlusion ? &occlusion.run(*targets, view.scene_radius) : nullptr;
     clock.mark("occlusion");
     shadow.bindMap();
-    light.run(*targets, visibility, view.quality);
+    light.run(*targets, visibility, view.quality, picture);
     ShadowPass::unbindMap();
     clock.mark("light");
 }
@@ -153,6 +148,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.prepareTargets(view);
     p.uploadFrame(view);
     p.spheres.setSpheres(spheres);
+    p.noise.bind(kNoiseUnit);
 
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);
@@ -166,10 +162,13 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 
-    p.computeLight(view);
-    glBlitNamedFramebuffer(p.targets->resolved.id(), target_framebuffer, 0, 0, view.width, view.height, 0, 0,
-                           view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    p.clock.mark("present");
+    const GLuint picture = gl::writableTexture(target_framebuffer, view.width, view.height);
+    p.computeLight(view, picture != 0 ? picture : p.targets->display.id());
+    if (picture == 0) {
+        glBlitNamedFramebuffer(p.targets->resolved.id(), target_framebuffer, 0, 0, view.width, view.height, 0,
+                               0, view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+        p.clock.mark("present");
+    }
     p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
     glBindVertexArray(0);

@@ -3,7 +3,7 @@ layout(std140, binding = 0) uniform Frame {
     mat4 view_projection;  // world to clip, reversed depth in 0..1
     mat4 view;             // world to view
     mat4 light_matrix;     // world to shadow map: u, v, depth in 0..1
-    vec4 eye;              // xyz: camera, m
+    vec4 eye;              // xyz: camera, w: edge of a floor tile, m
     vec4 ray_right;        // rays through the picture: forward + x * right + y * up, x and y in -1..1
     vec4 ray_up;
     vec4 ray_forward;
@@ -18,15 +18,19 @@ layout(std140, binding = 0) uniform Frame {
     vec4 scene;            // xyz: centre, w: radius, m
 } frame;
 
+// How far the floor goes on from the camera along x and z, times the far plane's distance.
+const float kFloorReach = 0.7;
+
 // Distance along the view axis from reversed depth.
 float linearDepth(float depth) {
     float near = frame.depth_range.x, far = frame.depth_range.y;
     return near * far / (near + depth * (far - near));
 }
 
-vec3 rayThrough(vec2 uv) {
-    vec2 ndc = 2.0 * uv - 1.0;
-    return normalize(frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz);
+// Ray through a point of the picture (px), as long as one unit along the view axis.
+vec3 rayThrough(vec2 pixel) {
+    vec2 ndc = 2.0 * pixel * frame.viewport.zw - 1.0;
+    return frame.ray_forward.xyz + ndc.x * frame.ray_right.xyz + ndc.y * frame.ray_up.xyz;
 }
 
 // A value in 0..1 for each pixel that differs most from its neighbours' (interleaved gradient noise, Jimenez 2014);

@@ -1,10 +1,17 @@
 // Band-limited noise of rest position from a small repeating volume: rgb = gradient, a = value, both mapped to 0..1.
 layout(binding = 2) uniform sampler3D noise_volume;
 const float kNoisePeriod = 8.0;  // lattice cells along one side of the volume
+const float kTexelsPerCell = 8.0;
 
 // xyz: gradient per lattice cell, w: value, about -1..1. `p` in lattice cells.
 vec4 noise(vec3 p) {
     vec4 t = texture(noise_volume, p / kNoisePeriod) * 2.0 - 1.0;
+    return vec4(t.xyz * 2.0, t.w);
+}
+
+// The same where the pipeline knows no neighbours: `footprint` is the width of a pixel in lattice cells.
+vec4 noiseOver(vec3 p, float footprint) {
+    vec4 t = textureLod(noise_volume, p / kNoisePeriod, log2(max(footprint * kTexelsPerCell, 1e-6))) * 2.0 - 1.0;
     return vec4(t.xyz * 2.0, t.w);
 }
 
