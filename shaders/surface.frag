@@ -34,7 +34,7 @@ void main() {
     s.normal = normalize(s.normal - noise_shape.y * slope);
     float tint = 1.0 + 0.22 * fine.w + 0.22 * coarse;
     float pit = max(-relief.y, 0.0), dust = max(relief.y, 0.0) + 0.4 * (1.0 - relief.x);
-    tint *= (1.0 - 0.4 * pit) * (1.0 + 0.12 * dust);
+    tint *= (1.0 - 0.55 * pit) * (1.0 + 0.12 * dust);
     s.albedo = material.rgb * tint * mix(vec3(1.0), vec3(1.04, 1.0, 0.94), coarse);
     s.roughness = clamp(material.a + 0.08 * fine.w, 0.05, 1.0);
 #else

@@ -7,8 +7,22 @@
 // A crevice hides part of the sun's wide disc as well, so direct light is darkened a little too.
 const float kDirectShare = 0.3;
 
+#ifdef SHADOW_DRAFT
+const float kFootHeight = 0.06;  // of the scene's radius
+
+// In place of the occlusion pass: what is low and faces sideways or down sees floor that it shades itself.
+float visibilityNearFloor(Surface s) {
+    float below = 0.5 - 0.5 * s.geometric_normal.y;
+    float height = s.position.y / (kFootHeight * frame.scene.w);
+    return 1.0 - frame.floor_colour.w * 0.8 * below * (1.0 - smoothstep(0.0, 1.0, height));
+}
+#endif
+
 // `visibility`: share of the sky that neighbours leave open, 0..1.
 vec3 shade(Surface s, float visibility, vec2 pixel) {
+#ifdef SHADOW_DRAFT
+    visibility *= visibilityNearFloor(s);
+#endif
     vec3 to_eye = normalize(frame.eye.xyz - s.position);
     float n_dot_v = max(dot(s.normal, to_eye), 0.02);
     // Nothing solid is as dark as 2 %: such an albedo is a crack, which mirrors nothing either.
