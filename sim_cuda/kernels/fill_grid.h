@@ -22,6 +22,15 @@ struct CountInBuckets {
     }
 };
 
+/// What is known of a particle in its place in the buckets, so that a bucket is read in one go.
+template <class Real>
+struct GridMembersOut {
+    Span<uint32_t> id;                    ///< bucket by bucket; the paper's gridCells
+    Span<uint64_t> key;                   ///< of the cell
+    Span<Vec4<Real>> ball;                ///< ballAroundPath
+    Span<Vec4<Real>> position, velocity;  ///< PathsIn
+};
+
 template <class Real>
 struct FillBuckets {
     PathsIn<Real> paths;
@@ -30,13 +39,17 @@ struct FillBuckets {
     Span<const uint32_t> bucket_start;  ///< exclusive sums of the counters
     Span<const uint32_t> place;
     uint32_t mask = 0;
-    Span<uint32_t> member;         ///< ids, bucket by bucket; the paper's gridCells
-    Span<Vec4<Real>> member_ball;  ///< ballAroundPath of each, so that a bucket is read in one go
+    GridMembersOut<Real> member;
 
     DEM_FN void operator()(uint32_t i) const {
-        const uint32_t at = bucket_start[bucketOf(key[i], mask)] + place[i];
-        member[at] = i;
-        member_ball[at] = ballAroundPath(frame[0], paths.position[i], paths.velocity[i]);
+        const uint64_t own = key[i];
+        const uint32_t at = bucket_start[bucketOf(own, mask)] + place[i];
+        const Vec4<Real> position = paths.position[i], velocity = paths.velocity[i];
+        member.id[at] = i;
+        member.key[at] = own;
+        member.ball[at] = ballAroundPath(frame[0], position, velocity);
+        member.position[at] = position;
+        member.velocity[at] = velocity;
     }
 };
 

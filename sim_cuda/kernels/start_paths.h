@@ -1,10 +1,13 @@
-// First stage of a list build: where every particle is and goes now, and how far it reaches.
+// First stage of a list build: where every particle is and goes now, how far it reaches, and the box of all
+// velocities.
 #pragma once
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/particles.h"
+#include "sim_cuda/kernels/velocity_range.h"
 
 namespace demolish {
 
+/// Gives the range of the particle's own velocity; empty for a slot that takes part in nothing.
 template <class Real>
 struct StartPaths {
     StateIn<Real> state;
@@ -12,12 +15,20 @@ struct StartPaths {
     Span<Vec4<Real>> built_position, built_velocity;
     Real skin_share{};    ///< skin of a body's particle over its R_c
     Real largest_skin{};  ///< m, no skin is wider (projectiles)
+    uint32_t in_bodies = 0;
 
-    DEM_FN void operator()(uint32_t i) const {
+    DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
         const ParticleConstants<Real> own = asConstants(constants[i]);
         const Real skin = minOf(skin_share * own.contact_radius, largest_skin);
+        const Vec3<Real> velocity = xyz(state.velocity[i]);
+        const bool active = own.inverse_mass > Real(0);
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
-        built_velocity[i] = withW(xyz(state.velocity[i]), own.inverse_mass > Real(0) ? skin : Real(-1));
+        built_velocity[i] = withW(velocity, active ? skin : Real(-1));
+        VelocityRanges<Real> ranges;
+        if (!active) return ranges;
+        VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
+        range.low = range.high = velocity;
+        return ranges;
     }
 };
 

@@ -17,22 +17,6 @@ struct VelocityRanges {
     VelocityRange<Real> bodies, projectiles;
 };
 
-/// Empty for a slot that takes part in nothing.
-template <class Real>
-struct VelocityOfPath {
-    Span<const Vec4<Real>> velocity;
-    uint32_t in_bodies = 0;
-
-    DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
-        const Vec4<Real> own = velocity[i];
-        VelocityRanges<Real> ranges;
-        if (!(own.w >= Real(0))) return ranges;
-        VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
-        range.low = range.high = xyz(own);
-        return ranges;
-    }
-};
-
 template <class Real>
 struct WidenRanges {
     DEM_FN static void widen(VelocityRange<Real>& into, const VelocityRange<Real>& other) {

@@ -1,6 +1,7 @@
 // Rows from what was found: sorted by id, with the springs of the rows before.
 #pragma once
-#include "sim_cuda/kernels/find_projectile_rows.h"
+#include "sim_cuda/backend/bit_count.h"
+#include "sim_cuda/kernels/find_pairs.h"
 
 namespace demolish {
 
@@ -89,9 +90,10 @@ struct WriteNeighbours {
   private:
     DEM_FN void searchAgain(uint32_t i, uint32_t first) const {
         AppendVisits row{&rows.neighbour[first]};
+        const Vec4<Real> position = search.paths.position[i], velocity = search.paths.velocity[i];
         search.visitNeighbours(
-            i, ballAroundPath(search.frame[0], search.paths.position[i], search.paths.velocity[i]), row);
-        search.visitProjectiles(i, row);
+            {i, search.key[i], ballAroundPath(search.frame[0], position, velocity), position, velocity}, row);
+        search.visitProjectiles(i, 0, 1, row);
         finish(i, first, row);
     }
     /// Sorts the row and carries its springs over; both rows are ascending.
@@ -107,22 +109,39 @@ struct WriteNeighbours {
     }
 };
 
-/// One thread for each projectile slot and particle; words * kBitsPerWord threads a slot.
+/// One thread for each projectile slot and particle: words * kBitsPerWord threads a slot.
 template <class Real>
 struct WriteProjectileRows {
     RowWriter<Real> rows;
-    Span<const uint32_t> bits;
-    uint32_t words = 0, in_bodies = 0;
+    ProjectileBits projectiles;
+    uint32_t in_bodies = 0;
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t word = k / kBitsPerWord, bit = k % kBitsPerWord;
-        const uint32_t p = word / words, j = (word - p * words) * kBitsPerWord + bit;
+        const uint32_t p = word / projectiles.words;
+        const uint32_t j = (word - p * projectiles.words) * kBitsPerWord + bit;
         const uint32_t first = rows.sums[in_bodies + word];
         if (j == 0) rows.row_start[in_bodies + p] = first;
         if (k == 0) rows.row_start[rows.row_start.count - 1] = rows.sums[rows.sums.count - 1];
-        const uint32_t set = bits[word];
+        const uint32_t set = projectiles.bits[word];
         if ((set >> bit & 1u) == 0 || !rows.fits()) return;
         rows.write(first + countBits(set & ((1u << bit) - 1)), in_bodies + p, j);
+    }
+};
+
+/// All rows: threads 0 .. particle_threads-1 write those of the bodies' particles, the others those of the
+/// projectiles.
+template <uint32_t kThreads, class Real>
+struct WriteRows {
+    WriteNeighbours<kThreads, Real> particles;
+    WriteProjectileRows<Real> projectiles;
+    uint32_t particle_threads = 0;
+
+    DEM_FN void operator()(uint32_t k) const {
+        if (k < particle_threads)
+            particles(k);
+        else
+            projectiles(k - particle_threads);
     }
 };
 

@@ -91,10 +91,10 @@ class NeighbourLists {
     ContactArrays<Backend, Real> contacts_, former_;  ///< the lists, and those of the build before
     Buffer<VelocityRanges<Real>> ranges_;
     Buffer<GridFrame<Real>> frame_;
-    Buffer<uint64_t> key_;
+    Buffer<uint64_t> key_, member_key_;
     Buffer<uint32_t> zeroed_, place_, member_, draft_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
-    Buffer<Vec4<Real>> member_ball_;
+    Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
 };
 
@@ -111,12 +111,15 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       ranges_(backend.template allocate<VelocityRanges<Real>>(1)),
       frame_(backend.template allocate<GridFrame<Real>>(1)),
       key_(backend.template allocate<uint64_t>(counts.in_bodies)),
+      member_key_(backend.template allocate<uint64_t>(counts.in_bodies)),
       zeroed_(backend.template allocate<uint32_t>(mask_ + 2 + counts.in_bodies + 2 * size_t{bit_words_})),
       place_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
       draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
+      member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
+      member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       reader_(backend) {
     for (ContactArrays<Backend, Real>* lists : {&contacts_, &former_}) {
         lists->row_start = backend.template allocate<uint32_t>(counts.total + 1);
@@ -151,14 +154,11 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
     backend_.fill(zeroed_.span(), 0u);
-    backend_.forEach(
-        counts_.total,
+    backend_.reduceInto(
+        ranges_.span(), counts_.total, VelocityRanges<Real>{},
         StartPaths<Real>{state, constants, contacts_.built_position.span(), contacts_.built_velocity.span(),
-                         Real(settings_.skin_share), Real(largest_skin_)},
-        "start paths");
-    backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
-                        VelocityOfPath<Real>{contacts_.built_velocity.view(), counts_.in_bodies},
-                        WidenRanges<Real>{}, "velocity ranges");
+                         Real(settings_.skin_share), Real(largest_skin_), counts_.in_bodies},
+        WidenRanges<Real>{}, "start paths");
     backend_.forEach(1,
                      ChooseFrame<Real>{ranges_.view(), frame_.span(),
                                        sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords), reach_,
@@ -174,15 +174,29 @@ void NeighbourLists<Backend, Real>::fillGrid() {
                      "count in buckets");
     backend_.exclusiveScan(bucketCounters(), bucketStarts());
     backend_.forEach(counts_.in_bodies,
-                     FillBuckets<Real>{contacts_.paths(), frame_.view(), key_.view(), bucketStarts(),
-                                       place_.view(), mask_, member_.span(), member_ball_.span()},
+                     FillBuckets<Real>{contacts_.paths(),
+                                       frame_.view(),
+                                       key_.view(),
+                                       bucketStarts(),
+                                       place_.view(),
+                                       mask_,
+                                       {member_.span(), member_key_.span(), member_ball_.span(),
+                                        member_position_.span(), member_velocity_.span()}},
                      "fill buckets");
 }
 
 template <class Backend, class Real>
 NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<Real>& bonds) {
-    return {contacts_.paths(),   frame_.view(),   key_.view(), bucketStarts(), member_.view(),
-            member_ball_.view(), bonds.row_start, bonds.link,  mask_,          counts_.in_bodies,
+    return {contacts_.paths(),
+            frame_.view(),
+            key_.view(),
+            bucketStarts(),
+            {member_.view(), member_key_.view(), member_ball_.view(), member_position_.view(),
+             member_velocity_.view()},
+            bonds.row_start,
+            bonds.link,
+            mask_,
+            counts_.in_bodies,
             counts_.total};
 }
 
@@ -190,8 +204,8 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& search) {
     const auto find = [&]<uint32_t kThreads>() {
-        backend_.forEach(size_t{counts_.in_bodies} * kThreads,
-                         FindNeighbours<kThreads, Real>{search, drafts()}, "find neighbours");
+        backend_.forEach(size_t{counts_.total} * kThreads,
+                         FindPairs<kThreads, Real>{search, drafts(), projectileBits()}, "find pairs");
     };
     if constexpr (!Backend::kOnGpu)
         find.template operator()<1>();
@@ -199,8 +213,6 @@ void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& searc
         find.template operator()<4 * kCellRows>();
     else
         find.template operator()<kCellRows>();
-    backend_.forEach(counts_.total, FindProjectiles<Real>{search, drafts(), projectileBits()},
-                     "find projectiles");
     backend_.exclusiveScan(rowCounts(), sums_.span().part(0, rowCounts().count + 1));
     reader_.start(backend_, sums_.view().part(rowCounts().count, 1 + kHorizonWords));
 }
@@ -222,12 +234,12 @@ void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& searc
                                contacts_.row_start.span(),
                                contacts_.neighbour.span(),
                                contacts_.spring.span()};
-    backend_.forEach(size_t{counts_.in_bodies} * kThreads,
-                     WriteNeighbours<kThreads, Real>{search, rows, draft_.view(), kDraftLength},
-                     "write neighbours");
-    backend_.forEach(size_t{bit_words_} * kBitsPerWord,
-                     WriteProjectileRows<Real>{rows, bits(), bit_words_ / shots(), counts_.in_bodies},
-                     "write projectile rows");
+    const uint32_t particle_threads = counts_.in_bodies * kThreads;
+    backend_.forEach(particle_threads + size_t{bit_words_} * kBitsPerWord,
+                     WriteRows<kThreads, Real>{{search, rows, draft_.view(), kDraftLength},
+                                               {rows, projectileBits(), counts_.in_bodies},
+                                               particle_threads},
+                     "write rows");
 }
 
 }  // namespace demolish
