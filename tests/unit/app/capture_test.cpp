@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/image/compare.h"
 #include "engine/image/png.h"
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -44,6 +45,24 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GT(report["bonds_broken"].get<int>(), 0) << "25 m/s breaks the block";
     EXPECT_GT(report["fps_median"].get<double>(), 0);
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
+}
+
+TEST(Capture, TheCameraTurnsRoundTheBody) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto pictureAt = [&](const std::string& yaw, const std::string& pitch) {
+        const auto out = folder.path() / (yaw + "_" + pitch);
+        const ProgramRun run =
+            runProgram({"capture", "bunny", "--device", "cpu", "--particles", "100", "--frames", "1",
+                        "--size", "160x90", "--camera-yaw", yaw, "--camera-pitch", pitch, "--out", out});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return engine::readPng(out / "frame_0000.png");
+    };
+    const engine::Image front = pictureAt("0", "0");
+    EXPECT_TRUE(engine::compare(front, pictureAt("360", "0")).passed);
+    EXPECT_FALSE(engine::compare(front, pictureAt("180", "0")).passed);
+    EXPECT_FALSE(engine::compare(front, pictureAt("0", "30")).passed);
+    EXPECT_EQ(runProgram({"capture", "bunny", "--camera-yaw", "500", "--out", folder.path()}).exit_code, 2);
 }
 
 }  // namespace
