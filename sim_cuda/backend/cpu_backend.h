@@ -116,6 +116,15 @@ class CpuBackend {
         out[n] = sum;
     }
 
+    /// order = 0 .. n-1 sorted by (key, id); keys are below n.
+    void orderByKey(Span<const uint32_t> key, Span<uint32_t> order) {
+        const size_t n = key.count;
+        std::vector<uint32_t> place(n + 1);
+        for (size_t i = 0; i < n; ++i) ++place[key[i] + 1];
+        for (size_t k = 0; k < n; ++k) place[k + 1] += place[k];
+        for (size_t i = 0; i < n; ++i) order[place[key[i]]++] = static_cast<uint32_t>(i);
+    }
+
     /// Folds map(0) .. map(n-1) in the order of reduction.h; `zero` where n is 0 and as the neutral element.
     template <class T, class Map, class Fold>
     T reduce(size_t n, const T& zero, const Map& map, const Fold& fold, const char* name) {

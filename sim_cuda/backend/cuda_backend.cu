@@ -4,6 +4,9 @@
 #include <thrust/iterator/counting_iterator.h>
 #include <thrust/iterator/transform_iterator.h>
 
+#include <bit>
+
+#include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
 namespace demolish {
@@ -53,6 +56,31 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
     checkCuda(cub::DeviceScan::ExclusiveSum(nullptr, bytes, padded, out.data, n + 1, stream_), "adding up");
     checkCuda(cub::DeviceScan::ExclusiveSum(scratch(bytes), bytes, padded, out.data, n + 1, stream_),
               "adding up");
+}
+
+namespace {
+struct CountUp {
+    uint32_t* ids;
+    DEM_FN void operator()(uint32_t i) const { ids[i] = i; }
+};
+}  // namespace
+
+void CudaBackend::orderByKey(Span<const uint32_t> key, Span<uint32_t> order) {
+    const size_t n = key.count;
+    if (n == 0) return;
+    const int bits = static_cast<int>(std::bit_width(n));
+    size_t bytes = 0;
+    checkCuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data, order.data, order.data, order.data, n, 0,
+                                              bits, stream_),
+              "sorting");
+    const size_t list = (n * sizeof(uint32_t) + 255) / 256 * 256;
+    auto* memory = static_cast<unsigned char*>(scratch(2 * list + bytes));
+    auto* ids = reinterpret_cast<uint32_t*>(memory);
+    auto* sorted_keys = reinterpret_cast<uint32_t*>(memory + list);
+    forEach(n, CountUp{ids}, "sorting");
+    checkCuda(cub::DeviceRadixSort::SortPairs(memory + 2 * list, bytes, key.data, sorted_keys, ids, order.data, n, 0,
+                                              bits, stream_),
+              "sorting");
 }
 
 CudaBackend::Reader::Reader(CudaBackend&) {

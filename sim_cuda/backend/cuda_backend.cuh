@@ -139,6 +139,9 @@ class CudaBackend {
     /// memory. Does not wait; not inside a graph that is being recorded.
     void exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out);
 
+    /// order = 0 .. n-1 sorted by (key, id); keys are below n. Does not wait.
+    void orderByKey(Span<const uint32_t> key, Span<uint32_t> order);
+
     /// Folds map(0) .. map(n-1) in the order of reduction.h; `zero` where n is 0 and as the neutral element.
     /// Waits.
     template <class T, class Map, class Fold>

@@ -15,9 +15,4 @@ struct SumInto {
     DEM_FN void operator()(T& into, const T& other) const { into += other; }
 };
 
-template <class T>
-struct MaxInto {
-    DEM_FN void operator()(T& into, const T& other) const { into = other > into ? other : into; }
-};
-
 }  // namespace demolish

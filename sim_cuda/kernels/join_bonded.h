@@ -7,9 +7,23 @@
 
 namespace demolish {
 
+/// The lowest of a particle and the particles bonded to it: most of a fragment hangs together before anything
+/// is joined.
 struct StartLabels {
+    Span<const uint32_t> bond_row;
+    Span<const BondLink> link;
     Span<uint32_t> label;
-    DEM_FN void operator()(uint32_t i) const { label[i] = i; }
+    uint32_t in_bodies = 0;
+
+    DEM_FN void operator()(uint32_t i) const {
+        uint32_t lowest = i;
+        if (i < in_bodies)
+            for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot) {
+                const uint32_t j = linkedParticle(link[slot]);
+                if (j < lowest && isBonded(link[slot])) lowest = j;
+            }
+        label[i] = lowest;
+    }
 };
 
 /// Follows labels to the one that names itself.

@@ -14,11 +14,10 @@ inline constexpr uint32_t kSubstepBlock = 128;
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>& arrays,
                                                       const StepParams<Real>& params,
-                                                      const OwnParticle<Real>& own, uint32_t slot,
-                                                      BondLink link, Tally<Real>& tally) {
+                                                      const OwnParticle<Real>& own, const BodyLaw<Real>& law,
+                                                      uint32_t slot, BondLink link, Tally<Real>& tally) {
     const uint32_t j = linkedParticle(link);
-    const BondConstants<Real> bond =
-        bondConstants(arrays.rest[slot], link.grade, arrays.body_laws[own.owner]);
+    const BondConstants<Real> bond = bondConstants(arrays.rest[slot], link.grade, law);
     const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
     const BondEffect<Real> effect = bondEffect(bond, pair);
     const bool breaks = params.breaking != 0 && effect.severity >= effect.limit;
@@ -34,9 +33,9 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                                 uint32_t slot, Tally<Real>& tally) {
+                                                 const BodyLaw<Real>& law, uint32_t slot, Tally<Real>& tally) {
     const BondLink link = arrays.link[slot];
-    if (isBonded(link)) return solidBondSlot<kLedger>(arrays, params, own, slot, link, tally);
+    if (isBonded(link)) return solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
     return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
 }
 
@@ -175,13 +174,14 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
     const uint32_t i = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = i < params.in_bodies;
     const OwnParticle<Real> own = loadOwn(arrays, present ? i : params.in_bodies - 1);
+    const BodyLaw<Real> law = arrays.body_laws[own.owner];  // here: stores to links keep it from leaving the loop
     LanePartials<T, Real> sums;
     Tally<Real> tally;
     const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
         return present ? rows[own.id + end] : 0u;
     };
     gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
-                 [&](uint32_t slot) { return bondSlot<kLedger>(arrays, params, own, slot, tally); });
+                 [&](uint32_t slot) { return bondSlot<kLedger>(arrays, params, own, law, slot, tally); });
     gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
                  [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, tally); });
     if constexpr (T > 1) __syncwarp();

@@ -22,12 +22,6 @@ DEM_FN Real worstStressRatio(const SubstepArrays<Real>& arrays, const OwnParticl
 }
 
 template <class Real>
-struct MeasureStress {
-    SubstepArrays<Real> arrays;  ///< only read
-    DEM_FN Real operator()(uint32_t i) const { return worstStressRatio(arrays, loadOwn(arrays, i)); }
-};
-
-template <class Real>
 struct WriteParticles {
     SubstepArrays<Real> arrays;     ///< only read
     Span<const uint32_t> fragment;  ///< slot of each particle's fragment

@@ -62,8 +62,6 @@ class DeviceSolver final : public Solver {
 
     // sums of a frame, snapshots
     void collectFrame(uint32_t substeps);
-    void collectLedger();
-    uint32_t countBroken();
     void summarizeFragments();
     void updateSurface();
     void restoreSurface(uint32_t broken, const std::vector<std::byte>& state);

@@ -3,73 +3,37 @@
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/kernels/measure_energy.h"
 #include "sim_cuda/kernels/state_hash.h"
-#include "sim_cuda/kernels/write_particles.h"
+#include "sim_cuda/kernels/sum_frame.h"
 #include "sim_cuda/solver/device_solver.h"
 
 namespace demolish {
 
-/// J, of one particle since the ledger was cleared.
-struct LedgerSums {
-    double damping = 0, friction = 0, fracture = 0;
-    DEM_FN void operator+=(const LedgerSums& other) {
-        damping += other.damping;
-        friction += other.friction;
-        fracture += other.fracture;
-    }
-};
-template <class Real>
-struct ReadLedger {
-    Span<const Vec4<Real>> ledger;
-    DEM_FN LedgerSums operator()(uint32_t i) const {
-        return {static_cast<double>(ledger[i].x), static_cast<double>(ledger[i].y),
-                static_cast<double>(ledger[i].z)};
-    }
-};
-
-struct IsBroken {
-    Span<const uint32_t> slot_of_bond;
-    Span<const BondLink> link;
-    DEM_FN uint32_t operator()(uint32_t b) const { return isBonded(link[slot_of_bond[b]]) ? 0u : 1u; }
-};
-
-template <class Backend, class Real>
-uint32_t DeviceSolver<Backend, Real>::countBroken() {
-    return backend_.reduce(data_.bonds.count, 0u,
-                           IsBroken{data_.bonds.slot_of_bond.view(), data_.bonds.link.view()},
-                           SumInto<uint32_t>{}, "count broken bonds");
-}
-
-template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::collectLedger() {
-    const LedgerSums sums =
-        backend_.reduce(tables_.counts.total, LedgerSums{}, ReadLedger<Real>{data_.ledger.view()},
-                        SumInto<LedgerSums>{}, "sum the ledger");
-    progress_.energy.damping += sums.damping;
-    progress_.energy.friction += sums.friction;
-    progress_.energy.fracture += sums.fracture;
-    backend_.fill(data_.ledger.span(), Vec4<Real>{});
-}
-
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
-    if (setup_.params.ledger) collectLedger();
-    const uint32_t broken = countBroken();
-    stats_.fracture_changed = broken != progress_.broken;
-    progress_.broken = broken;
+    const FrameSums sums =
+        backend_.reduce(tables_.counts.total, FrameSums{},
+                        SumFrame<Real>{data_.arrays(lists_.contacts()), tables_.counts.in_bodies},
+                        SumInto<FrameSums>{}, "sum the frame");
+    if (setup_.params.ledger) {
+        progress_.energy.damping += sums.damping;
+        progress_.energy.friction += sums.friction;
+        progress_.energy.fracture += sums.fracture;
+        backend_.fill(data_.ledger.span(), Vec4<Real>{});
+    }
+    stats_.fracture_changed = sums.broken != progress_.broken;
+    progress_.broken = sums.broken;
     ++progress_.frames;
     stats_.frame = progress_.frames;
     stats_.substeps = substeps;
     stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
-    stats_.bonds_broken = broken;
+    stats_.bonds_broken = sums.broken;
     const double kinetic = stats_.energy.kinetic, elastic = stats_.energy.elastic,
                  potential = stats_.energy.potential;
     stats_.energy = progress_.energy;
     stats_.energy.kinetic = kinetic;
     stats_.energy.elastic = elastic;
     stats_.energy.potential = potential;
-    stats_.max_stress_ratio = static_cast<double>(backend_.reduce(
-        tables_.counts.in_bodies, Real(0), MeasureStress<Real>{data_.arrays(lists_.contacts())},
-        MaxInto<Real>{}, "highest bond stress"));
+    stats_.max_stress_ratio = sums.stress;
     if (stats_.fracture_changed) clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
     motion_.advanceAges(clusters_.rows());
     summarizeFragments();

@@ -1,0 +1,37 @@
+// What a frame's report needs of every particle, in one pass: ledger, broken bonds, highest stress.
+#pragma once
+#include "sim_cuda/kernels/write_particles.h"
+
+namespace demolish {
+
+struct FrameSums {
+    double damping = 0, friction = 0, fracture = 0;  ///< J since the ledger was cleared
+    double stress = 0;                               ///< highest bond stress over strength
+    uint32_t broken = 0;                             ///< bonds, each counted at its lower id
+
+    DEM_FN void operator+=(const FrameSums& other) {
+        damping += other.damping;
+        friction += other.friction;
+        fracture += other.fracture;
+        stress = maxOf(stress, other.stress);
+        broken += other.broken;
+    }
+};
+
+template <class Real>
+struct SumFrame {
+    SubstepArrays<Real> arrays;  ///< only read
+    uint32_t in_bodies = 0;
+
+    DEM_FN FrameSums operator()(uint32_t i) const {
+        const Vec4<Real> ledger = arrays.ledger[i];
+        FrameSums sums{static_cast<double>(ledger.x), static_cast<double>(ledger.y), static_cast<double>(ledger.z)};
+        if (i >= in_bodies) return sums;
+        sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i)));
+        for (uint32_t slot = arrays.bond_row[i]; slot < arrays.bond_row[i + 1]; ++slot)
+            if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) ++sums.broken;
+        return sums;
+    }
+};
+
+}  // namespace demolish
