@@ -4,8 +4,9 @@ set(data_dir share/demolish)
 set(bundle_rpath "$ORIGIN/../lib")
 set_target_properties(demolish_program PROPERTIES INSTALL_RPATH ${bundle_rpath})
 install(TARGETS demolish_program RUNTIME DESTINATION bin COMPONENT program)
-install(DIRECTORY shaders assets/models assets/materials assets/scenes DESTINATION ${data_dir} COMPONENT program
-    FILES_MATCHING PATTERN "*.glsl" PATTERN "*.vert" PATTERN "*.frag" PATTERN "*.comp" PATTERN "*.toml" PATTERN "*.obj")
+install(DIRECTORY shaders DESTINATION ${data_dir} COMPONENT program)
+install(DIRECTORY assets/models assets/materials assets/scenes DESTINATION ${data_dir}/assets COMPONENT program
+    FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
 install(FILES README.md DESTINATION ${data_dir} COMPONENT program)
 
 # The machine keeps its own glibc, loader and GPU driver: these must not travel.
