@@ -81,7 +81,7 @@ void runCapture(const CaptureOptions& options) {
                     pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540})};
     FrameFiles files(filesFor(capture, shot));
     const StopWatch watch;
-    BuiltShot built = buildWithBar(shot, true);
+    BuiltShot built = buildWithBar(shot, {});
     announce(built);
     HeadlessStage stage(on_gpu);
     Session session(std::move(built), {.draw = true});

@@ -115,7 +115,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["open_cells"] = built.body->open_cells;
     json["linear_momentum"] = vectorJson(stats.linear_momentum);
     json["angular_momentum"] = vectorJson(stats.angular_momentum);
-    json["energy"] = energyJson(stats.energy);
+    json["energy"] = energyJson(report.energy.value_or(stats.energy));
     json["softening"] = softeningJson(built.solver->softening(), built.setup);
     json["state_hash"] = hexadecimal(built.solver->stateHash());
     json["status"] = describe(stats.status);

@@ -1,6 +1,7 @@
 // What a capture or benchmark run found, for people (a table) and for programs (JSON, SI units).
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct RunReport {
     uint64_t frames = 0;
     double wall_seconds = 0;
     FrameSummary times;
+    std::optional<EnergyLedger> energy;  ///< in place of the solver's, where that kept no ledger
     std::vector<std::pair<std::string, double>> draw_passes;  ///< median GPU time of each pass, ms
 };
 

@@ -8,13 +8,13 @@
 
 namespace demolish {
 
-BuiltShot buildWithBar(const Shot& shot, bool draw_geometry) {
+BuiltShot buildWithBar(const Shot& shot, const BuildOptions& options) {
     ProgressBar bar;
     const auto progress = [&bar](double fraction, const char*) {
         bar.show(fraction, "making cells and bonds");
         return true;
     };
-    return buildShot(shot, {.draw_geometry = draw_geometry, .reuse = nullptr}, progress);
+    return buildShot(shot, options, progress);
 }
 
 void announce(const BuiltShot& built) {

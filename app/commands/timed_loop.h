@@ -13,7 +13,7 @@
 namespace demolish {
 
 /// Builds a shot with a progress bar on the way.
-BuiltShot buildWithBar(const Shot& shot, bool draw_geometry);
+BuiltShot buildWithBar(const Shot& shot, const BuildOptions& options);
 
 /// One line on stderr: where it runs and what it breaks.
 void announce(const BuiltShot& built);

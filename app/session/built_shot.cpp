@@ -64,6 +64,7 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
         built.body = fillWithParticles(*built.mesh, fill, part(progress, 0.05, 0.75));
     }
     built.setup = makeSetup(shot, built.body);
+    built.setup.params.ledger = options.ledger;
     const ProgressCallback last_part = part(progress, 0.75, 1);
     built.solver = on_gpu ? makeCudaSolver(built.setup, last_part) : makeCpuSolver(built.setup, last_part);
     built.start = built.solver->save();

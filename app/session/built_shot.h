@@ -22,6 +22,7 @@ struct BuiltShot {
 
 struct BuildOptions {
     bool draw_geometry = true;
+    bool ledger = true;  ///< book damping and friction work in every substep
     /// Parts that may be taken over instead of made again: the mesh if file and height agree, the body if all
     /// that shapes it agrees.
     const BuiltShot* reuse = nullptr;
