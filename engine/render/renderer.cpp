@@ -149,6 +149,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.uploadFrame(view);
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);
+    p.clock.mark("uploads");
 
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);

@@ -5,7 +5,7 @@ layout(binding = 1) uniform sampler2D shadow_depth;
 #ifndef SHADOW_TAPS
 #define SHADOW_TAPS 20
 #endif
-const int kBlockerTaps = 12;
+const int kBlockerTaps = 24;
 
 // Point k of n spread evenly over the unit disc (Vogel), turned by `angle`.
 vec2 discPoint(int k, int n, float angle) {

@@ -161,6 +161,19 @@ TEST_F(Facts, TheSameFrameIsTheSamePicture) {
     EXPECT_EQ(drawPicture(renderer(), scene).pixels, drawPicture(renderer(), scene).pixels);
 }
 
+TEST_F(Facts, NothingIsLeftOfThePictureBefore) {
+    const Scene whole = wholeBlock(), broken = brokenBlock();
+    Scene draft = wholeBlock();
+    draft.view.quality = RenderQuality::kDraft;
+    Renderer fresh(shaderFolder());
+    const Image expected = drawPicture(fresh, whole);
+    EXPECT_NE(drawPicture(renderer(), broken).pixels, expected.pixels);
+    EXPECT_EQ(drawPicture(renderer(), whole).pixels, expected.pixels);
+    drawPicture(renderer(), broken);
+    drawPicture(renderer(), draft);
+    EXPECT_EQ(drawPicture(renderer(), whole).pixels, expected.pixels);
+}
+
 TEST_F(Facts, MeshThatWasNeverWrittenStandsWhole) {
     const BlockBody body({.cells = 2});
     const FractureMesh mesh = body.makeMesh();
