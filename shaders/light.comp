@@ -63,14 +63,14 @@ vec3 lit(ivec2 pixel, int i) {
     int kind = kindOf(pixel, i, along);
     vec3 ray = rayOf(pixel, i);
     vec3 position = frame.eye.xyz + ray * along;
-    if (kind == kSky) return toneMap(skyRadiance(normalize(ray)), curve);
+    if (kind == kSky) return skyRadiance(normalize(ray));
     Surface s;
     if (kind == kFloor) {
         s = floorSurface(position, ray);
     } else {
         s = unpackSurface(texelFetch(material_buffer, pixel, i), texelFetch(normal_buffer, pixel, i), position);
     }
-    return toneMap(litSurface(s, along, pixel), curve);
+    return litSurface(s, along, pixel);
 }
 
 // Samples that one triangle covers hold the same values, and so do those of the floor and of the sky: 4 bits of count for
@@ -99,7 +99,7 @@ void main() {
     // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
     for (uint left = distinctSamples(pixel); left != 0u;) {
         int i = findLSB(left) / 4;
-        sum += float((left >> (4 * i)) & 15u) * lit(pixel, i);
+        sum += float((left >> (4 * i)) & 15u) * toneMap(lit(pixel, i), curve);
         left &= ~(15u << (4 * i));
     }
     imageStore(result, pixel, vec4(encodeSrgb(sum / float(SAMPLES)), 1.0));
