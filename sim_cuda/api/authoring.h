@@ -25,25 +25,27 @@ struct MeshPlacement {
     bool keep_units = false;
 };
 
-/// Loads any file that assimp reads, welds, checks, and stands it on the floor (lowest y = 0, centred in x and z).
-/// Throws InputFileError with one sentence: unreadable, no triangles, not closed (with the count of open edges), zero or
-/// negative volume.
-std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file, const MeshPlacement& placement = {});
+/// Loads any file that assimp reads, welds, checks, and stands it on the floor (lowest y = 0, centred in x
+/// and z). Throws InputFileError with one sentence: unreadable, no triangles, not closed (with the count of
+/// open edges), zero or negative volume.
+std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
+                                               const MeshPlacement& placement = {});
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh);
 
 inline constexpr uint32_t kMinParticles = 2, kMaxParticles = 4'000'000;
 
 struct FillOptions {
-    uint32_t particles = 1000;   ///< N; see particlesForSize
+    uint32_t particles = 1000;  ///< N; see particlesForSize
     uint64_t seed = 1;
-    bool draw_geometry = true;   ///< false: no FractureGeometry (benchmarks without drawing)
+    bool draw_geometry = true;  ///< false: no FractureGeometry (benchmarks without drawing)
 };
 
-/// N = round(V / h^3). Throws UsageError when outside kMinParticles..kMaxParticles, naming the sizes that are possible.
+/// N = round(V / h^3). Throws UsageError when outside kMinParticles..kMaxParticles, naming the possible
+/// sizes.
 uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m);
 
-/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled, UsageError when options.particles is out of range,
-/// InputFileError when the walls are too thin to hold any particle.
+/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled, UsageError when options.particles is
+/// out of range, InputFileError when the walls are too thin to hold any particle.
 std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& mesh, const FillOptions& options,
                                                        const ProgressCallback& progress = {});
 

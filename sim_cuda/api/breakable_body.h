@@ -1,4 +1,4 @@
-// What authoring makes of a mesh and a particle size: particles, bonds and the geometry to draw. SI units, y up.
+// What authoring makes of a mesh and a particle size: particles, bonds, geometry to draw. SI units, y up.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -19,7 +19,7 @@ struct Particle {
     double lowest = 0;        ///< m, height (y) of the cell's lowest point
 };
 
-/// One shared face area inside the solid (geometry.md 5). i < j; the face lies on the bisector of the two seeds.
+/// One shared face area inside the solid (geometry.md 5). i < j; the face lies on the seeds' bisector.
 struct BondGeometry {
     uint32_t i = 0, j = 0;
     double area = 0;    ///< m^2, summed over the parts of the face
@@ -33,12 +33,12 @@ struct BreakableBody {
     std::vector<Particle> particles;  ///< index = cell id = particle id within the body
     std::vector<BondGeometry> bonds;  ///< sorted by (i, j); none below 0.02 h^2
     FractureGeometry geometry;
-    double spacing = 0;       ///< m, h = (V / N)^(1/3)
-    double mesh_volume = 0;   ///< m^3
-    double cells_volume = 0;  ///< m^3, sum over the cells; equals mesh_volume to 1e-9
-    double mesh_area = 0;     ///< m^2
+    double spacing = 0;              ///< m, h = (V / N)^(1/3)
+    double mesh_volume = 0;          ///< m^3
+    double cells_volume = 0;         ///< m^3, sum over the cells; equals mesh_volume to 1e-9
+    double mesh_area = 0;            ///< m^2
     Double3 bounds_min, bounds_max;  ///< m
-    uint32_t open_cells = 0;  ///< cells with an unbalanced edge after the re-jitter fall-back; 0 unless logged
+    uint32_t open_cells = 0;  ///< with an unbalanced edge after the re-jitter fall-back; 0 unless logged
 };
 
 }  // namespace demolish

@@ -1,4 +1,4 @@
-// Set-up errors: each ends in one sentence and its own exit code. Step errors are status bits (stats.h); bugs are asserts.
+// Set-up errors: each ends in one sentence and its own exit code. Step errors are status bits (stats.h).
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,4 @@
-// Static draw data of one body, made once per model and particle size (geometry.md 6). Fracture only chooses what is shown.
+// Static draw data of one body, made once per model and size (geometry.md 6); fracture chooses what is shown.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -7,48 +7,48 @@
 
 namespace demolish {
 
-/// Vertex of everything that is drawn with a fragment's rigid motion; 24 bytes, the same layout in GLSL and in CUDA.
+/// Vertex of everything that is drawn with a fragment's rigid motion; 24 bytes, laid out so in GLSL and CUDA.
 struct SurfaceVertex {
-    Float3 position;     ///< m, rest position in the body frame
-    uint32_t normal;     ///< octahedral, 2 x snorm16, x in the low half
-    uint32_t uv;         ///< 2 x float16, u in the low half
-    uint32_t cell;       ///< particle id
+    Float3 position;  ///< m, rest position in the body frame
+    uint32_t normal;  ///< octahedral, 2 x snorm16, x in the low half
+    uint32_t uv;      ///< 2 x float16, u in the low half
+    uint32_t cell;    ///< particle id
 };
 static_assert(sizeof(SurfaceVertex) == 24);
 
-/// One part of the face between two cells, tessellated. Triangles wind counter-clockwise seen from cell_b, so that
-/// their normal points from cell_a to cell_b; side b draws them reversed.
+/// One part of the face between two cells, tessellated. Triangles wind counter-clockwise seen from cell_b, so
+/// that their normal points from cell_a to cell_b; side b draws them reversed.
 struct InteriorFace {
-    uint32_t cell_a, cell_b;     ///< cell_a < cell_b
+    uint32_t cell_a, cell_b;              ///< cell_a < cell_b
     uint32_t first_vertex, vertex_count;  ///< into face_vertices
     uint32_t first_index, index_count;    ///< into face_indices; indices are local to the face's vertices
-    uint32_t bond;               ///< index of the bond of (cell_a, cell_b), kNoBond for a sliver face
+    uint32_t bond;  ///< index of the bond of (cell_a, cell_b), kNoBond for a sliver face
     uint32_t reserved = 0;
 };
 static_assert(sizeof(InteriorFace) == 32);
 inline constexpr uint32_t kNoBond = 0xffffffffu;
 
-/// Edge of the exterior surface that lies on the border of two cells: drawn as a hairline when their bond is broken
-/// while both are in one fragment.
+/// Edge of the exterior surface that lies on the border of two cells: drawn as a hairline when their bond is
+/// broken while both are in one fragment.
 struct CrackEdge {
     uint32_t vertex_0, vertex_1;  ///< exterior vertices, on the side of cell_a
     uint32_t cell_a, cell_b;
-    uint32_t bond;                ///< kNoBond: shown when cell_a and cell_b are in different fragments only
+    uint32_t bond;  ///< kNoBond: shown when cell_a and cell_b are in different fragments only
 };
 
 struct FractureGeometry {
-    std::vector<SurfaceVertex> exterior;        ///< X: vertices grouped by cell
-    std::vector<uint32_t> exterior_indices;     ///< three per triangle
-    std::vector<Float3> pool;                   ///< P: unique interior rest positions
-    std::vector<uint8_t> pool_on_surface;       ///< 1: vertex lies on the outer surface and never moves (keys A, B, C)
-    std::vector<InteriorFace> faces;            ///< F
-    std::vector<uint32_t> face_vertices;        ///< pool ids, per face
-    std::vector<uint16_t> face_indices;         ///< three per triangle, local to the face
-    std::vector<uint32_t> pool_corner_start;    ///< CSR over pool vertices into pool_corners, size pool + 1
-    std::vector<uint32_t> pool_corner_face;     ///< face of each triangle corner that uses the pool vertex
-    std::vector<uint32_t> pool_corner_next;     ///< pool id of the next vertex round that triangle
-    std::vector<uint32_t> pool_corner_previous; ///< pool id of the previous vertex round that triangle
-    std::vector<CrackEdge> crack_edges;         ///< K
+    std::vector<SurfaceVertex> exterior;         ///< X: vertices grouped by cell
+    std::vector<uint32_t> exterior_indices;      ///< three per triangle
+    std::vector<Float3> pool;                    ///< P: unique interior rest positions
+    std::vector<uint8_t> pool_on_surface;        ///< 1: on the outer surface, never moves (keys A, B, C)
+    std::vector<InteriorFace> faces;             ///< F
+    std::vector<uint32_t> face_vertices;         ///< pool ids, per face
+    std::vector<uint16_t> face_indices;          ///< three per triangle, local to the face
+    std::vector<uint32_t> pool_corner_start;     ///< CSR over pool vertices into pool_corners, size pool + 1
+    std::vector<uint32_t> pool_corner_face;      ///< face of each triangle corner that uses the pool vertex
+    std::vector<uint32_t> pool_corner_next;      ///< pool id of the next vertex round that triangle
+    std::vector<uint32_t> pool_corner_previous;  ///< pool id of the previous vertex round that triangle
+    std::vector<CrackEdge> crack_edges;          ///< K
 };
 
 }  // namespace demolish

@@ -1,4 +1,4 @@
-// The knobs of a simulation: SI units, usual range, effect. Values come from assets/materials and assets/scenes.
+// The knobs of a simulation: SI units, usual range, effect. Values: assets/materials and assets/scenes.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -19,21 +19,21 @@ enum class ContactLaw : uint32_t {
 
 struct Material {
     std::string name = "ceramic";
-    double density = 2400;            ///< kg/m^3, bulk (models.md E)
-    double youngs_modulus = 70e9;     ///< Pa, of the real material; only shown, and used when softening is off
-    double poisson_ratio = 0.25;      ///< 0..0.49, of the paper's law and of Hertz contacts
-    double friction = 0.5;            ///< mu, 0..1.5
-    double restitution = 0.1;         ///< e, 0.05..0.95
-    double rolling_friction = 0.3;    ///< mu_r, 0..1 (models.md E.5)
-    double damping_ratio = 0.3;       ///< zeta_m of the highest mode, 0.05..0.6 (E3)
-    double critical_velocity = 2.5;   ///< m/s, v_c of sigma_c = beta rho c_eff v_c (models.md E.2)
-    double beta = 0.4;                ///< calibration factor of E.2, 0.3..0.8
-    double weibull_modulus = 0;       ///< per-bond strength scatter; 0 = off, 3..15
-    uint32_t tough_cells = 40;        ///< K per body, 0 = none
-    double tough_factor = 3;          ///< ci: strength of bonds inside one tough cell
-    double adhesion_energy = 0;       ///< w, J/m^2, 0 = off
+    double density = 2400;           ///< kg/m^3, bulk (models.md E)
+    double youngs_modulus = 70e9;    ///< Pa, of the real material; only shown, and used when softening is off
+    double poisson_ratio = 0.25;     ///< 0..0.49, of the paper's law and of Hertz contacts
+    double friction = 0.5;           ///< mu, 0..1.5
+    double restitution = 0.1;        ///< e, 0.05..0.95
+    double rolling_friction = 0.3;   ///< mu_r, 0..1 (models.md E.5)
+    double damping_ratio = 0.3;      ///< zeta_m of the highest mode, 0.05..0.6 (E3)
+    double critical_velocity = 2.5;  ///< m/s, v_c of sigma_c = beta rho c_eff v_c (models.md E.2)
+    double beta = 0.4;               ///< calibration factor of E.2, 0.3..0.8
+    double weibull_modulus = 0;      ///< per-bond strength scatter; 0 = off, 3..15
+    uint32_t tough_cells = 40;       ///< K per body, 0 = none
+    double tough_factor = 3;         ///< ci: strength of bonds inside one tough cell
+    double adhesion_energy = 0;      ///< w, J/m^2, 0 = off
     BondLaw bond_law = BondLaw::kBeam;
-    double shear_ratio = 0.3;         ///< a = k_T / k_N of the beam law, 0..1
+    double shear_ratio = 0.3;  ///< a = k_T / k_N of the beam law, 0..1
 };
 
 /// In one run, fired later ones included.
@@ -41,12 +41,12 @@ inline constexpr uint32_t kMaxProjectiles = 16;
 
 /// A rigid sphere. It takes part in contacts from `start_time` on.
 struct Projectile {
-    Double3 position;       ///< m, at start_time
-    Double3 velocity;       ///< m/s
-    double radius = 0.05;   ///< m
-    double density = 7800;  ///< kg/m^3, iron
+    Double3 position;             ///< m, at start_time
+    Double3 velocity;             ///< m/s
+    double radius = 0.05;         ///< m
+    double density = 7800;        ///< kg/m^3, iron
     double stiffness_factor = 3;  ///< times the body's k_contact
-    double start_time = 0;  ///< s
+    double start_time = 0;        ///< s
 };
 
 /// Rigid half space: solid where dot(normal, x) < offset.
@@ -56,17 +56,17 @@ struct Plane {
 };
 
 struct SolverParams {
-    double frame_time = 1.0 / 60;   ///< s simulated per frame
-    uint32_t substeps = 300;        ///< per frame of 1/60 s; sets the softened stiffness (models.md E.1)
-    bool soften = true;             ///< false: stiffness from youngs_modulus, the time step follows
-    double step_safety = 0.5;       ///< of dt_crit, <= 0.5 at damping_ratio 0.3
-    Double3 gravity{0, -9.81, 0};   ///< m/s^2
+    double frame_time = 1.0 / 60;  ///< s simulated per frame
+    uint32_t substeps = 300;       ///< per frame of 1/60 s; sets the softened stiffness (models.md E.1)
+    bool soften = true;            ///< false: stiffness from youngs_modulus, the time step follows
+    double step_safety = 0.5;      ///< of dt_crit, <= 0.5 at damping_ratio 0.3
+    Double3 gravity{0, -9.81, 0};  ///< m/s^2
     ContactLaw contact_law = ContactLaw::kLinear;
     std::vector<Plane> planes{Plane{}};  ///< at most 4
-    double settle_time = 0;         ///< s of settling before frame 0 (models.md E.4), 0 = none
-    double scene_radius = 1000;     ///< m; particles beyond it stop the run with kLeftScene
+    double settle_time = 0;              ///< s of settling before frame 0 (models.md E.4), 0 = none
+    double scene_radius = 1000;          ///< m; particles beyond it stop the run with kLeftScene
     uint64_t seed = 1;
-    bool ledger = true;             ///< book damping and friction work every substep
+    bool ledger = true;  ///< book damping and friction work every substep
 };
 
 }  // namespace demolish

@@ -1,5 +1,6 @@
-// Where the solver writes one frame for drawing. The memory belongs to the renderer: GL buffers mapped for CUDA, or plain
-// memory on the CPU and copy paths. Pointers are valid during one exportFrame() call only and are never kept.
+// Where the solver writes one frame for drawing. The memory belongs to the renderer: GL buffers mapped for
+// CUDA, or plain memory on the CPU and copy paths. Pointers are valid during one exportFrame() call only and
+// are never kept.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,10 +19,10 @@ static_assert(sizeof(FragmentTransform) == 32);
 
 /// One sphere of the particle view, 32 bytes.
 struct ParticleInstance {
-    Float3 position;        ///< m
-    float radius;           ///< m
-    float value;            ///< the colour channel asked for, 0..1
-    uint32_t fragment;      ///< fragment slot
+    Float3 position;    ///< m
+    float radius;       ///< m
+    float value;        ///< the colour channel asked for, 0..1
+    uint32_t fragment;  ///< fragment slot
     uint32_t reserved[2];
 };
 static_assert(sizeof(ParticleInstance) == 32);
@@ -36,7 +37,7 @@ struct DrawElementsCommand {
 /// Counts written by the device, read by indirect draws.
 struct DrawCommands {
     DrawElementsCommand interior;  ///< exposed interior faces: count = indices
-    DrawElementsCommand cracks;    ///< instanced ribbons: count = 6 corner indices, instance_count = crack lines shown
+    DrawElementsCommand cracks;    ///< ribbons: count = 6 corner indices, instance_count = lines shown
 };
 
 enum class ParticleColour : uint32_t { kFragment, kDamage, kStress, kSpeed };
@@ -47,15 +48,15 @@ struct Stream {
     size_t capacity = 0;  ///< elements
 };
 
-/// An empty stream is not written. Slots: a fragment's transform stands at the lowest particle id of the fragment.
+/// An empty stream is not written. A fragment's slot is the lowest particle id in it.
 struct RenderStreams {
     Stream<ParticleInstance> particles;       ///< one per particle and projectile (projectiles last)
     Stream<uint32_t> particle_fragment;       ///< slot of each particle's fragment
     Stream<FragmentTransform> transforms;     ///< indexed by slot; particle capacity
     Stream<SurfaceVertex> interior_vertices;  ///< exposed faces, rest positions after relaxation
     Stream<uint32_t> interior_indices;
-    Stream<uint32_t> crack_edges;             ///< ids of the crack edges shown
-    Stream<DrawCommands> commands;            ///< one
+    Stream<uint32_t> crack_edges;   ///< ids of the crack edges shown
+    Stream<DrawCommands> commands;  ///< one
     ParticleColour colour = ParticleColour::kFragment;
 };
 

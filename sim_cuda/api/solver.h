@@ -1,4 +1,4 @@
-// A scene being simulated, on the CPU or the GPU. One text serves both (architecture, decision 1): they give the same bits.
+// A scene being simulated, on the CPU or the GPU. One text serves both: they give the same bits.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -17,14 +17,14 @@ namespace demolish {
 struct BodyInstance {
     std::shared_ptr<const BreakableBody> body;
     Material material;
-    Double3 position;           ///< m, of the body frame's origin
+    Double3 position;  ///< m, of the body frame's origin
     Quaternion rotation;
-    Double3 velocity;           ///< m/s, of the whole body at the start (a drop)
-    Double3 angular_velocity;   ///< rad/s
+    Double3 velocity;          ///< m/s, of the whole body at the start (a drop)
+    Double3 angular_velocity;  ///< rad/s
 };
 
 struct SceneSetup {
-    std::vector<BodyInstance> bodies;       ///< at least one
+    std::vector<BodyInstance> bodies;  ///< at least one
     std::vector<Projectile> projectiles;
     SolverParams params;
 };
@@ -34,12 +34,12 @@ using ProgressCallback = std::function<bool(double fraction, const char* stage)>
 
 /// What the softening rule gave (models.md E.1-E.2); shown in panel and report.
 struct SofteningReport {
-    double bond_modulus = 0;      ///< Pa, E_b
-    double effective_modulus = 0; ///< Pa, E_eff (E4)
-    double wave_speed = 0;        ///< m/s, c_eff
-    double strength = 0;          ///< Pa, sigma_c
-    double strain_at_failure = 0; ///< eps_c = sigma_c / E_eff; above 0.03 it looks like rubber
-    double highest_frequency = 0; ///< rad/s, omega_max
+    double bond_modulus = 0;       ///< Pa, E_b
+    double effective_modulus = 0;  ///< Pa, E_eff (E4)
+    double wave_speed = 0;         ///< m/s, c_eff
+    double strength = 0;           ///< Pa, sigma_c
+    double strain_at_failure = 0;  ///< eps_c = sigma_c / E_eff; above 0.03 it looks like rubber
+    double highest_frequency = 0;  ///< rad/s, omega_max
 };
 
 /// Everything that changes while stepping; opaque, restorable on the same setup.
@@ -51,8 +51,8 @@ class Solver {
   public:
     virtual ~Solver() = default;
 
-    /// Advances one frame of params.frame_time * time_scale (slow motion: 0 < time_scale <= 1). On a bad status nothing
-    /// has changed but the status; the caller may restore() and change a knob.
+    /// Advances one frame of params.frame_time * time_scale (slow motion: 0 < time_scale <= 1). On a bad
+    /// status nothing has changed but the status; the caller may restore() and change a knob.
     virtual StepStatus advanceFrame(double time_scale = 1.0) = 0;
     /// Exactly n substeps; for tests and benchmarks.
     virtual StepStatus advanceSubsteps(uint32_t n) = 0;
@@ -60,9 +60,9 @@ class Solver {
     /// A new projectile from now on; at most 16 in a run. Throws UsageError beyond that.
     virtual void fire(const Projectile& projectile) = 0;
 
-    /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host memory for the
-    /// CPU solver. Draw lists and interior vertices are written only if fracture changed since the last export into
-    /// streams with `streams_fresh` false.
+    /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host
+    /// memory for the CPU solver. Draw lists and interior vertices are written only if fracture changed since
+    /// the last export into streams with `streams_fresh` false.
     virtual void exportFrame(const RenderStreams& streams, bool streams_fresh = false) = 0;
 
     virtual const FrameStats& stats() const = 0;
@@ -87,8 +87,9 @@ struct StreamSizes {
 };
 StreamSizes streamSizes(const SceneSetup& setup);
 
-/// What the renderer uploads once: exterior, exterior_indices and crack_edges of all bodies, one after the other, with
-/// cells, vertices and bonds numbered through the scene as in the streams; the other members are empty.
+/// What the renderer uploads once: exterior, exterior_indices and crack_edges of all bodies, one after the
+/// other, with cells, vertices and bonds numbered through the scene as in the streams; the other members are
+/// empty.
 FractureGeometry sceneExterior(const SceneSetup& setup);
 
 /// Throws UsageError on values out of range. Uses all cores that oneTBB is allowed to use.

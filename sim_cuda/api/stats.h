@@ -10,14 +10,16 @@ namespace demolish {
 /// Bits; several may be set. A set bit stops the step and leaves the frame before it untouched on screen.
 enum class StepStatus : uint32_t {
     kOk = 0,
-    kNotFinite = 1u << 0,      ///< a NaN or infinity: lower --impact-velocity or raise --substeps
-    kLeftScene = 1u << 1,      ///< something flew beyond the scene's limits (scene_radius)
-    kListOverflow = 1u << 2,   ///< more contacts per particle than max_contacts: raise it
+    kNotFinite = 1u << 0,     ///< a NaN or infinity: lower --impact-velocity or raise --substeps
+    kLeftScene = 1u << 1,     ///< something flew beyond the scene's limits (scene_radius)
+    kListOverflow = 1u << 2,  ///< more contacts per particle than max_contacts: raise it
 };
 inline StepStatus operator|(StepStatus a, StepStatus b) {
     return static_cast<StepStatus>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
 }
-inline bool has(StepStatus set, StepStatus bit) { return (static_cast<uint32_t>(set) & static_cast<uint32_t>(bit)) != 0; }
+inline bool has(StepStatus set, StepStatus bit) {
+    return (static_cast<uint32_t>(set) & static_cast<uint32_t>(bit)) != 0;
+}
 /// One sentence for people: what happened and which knob to turn. "ok" when nothing did.
 std::string describe(StepStatus status);
 
@@ -31,9 +33,9 @@ struct EnergyLedger {
 struct FrameStats {
     StepStatus status = StepStatus::kOk;
     uint64_t frame = 0;
-    double time = 0;       ///< s simulated
-    double time_step = 0;  ///< s, one substep
-    uint32_t substeps = 0; ///< in the last frame
+    double time = 0;        ///< s simulated
+    double time_step = 0;   ///< s, one substep
+    uint32_t substeps = 0;  ///< in the last frame
     uint32_t particles = 0, bonds = 0, bonds_broken = 0;
     uint32_t fragments = 0;
     double largest_fragment_fraction = 1;  ///< of the mass
@@ -42,8 +44,8 @@ struct FrameStats {
     Double3 linear_momentum;               ///< kg m/s, with projectiles
     Double3 angular_momentum;              ///< kg m^2/s about the origin, with projectiles
     EnergyLedger energy;
-    double max_stress_ratio = 0;           ///< highest bond stress over strength in the last substep
-    bool fracture_changed = false;         ///< a bond broke in the last frame
+    double max_stress_ratio = 0;    ///< highest bond stress over strength in the last substep
+    bool fracture_changed = false;  ///< a bond broke in the last frame
 };
 
 }  // namespace demolish

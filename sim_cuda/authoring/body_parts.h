@@ -1,4 +1,4 @@
-// What is read off a cell complex: mass properties, bonds, draw geometry. Each is pure and independent of the others.
+// What is read off a cell complex: mass properties, bonds, draw geometry. Each is pure and stands alone.
 #pragma once
 #include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/authoring/cell_complex.h"
@@ -6,7 +6,8 @@
 namespace demolish {
 
 /// Volume, centroid and inertia of every clipped cell by the divergence theorem; depth and lowest point.
-std::vector<Particle> massProperties(const TriangleMesh& mesh, const MeshQueries& queries, const CellComplex& complex);
+std::vector<Particle> massProperties(const TriangleMesh& mesh, const MeshQueries& queries,
+                                     const CellComplex& complex);
 
 /// One bond per pair with shared area >= 0.02 h^2, sorted by (i, j).
 std::vector<BondGeometry> makeBonds(const CellComplex& complex, double spacing);

@@ -16,9 +16,9 @@ struct CornerAttributes {
 
 struct TriangleMesh {
     std::string name;
-    std::vector<Double3> positions;                          ///< m, welded
-    std::vector<std::array<uint32_t, 3>> triangles;          ///< counter-clockwise seen from outside
-    std::vector<std::array<CornerAttributes, 3>> corners;    ///< one per triangle
+    std::vector<Double3> positions;                        ///< m, welded
+    std::vector<std::array<uint32_t, 3>> triangles;        ///< counter-clockwise seen from outside
+    std::vector<std::array<CornerAttributes, 3>> corners;  ///< one per triangle
 };
 
 }  // namespace demolish

@@ -70,16 +70,16 @@ void CudaBackend::orderByKey(Span<const uint32_t> key, Span<uint32_t> order) {
     if (n == 0) return;
     const int bits = static_cast<int>(std::bit_width(n));
     size_t bytes = 0;
-    checkCuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data, order.data, order.data, order.data, n, 0,
-                                              bits, stream_),
+    checkCuda(cub::DeviceRadixSort::SortPairs(nullptr, bytes, key.data, order.data, order.data, order.data, n,
+                                              0, bits, stream_),
               "sorting");
     const size_t list = (n * sizeof(uint32_t) + 255) / 256 * 256;
     auto* memory = static_cast<unsigned char*>(scratch(2 * list + bytes));
     auto* ids = reinterpret_cast<uint32_t*>(memory);
     auto* sorted_keys = reinterpret_cast<uint32_t*>(memory + list);
     forEach(n, CountUp{ids}, "sorting");
-    checkCuda(cub::DeviceRadixSort::SortPairs(memory + 2 * list, bytes, key.data, sorted_keys, ids, order.data, n, 0,
-                                              bits, stream_),
+    checkCuda(cub::DeviceRadixSort::SortPairs(memory + 2 * list, bytes, key.data, sorted_keys, ids,
+                                              order.data, n, 0, bits, stream_),
               "sorting");
 }
 

@@ -97,8 +97,8 @@ DEM_FN BondEffect<Real> bondDamping(const BondConstants<Real>& bond, const PairM
     return loadEffect(dampedBondLoad(BondLoad<Real>{}, bond.stiffness, d, rates, bond.beta_r), d);
 }
 
-/// J, leaves with the bond if it breaks in this substep: it still pulls through this kick, so its energy half a step later,
-/// less what the compressed faces keep (A.6).
+/// J, leaves with the bond if it breaks in this substep: it still pulls through this kick, so its energy half
+/// a step later, less what the compressed faces keep (A.6).
 template <class Real>
 DEM_FN Real bondFractureEnergy(const BondConstants<Real>& bond, const PairMotion<Real>& pair, Real dt) {
     const BondDeformation<Real> d = faceBondDeformation(bond, pair);

@@ -25,7 +25,8 @@ struct SumFrame {
 
     DEM_FN FrameSums operator()(uint32_t i) const {
         const Vec4<Real> ledger = arrays.ledger[i];
-        FrameSums sums{static_cast<double>(ledger.x), static_cast<double>(ledger.y), static_cast<double>(ledger.z)};
+        FrameSums sums{static_cast<double>(ledger.x), static_cast<double>(ledger.y),
+                       static_cast<double>(ledger.z)};
         if (i >= in_bodies) return sums;
         sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i)));
         for (uint32_t slot = arrays.bond_row[i]; slot < arrays.bond_row[i + 1]; ++slot)

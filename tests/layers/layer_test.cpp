@@ -1,5 +1,5 @@
-// Reads every include line and fails on an arrow that the architecture forbids, on files and functions that grew too long,
-// and on habits that would break the equal bits of CPU and GPU.
+// Reads every include line and fails on an arrow that the architecture forbids, on files and functions that
+// grew too long, and on habits that would break the equal bits of CPU and GPU.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -111,7 +111,8 @@ std::vector<std::string> forbiddenArrows(const std::string& room, const std::vec
     std::smatch match;
     for (const auto& line : lines)
         if (std::regex_search(line, match, kInclude))
-            if (const auto complaint = complaintAbout(room, match[1]); !complaint.empty()) complaints.push_back(complaint);
+            if (const auto complaint = complaintAbout(room, match[1]); !complaint.empty())
+                complaints.push_back(complaint);
     return complaints;
 }
 }  // namespace
@@ -123,7 +124,8 @@ TEST(Layers, EveryIncludeGoesTheWayOfTheData) {
         const auto relative = fs::relative(file, kRoot).generic_string();
         const auto room = roomOf(relative);
         ASSERT_FALSE(room.empty()) << relative << " stands in no room of the architecture";
-        for (const auto& complaint : forbiddenArrows(room, linesOf(file))) ADD_FAILURE() << relative << ": " << complaint;
+        for (const auto& complaint : forbiddenArrows(room, linesOf(file)))
+            ADD_FAILURE() << relative << ": " << complaint;
     }
 }
 
@@ -132,7 +134,9 @@ TEST(Layers, TheRuleItselfCatchesForbiddenArrows) {
     EXPECT_FALSE(forbiddenArrows("sim_cuda/api", {"#include <cuda_runtime.h>"}).empty());
     EXPECT_FALSE(forbiddenArrows("sim_cuda/solver", {"#include <cuda_gl_interop.h>"}).empty());
     EXPECT_FALSE(forbiddenArrows("app/session", {"#include <imgui.h>"}).empty());
-    EXPECT_TRUE(forbiddenArrows("app/bridge", {"#include <cuda_gl_interop.h>", R"(#include "engine/gl/buffer.h")"}).empty());
+    EXPECT_TRUE(
+        forbiddenArrows("app/bridge", {"#include <cuda_gl_interop.h>", R"(#include "engine/gl/buffer.h")"})
+            .empty());
 }
 
 TEST(Layers, FilesStayUnder400Lines) {
@@ -141,7 +145,8 @@ TEST(Layers, FilesStayUnder400Lines) {
 }
 
 TEST(Layers, NothingBreaksTheEqualBits) {
-    const std::regex habits(R"(use_fast_math|ffast-math|atomicAdd\s*\(\s*\(?\s*float|\bfminf\b|\bfmaxf\b|\brsqrtf\b|__sinf|__expf)");
+    const std::regex habits(
+        R"(use_fast_math|ffast-math|atomicAdd\s*\(\s*\(?\s*float|\bfminf\b|\bfmaxf\b|\brsqrtf\b|__sinf|__expf)");
     for (const auto& file : sourcesUnder({"sim_cuda"})) {
         const auto lines = linesOf(file);
         for (size_t i = 0; i < lines.size(); ++i) {
