@@ -50,9 +50,13 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     float search = clamp(0.8 * frame.scene.w * frame.to_sun.w, 3.0 * texel, 40.0 * texel) / frame.shadow.z;
     float blocker_sum = 0.0, blockers = 0.0;
     for (int k = 0; k < kBlockerTaps; ++k) {
-        vec2 offset = search * discPoint(k, kBlockerTaps, angle);
+        // Closer together near the middle, where the blockers of small things on the floor are.
+        float share = (float(k) + 0.5) / float(kBlockerTaps);
+        vec2 offset = search * sqrt(share) * discPoint(k, kBlockerTaps, angle);
         float depth = texture(shadow_depth, p.xy + offset).r;
-        if (depth < receiverDepth(p.z, slope, offset)) {
+        // A blocker counts where it covers part of the sun: the nearer it is, the closer it must stand.
+        float reach = max((receiverDepth(p.z, slope, offset) - depth) * frame.shadow.w * frame.to_sun.w, 2.0 * texel);
+        if (depth < receiverDepth(p.z, slope, offset) && length(offset) * frame.shadow.z <= reach) {
             blocker_sum += depth;
             blockers += 1.0;
         }
