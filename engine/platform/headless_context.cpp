@@ -3,6 +3,7 @@
 #include "engine/platform/headless_context.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <glad/gl.h>
 
@@ -105,6 +106,13 @@ HeadlessContext::HeadlessContext(const HeadlessOptions& options) : state_(std::m
                               " cannot be loaded; reinstall libgl1.");
         }
         state_->info = describeCurrentContext(candidate.platform);
+        if (options.software_only &&
+            !state_->info.software) {  // a GPU driver may answer the surfaceless platform too
+            failures += " " + candidate.platform + ": " + state_->info.renderer + " is not software.";
+            eglMakeCurrent(state_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+            eglDestroyContext(state_->display, std::exchange(state_->context, EGL_NO_CONTEXT));
+            continue;
+        }
         state_->info.cuda_device = candidate.cuda_device;
         state_->info.note = noteFor(options, state_->info);
         gl::installDebugCallback();
