@@ -165,10 +165,7 @@ void Session::change(const Shot& shot, double now) {
     wanted_ = shot;
     const Change since_built = changeBetween(built_.shot, shot);
     if (since_built >= Change::kSolver) {
-        if (since_wanted >= Change::kSolver)
-            debounce_.push(shot, now);
-        else if (debounce_.waiting())
-            debounce_.push(shot, now);
+        if (since_wanted >= Change::kSolver || debounce_.waiting()) debounce_.push(shot, now);
         return;
     }
     debounce_.clear();

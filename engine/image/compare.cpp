@@ -66,7 +66,8 @@ Comparison compare(const Image& image, const Image& reference, const CompareLimi
         result.largest_difference = std::max(result.largest_difference, difference);
         if (difference > limits.channel_difference) ++wrong;
     }
-    result.wrong_fraction = static_cast<double>(wrong) / static_cast<double>(image.pixels.size() / 4);
+    const size_t pixel_count = image.pixels.size() / 4;
+    result.wrong_fraction = static_cast<double>(wrong) / static_cast<double>(pixel_count);
     result.ssim = structuralSimilarity(image, reference);
     result.passed = result.wrong_fraction <= limits.wrong_fraction && result.ssim >= limits.ssim;
     return result;
