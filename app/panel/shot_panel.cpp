@@ -1,6 +1,7 @@
 // Scene and model choice.
 #include <imgui.h>
 
+#include <cmath>
 #include <cstring>
 
 #include "app/panel/widgets.h"
@@ -42,7 +43,7 @@ void showShotPanel(PanelContext& context) {
     if (slider(context,
                {"shot.seed", "Seed", "%.0f", "Another packing of the particles: other pieces. Rebuilds."},
                seed, {0, 1000}, static_cast<double>(context.preset.seed))) {
-        context.shot.seed = static_cast<uint64_t>(seed + 0.5);
+        context.shot.seed = static_cast<uint64_t>(std::llround(seed));
         context.changed = true;
     }
 }
