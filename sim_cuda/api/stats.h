@@ -10,9 +10,8 @@ namespace demolish {
 /// Bits; several may be set. A set bit stops the step and leaves the frame before it untouched on screen.
 enum class StepStatus : uint32_t {
     kOk = 0,
-    kNotFinite = 1u << 0,     ///< a NaN or infinity: lower --impact-velocity or raise --substeps
-    kLeftScene = 1u << 1,     ///< something flew beyond the scene's limits (scene_radius)
-    kListOverflow = 1u << 2,  ///< more contacts per particle than max_contacts: raise it
+    kNotFinite = 1u << 0,  ///< a NaN or infinity: lower --impact-velocity or raise --substeps
+    kLeftScene = 1u << 1,  ///< something flew beyond SolverParams::scene_radius
 };
 inline StepStatus operator|(StepStatus a, StepStatus b) {
     return static_cast<StepStatus>(static_cast<uint32_t>(a) | static_cast<uint32_t>(b));
@@ -23,7 +22,7 @@ inline bool has(StepStatus set, StepStatus bit) {
 /// One sentence for people: what happened and which knob to turn. "ok" when nothing did.
 std::string describe(StepStatus status);
 
-/// J. Sum of the first six + external work sinks stays what it was at the start (physics.md D.20).
+/// J. The first six together less `external` stay what they were at the start (physics.md D.20).
 struct EnergyLedger {
     double kinetic = 0, elastic = 0, potential = 0;
     double damping = 0, friction = 0, fracture = 0;  ///< dissipated since the start

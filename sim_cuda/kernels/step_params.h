@@ -47,7 +47,6 @@ struct StepParams {
     Real velocity_keep{
         1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
     Real stiffness_cap{};    ///< 1/s^2: k <= stiffness_cap * m_e
-    Real largest_radius{};   ///< m, of R_c among the bodies' particles
     uint32_t hertz = 0;      ///< 1: Hertz contacts
     uint32_t breaking = 1;   ///< 0: bonds hold whatever happens (settling)
     uint32_t owners = 0;     ///< bodies + projectile slots: rows of the table of pair laws

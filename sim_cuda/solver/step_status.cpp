@@ -14,8 +14,8 @@ std::string describe(StepStatus status) {
     add(StepStatus::kNotFinite,
         "The simulation became unstable; lower --impact-velocity or raise the substeps.");
     add(StepStatus::kLeftScene,
-        "Something flew out of the scene; lower --impact-velocity or raise scene_radius.");
-    add(StepStatus::kListOverflow, "A particle has more contacts than fit; raise max_contacts.");
+        "Something flew out of the scene; lower --impact-velocity or raise scene_radius_m in the scene "
+        "file.");
     return text;
 }
 
