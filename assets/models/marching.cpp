@@ -24,9 +24,9 @@ struct Lattice {
         return (direction & 1) + (direction >> 1 & 1) * nx + (direction >> 2 & 1) * nx * ny;
     }
     Vec3 point(std::uint64_t v) const {
-        return {origin.x + cell * static_cast<double>(v % nx),
-                origin.y + cell * static_cast<double>(v / nx % ny),
-                origin.z + cell * static_cast<double>(v / (nx * ny))};
+        const std::uint64_t column = v % nx, row = v / nx % ny, layer = v / (nx * ny);
+        return {origin.x + cell * static_cast<double>(column), origin.y + cell * static_cast<double>(row),
+                origin.z + cell * static_cast<double>(layer)};
     }
     bool inside(std::uint64_t v) const { return values[v] < 0; }
 };

@@ -33,7 +33,8 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                                 const BodyLaw<Real>& law, uint32_t slot, Tally<Real>& tally) {
+                                                 const BodyLaw<Real>& law, uint32_t slot,
+                                                 Tally<Real>& tally) {
     const BondLink link = arrays.link[slot];
     if (isBonded(link)) return solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
     return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
@@ -174,7 +175,8 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
     const uint32_t i = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = i < params.in_bodies;
     const OwnParticle<Real> own = loadOwn(arrays, present ? i : params.in_bodies - 1);
-    const BodyLaw<Real> law = arrays.body_laws[own.owner];  // here: stores to links keep it from leaving the loop
+    const BodyLaw<Real> law =
+        arrays.body_laws[own.owner];  // here: stores to links keep it from leaving the loop
     LanePartials<T, Real> sums;
     Tally<Real> tally;
     const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
