@@ -175,8 +175,8 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
     const uint32_t i = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = i < params.in_bodies;
     const OwnParticle<Real> own = loadOwn(arrays, present ? i : params.in_bodies - 1);
-    const BodyLaw<Real> law =
-        arrays.body_laws[own.owner];  // here: stores to links keep it from leaving the loop
+    // Read here: stores to links keep it from leaving the loop.
+    const BodyLaw<Real> law = arrays.body_laws[own.owner];
     LanePartials<T, Real> sums;
     Tally<Real> tally;
     const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
