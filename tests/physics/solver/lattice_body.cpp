@@ -100,4 +100,12 @@ SceneSetup freeBody(std::shared_ptr<const BreakableBody> body) {
     return setup;
 }
 
+SceneSetup spinningBody(double spin) {
+    SceneSetup setup = freeBody(latticeBody(2, 3, 5, 0.1, 0.2));
+    setup.bodies[0].material.damping_ratio = 0;
+    setup.bodies[0].material.critical_velocity = 1e6;
+    setup.bodies[0].angular_velocity = {spin, 0, 0};
+    return setup;
+}
+
 }  // namespace demolish::tests

@@ -15,6 +15,9 @@ std::shared_ptr<const BreakableBody> latticeBody(uint32_t nx, uint32_t ny, uint3
 /// One body at rest on no plane, without gravity: a free body. Callers change what they need.
 SceneSetup freeBody(std::shared_ptr<const BreakableBody> body);
 
+/// A free body of 30 particles, undamped and unbreakable, that spins about x (rad/s).
+SceneSetup spinningBody(double spin);
+
 /// Weak ceramic that a fall of a few m/s breaks.
 Material brittleMaterial();
 
