@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/session/scene_parts.h"
 #include "engine/render/renderer.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/lighting.h"
@@ -39,18 +41,25 @@ enum class DeviceChoice { kAuto, kCpu, kCuda };
 struct Shot {
     std::string scene = "model";  ///< name of the scene file, "model" for a bare mesh
     std::filesystem::path model;  ///< mesh file
-    double height = 1.0;          ///< m
+    /// The same model with the paper's number of triangles, where the scene names one: benchmarks take it.
+    std::optional<std::filesystem::path> paper_model;
+    double height = 1.0;  ///< m
     std::string material_name = "ceramic";
     Material material;
     Impact impact;
+    std::vector<Placement> bodies;  ///< where each body stands; empty: one at the origin
+    std::vector<TimedBall> balls;   ///< of a ball impact, in order of time; empty: the one of `impact`
+    std::vector<Phase> phases;      ///< in order of time; empty: the shot has none
     Fineness fineness;
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
     double settle_time = 0;            ///< s
     double scene_radius = 1000;        ///< m, what flies farther ends the run
-    double fps = 60;                   ///< frames per simulated second
-    double time_scale = 1;             ///< slow motion, 0 < time_scale <= 1
+    bool hand_over = true;             ///< as SolverParams
+    bool sleeping = true;
+    double fps = 60;        ///< frames per simulated second
+    double time_scale = 1;  ///< slow motion, 0 < time_scale <= 1
     uint64_t seed = 1;
     DeviceChoice device = DeviceChoice::kAuto;
 

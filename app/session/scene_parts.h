@@ -1,0 +1,35 @@
+// Parts of which a scene may hold many: bodies, balls that come at their times, phases of a benchmark.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sim_cuda/api/vectors.h"
+
+namespace demolish {
+
+/// Where one body of the scene stands.
+struct Placement {
+    Double3 position;      ///< m, of the point of the floor that it stands on
+    double yaw = 0;        ///< rad about the vertical, counter-clockwise seen from above
+    uint32_t variant = 0;  ///< bodies of one variant share their cells; each variant has a seed of its own
+};
+
+/// A ball that hits a body at a time of its own.
+struct TimedBall {
+    double arrival_time = 0.12;             ///< s from the start of the shot to the impact
+    uint32_t body = 0;                      ///< index into Shot::bodies
+    double speed_share = 1;                 ///< times Impact::velocity, so that one knob scales them all
+    std::optional<double> radius;           ///< m; none: as Impact's
+    std::optional<Double3> direction;       ///< in the scene, any length; none: as Impact's
+    std::optional<double> height_fraction;  ///< of the body's height; none: as Impact's
+};
+
+/// A stretch of the shot that is timed by itself: "whole", "cracked", "some broken", "all broken".
+struct Phase {
+    std::string name;
+    double from = 0, to = 0;  ///< s simulated; a frame belongs to it that ends in (from, to]
+    double paper_fps = 0;     ///< what the paper reports for it (4.2, 4.3); 0 = nothing
+};
+
+}  // namespace demolish
