@@ -37,7 +37,7 @@ struct Material {
 };
 
 /// In one run, fired later ones included.
-inline constexpr uint32_t kMaxProjectiles = 16;
+inline constexpr uint32_t kMaxProjectiles = 32;
 
 /// A rigid sphere. It takes part in contacts from `start_time` on.
 struct Projectile {
@@ -66,7 +66,9 @@ struct SolverParams {
     double settle_time = 0;              ///< s of settling before frame 0 (models.md E.4), 0 = none
     double scene_radius = 1000;          ///< m; particles beyond it stop the run with kLeftScene
     uint64_t seed = 1;
-    bool ledger = true;  ///< book damping and friction work every substep
+    bool ledger = true;      ///< book damping and friction work every substep
+    bool hand_over = false;  ///< fragments that no longer vibrate move as rigid bodies (16)-(18)
+    bool sleeping = false;   ///< what rests costs nothing until something comes near
 };
 
 }  // namespace demolish

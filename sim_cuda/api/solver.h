@@ -57,7 +57,7 @@ class Solver {
     /// Exactly n substeps; for tests and benchmarks.
     virtual StepStatus advanceSubsteps(uint32_t n) = 0;
 
-    /// A new projectile from now on; at most 16 in a run. Throws UsageError beyond that.
+    /// A new projectile from now on; at most kMaxProjectiles in a run. Throws UsageError beyond that.
     virtual void fire(const Projectile& projectile) = 0;
 
     /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host

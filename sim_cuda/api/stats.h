@@ -38,10 +38,15 @@ struct FrameStats {
     uint32_t particles = 0, bonds = 0, bonds_broken = 0;
     uint32_t fragments = 0;
     double largest_fragment_fraction = 1;  ///< of the mass
-    uint32_t list_rebuilds = 0;            ///< neighbour lists built in the last frame
-    double mass = 0;                       ///< kg, without projectiles
-    Double3 linear_momentum;               ///< kg m/s, with projectiles
-    Double3 angular_momentum;              ///< kg m^2/s about the origin, with projectiles
+    uint32_t awake_particles = 0;   ///< that cost anything in the last frame: bonded_particles and rigid ones
+    uint32_t bonded_particles = 0;  ///< stepped with their bonds
+    uint32_t awake_bodies = 0;      ///< with at least one awake particle
+    uint32_t rigid_fragments = 0;   ///< moved by (16)-(18)
+    uint32_t sleeping_fragments = 0;  ///< that cost nothing
+    uint32_t list_rebuilds = 0;       ///< neighbour lists built in the last frame
+    double mass = 0;                  ///< kg, without projectiles
+    Double3 linear_momentum;          ///< kg m/s, with projectiles
+    Double3 angular_momentum;         ///< kg m^2/s about the origin, with projectiles
     EnergyLedger energy;
     double max_stress_ratio = 0;    ///< highest bond stress over strength in the last substep
     bool fracture_changed = false;  ///< a bond broke in the last frame
