@@ -35,6 +35,7 @@ Json softeningJson(const SofteningReport& softening, const SceneSetup& setup) {
             {"real_modulus", setup.bodies[0].material.youngs_modulus},
             {"wave_speed", softening.wave_speed},
             {"strength", softening.strength},
+            {"real_strength", setup.bodies[0].material.tensile_strength},
             {"strain_at_failure", softening.strain_at_failure},
             {"highest_frequency", softening.highest_frequency}};
 }
@@ -54,6 +55,15 @@ std::string number(double value, const char* format = "%.1f") {
 std::string momentumText(const FrameStats& stats) {
     const Double3& p = stats.linear_momentum;
     return number(p.x, "%.3g") + ", " + number(p.y, "%.3g") + ", " + number(p.z, "%.3g") + " kg m/s";
+}
+
+std::string softeningText(const SofteningReport& softening, const SceneSetup& setup) {
+    const Material& material = setup.bodies[0].material;
+    return "E " + number(softening.effective_modulus / 1e6, "%.3g") + " MPa of " +
+           number(material.youngs_modulus / 1e9, "%.3g") + " GPa, breaks at " +
+           number(softening.strength / 1e6, "%.3g") + " MPa of " +
+           number(material.tensile_strength / 1e6, "%.3g") + " MPa, strain " +
+           number(100 * softening.strain_at_failure, "%.2f %%");
 }
 
 }  // namespace
@@ -138,6 +148,7 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
     addRow(table, "draw", number(report.times.draw_ms, "%.3g") + " ms");
     addRow(table, "particles",
            std::to_string(stats.particles) + " of " + number(1000 * built.body->spacing, "%.3g") + " mm");
+    addRow(table, "in force", softeningText(built.solver->softening(), built.setup));
     addRow(table, "bonds", std::to_string(stats.bonds) + ", broken " + std::to_string(stats.bonds_broken));
     addRow(table, "fragments",
            std::to_string(stats.fragments) + ", largest " +

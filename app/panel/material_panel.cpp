@@ -67,12 +67,11 @@ void showMaterialPanel(PanelContext& context) {
     const SofteningReport& softening = context.status.softening;
     ImGui::TextDisabled("Softened: E = %.3g MPa of %.3g GPa,", softening.effective_modulus / 1e6,
                         context.shot.material.youngs_modulus / 1e9);
-    ImGui::TextDisabled("breaks at %.3g MPa, strain %.2f %%", softening.strength / 1e6,
-                        100 * softening.strain_at_failure);
+    ImGui::TextDisabled("breaks at %.3g MPa of %.3g MPa, strain %.2f %%", softening.strength / 1e6,
+                        context.shot.material.tensile_strength / 1e6, 100 * softening.strain_at_failure);
     tooltipOnHover(
-        "The time step allows only a softer body than the real one. Its strength is chosen so that the "
-        "impact "
-        "velocity means the same.");
+        "In force, of the real material's. The time step allows only a softer body than the real one. Its "
+        "strength is chosen so that the impact velocity means the same.");
 }
 
 }  // namespace demolish

@@ -15,6 +15,7 @@ void readFloat(TomlReader& reader, const std::string& path, float& value, const 
 void readMaterial(TomlReader& reader, const std::string& prefix, Material& material) {
     reader.read(prefix + "density_kg_m3", material.density, {1, 30000});
     reader.read(prefix + "youngs_modulus_pa", material.youngs_modulus, {1e3, 1e13});
+    reader.read(prefix + "tensile_strength_pa", material.tensile_strength, {1e3, 1e11});
     reader.read(prefix + "poisson_ratio", material.poisson_ratio, {0, 0.49});
     reader.read(prefix + "friction", material.friction, {0, 1.5});
     reader.read(prefix + "restitution", material.restitution, {0.05, 0.95});

@@ -21,6 +21,7 @@ struct Material {
     std::string name = "ceramic";
     double density = 2400;           ///< kg/m^3, bulk (models.md E)
     double youngs_modulus = 70e9;    ///< Pa, of the real material; only shown, and used when softening is off
+    double tensile_strength = 40e6;  ///< Pa, of the real material; only shown
     double poisson_ratio = 0.25;     ///< 0..0.49, of the paper's law and of Hertz contacts
     double friction = 0.5;           ///< mu, 0..1.5
     double restitution = 0.1;        ///< e, 0.05..0.95
