@@ -110,10 +110,12 @@ class BondLanes {
     BondLanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, const BondPairs<Real>& pairs)
         : arrays_(arrays), params_(params), pairs_(pairs) {}
 
+    /// Bonds first .. last-1 of the work list, or of all.
     void evaluate(size_t first, size_t last) {
         size_t lanes = 0;
-        for (size_t b = first; b < last; ++b) {
-            const uint32_t slot = pairs_.slot_of_bond[b];
+        const BondedWork& work = arrays_.work;
+        for (size_t k = first; k < last; ++k) {
+            const uint32_t slot = pairs_.slot_of_bond[work.all() ? k : work.bonds[k]];
             if (!isBonded(arrays_.link[slot])) continue;
             load(lanes, slot);
             if (++lanes == kLanes) flush(lanes);

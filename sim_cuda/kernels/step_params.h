@@ -5,6 +5,7 @@
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/data/planes.h"
+#include "sim_cuda/data/regimes.h"
 
 namespace demolish {
 
@@ -46,12 +47,13 @@ struct StepParams {
     Vec3<Real> gravity;  ///< m/s^2
     Real velocity_keep{
         1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
-    Real stiffness_cap{};    ///< 1/s^2: k <= stiffness_cap * m_e
-    uint32_t hertz = 0;      ///< 1: Hertz contacts
-    uint32_t breaking = 1;   ///< 0: bonds hold whatever happens (settling)
-    uint32_t owners = 0;     ///< bodies + projectile slots: rows of the table of pair laws
-    uint32_t in_bodies = 0;  ///< particles of bodies
-    uint32_t total = 0;      ///< with projectile slots
+    Real stiffness_cap{};       ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
+    Real face_cap{Real(1e30)};  ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
+    uint32_t hertz = 0;         ///< 1: Hertz contacts
+    uint32_t breaking = 1;      ///< 0: bonds hold whatever happens (settling)
+    uint32_t owners = 0;        ///< bodies + projectile slots: rows of the table of pair laws
+    uint32_t in_bodies = 0;     ///< particles of bodies
+    uint32_t total = 0;         ///< with projectile slots
     PlaneSet<Real> planes;
 };
 
@@ -71,6 +73,7 @@ struct SubstepArrays {
     Span<BondLink> link;                                         ///< own slots only
     Span<Vec4<Real>> bond_spring, contact_spring, plane_spring;  ///< own slots only
     Span<Vec4<Real>> ledger;  ///< J since it was cleared: (damping, friction, fracture, 0)
+    BondedWork work;
 };
 
 }  // namespace demolish

@@ -162,19 +162,25 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     if (lane == 0) finishParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
 }
 
-/// The first blocks do the bodies' particles, the last kMaxProjectiles one projectile each.
+/// The first blocks do the bodies' particles (all, or those of the work list), the last kMaxProjectiles one
+/// projectile each.
 template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
     substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
-    const uint32_t body_blocks = (params.in_bodies + kParticles - 1) / kParticles;
+    const uint32_t body_blocks = gridDim.x - kMaxProjectiles;
     if (blockIdx.x >= body_blocks) {
-        stepProjectile<kLedger>(arrays, params, params.in_bodies + (blockIdx.x - body_blocks));
+        const uint32_t shot = params.in_bodies + (blockIdx.x - body_blocks);
+        if (arrays.work.movesProjectile(shot)) stepProjectile<kLedger>(arrays, params, shot);
         return;
     }
-    const uint32_t i = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
-    const bool present = i < params.in_bodies;
-    const OwnParticle<Real> own = loadOwn(arrays, present ? i : params.in_bodies - 1);
+    const bool all = arrays.work.all();
+    const uint32_t count = all ? params.in_bodies : arrays.work.count[0];
+    if (blockIdx.x * kParticles >= count) return;
+    const uint32_t k = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    const bool present = k < count;
+    const uint32_t place = present ? k : count - 1;
+    const OwnParticle<Real> own = loadOwn(arrays, all ? place : arrays.work.ids[place]);
     // Read here: stores to links keep it from leaving the loop.
     const BodyLaw<Real> law = arrays.body_laws[own.owner];
     LanePartials<T, Real> sums;

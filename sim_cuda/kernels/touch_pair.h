@@ -99,6 +99,18 @@ DEM_FN Real reducedRadius(Real a, Real b) {
     return (a * b) * (root * root);
 }
 
+/// Never stiffer than face_cap allows; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing is capped.
+template <class Real>
+DEM_FN BondConstants<Real> cappedFaces(BondConstants<Real> bond, const StepParams<Real>& params,
+                                       Real inverse_mass) {
+    const Real root = inverseSqrt(inverse_mass), limit = params.face_cap * (root * root);
+    if (!(bond.stiffness.normal > limit)) return bond;
+    const Real share = limit / bond.stiffness.normal;
+    bond.stiffness.normal = limit;
+    bond.stiffness.shear = share * bond.stiffness.shear;
+    return bond;
+}
+
 /// (14') (15') with the bond's own stiffnesses and dampers.
 template <class Real>
 DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body, Real overlap,

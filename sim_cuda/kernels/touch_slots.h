@@ -98,7 +98,9 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
                                const PairMotion<Real>& pair, const CentreLine<Real>& line, uint32_t slot,
                                Tally<Real>& tally) {
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
-    const BondConstants<Real> bond = bondConstants(arrays.rest[slot], arrays.link[slot].grade, body);
+    const BondConstants<Real> bond =
+        cappedFaces(bondConstants(arrays.rest[slot], arrays.link[slot].grade, body), params,
+                    own.constants.inverse_mass + other.inverse_mass);
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
     Vec4<Real>& spring = arrays.bond_spring[slot];
     if (!(overlap > Real(0))) {

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "sim_cuda/solver/neighbour_lists.h"
+#include "sim_cuda/solver/regimes.h"
 #include "sim_cuda/solver/solver_data.h"
 
 namespace demolish {
 
 /// Calls visit(buffer) for every changing buffer whose size never changes.
-template <class Data, class Lists, class Visit>
-void visitFixedBuffers(Data& data, Lists& lists, const Visit& visit) {
+template <class Data, class Lists, class Regimes, class Visit>
+void visitFixedBuffers(Data& data, Lists& lists, Regimes& regimes, const Visit& visit) {
     auto& particles = data.particles;
     const uint32_t current = data.current;
     visit(particles.position[current]);
@@ -26,6 +27,7 @@ void visitFixedBuffers(Data& data, Lists& lists, const Visit& visit) {
     visit(lists.contacts().row_start);
     visit(lists.contacts().built_position);
     visit(lists.contacts().built_velocity);
+    regimes.visitBuffers(visit);
 }
 
 /// Bytes that grow as they are written and are read back in the same order.
@@ -82,10 +84,12 @@ class Checkpoint {
     template <class T>
     using Buffer = typename Backend::template Buffer<T>;
 
-    void keep(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists) {
+    void keep(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+              Regimes<Backend, Real>& regimes) {
         size_t next = 0;
         current_ = data.current;
-        visitFixedBuffers(data, lists, [&](auto& buffer) { keepBytes(backend, buffer.view(), next++); });
+        visitFixedBuffers(data, lists, regimes,
+                          [&](auto& buffer) { keepBytes(backend, buffer.view(), next++); });
         auto& contacts = lists.contacts();
         used_ = contacts.used;
         keepBytes(backend, contacts.neighbour.view().part(0, used_), next++);
@@ -93,10 +97,12 @@ class Checkpoint {
         horizon_ = lists.horizon();
     }
 
-    void putBack(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists) {
+    void putBack(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                 Regimes<Backend, Real>& regimes) {
         size_t next = 0;
         data.current = current_;
-        visitFixedBuffers(data, lists, [&](auto& buffer) { putBytes(backend, next++, buffer.span()); });
+        visitFixedBuffers(data, lists, regimes,
+                          [&](auto& buffer) { putBytes(backend, next++, buffer.span()); });
         auto& contacts = lists.contacts();
         lists.adopt(used_, horizon_);
         putBytes(backend, next++, contacts.neighbour.span().part(0, used_));

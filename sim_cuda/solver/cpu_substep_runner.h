@@ -32,10 +32,16 @@ class SubstepRunner<CpuBackend, Real> {
         const SubstepArrays<Real> arrays = data.arrays(contacts);
         const BondPairs<Real> pairs{data.bonds.slot_of_bond.view(), data.bonds.twin.view(), record_.span(),
                                     damping_.span()};
-        backend.forRanges(data.bonds.count, [&](size_t first, size_t last) {
+        const BondedWork& work = data.work;
+        const CpuParticleStep<kLedger, Real> step(arrays, params, pairs);
+        backend.forRanges(work.all() ? data.bonds.count : work.bonds.count, [&](size_t first, size_t last) {
             BondLanes<kLedger, Real>(arrays, params, pairs).evaluate(first, last);
         });
-        backend.forEach(params.total, CpuParticleStep<kLedger, Real>(arrays, params, pairs), "substep");
+        backend.forEach(
+            work.all() ? params.in_bodies : work.at_most,
+            [&](uint32_t k) { step(work.all() ? k : work.ids[k]); }, "substep");
+        for (uint32_t p = params.in_bodies; p < params.total; ++p)
+            if (work.movesProjectile(p)) step(p);
     }
 
     CpuBackend::Buffer<BondRecord<Real>> record_;

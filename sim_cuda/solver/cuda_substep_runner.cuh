@@ -1,13 +1,11 @@
 // Runs substeps on the GPU: kLookInterval of them as one CUDA graph, single launches for what is left over.
 #pragma once
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cstdlib>
-#include <vector>
 
-#include "sim_cuda/backend/cuda_backend.cuh"
 #include "sim_cuda/kernels/substep_cuda.cuh"
+#include "sim_cuda/solver/cuda_graph_cache.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
 
@@ -28,12 +26,6 @@ template <class Real>
 class SubstepRunner<CudaBackend, Real> {
   public:
     explicit SubstepRunner(CudaBackend&) {}
-    ~SubstepRunner() {
-        for (const Recorded& recorded : graphs_) cudaGraphExecDestroy(recorded.graph);
-    }
-    SubstepRunner(const SubstepRunner&) = delete;
-    SubstepRunner& operator=(const SubstepRunner&) = delete;
-
     /// n substeps from data.current on, which turns with each of them. Does not wait.
     void run(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
              ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
@@ -43,76 +35,39 @@ class SubstepRunner<CudaBackend, Real> {
     }
 
   private:
-    /// All that is written into a graph and may change.
-    using Key = std::array<uint64_t, 14>;
-    struct Recorded {
-        Key key;
-        cudaGraphExec_t graph = nullptr;
-    };
-    static constexpr size_t kGraphs = 8, kSeen = 16;
-
-    static Key keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
-        const auto address = [](const auto& span) { return reinterpret_cast<uint64_t>(span.data); };
-        const auto bits = [](Real value) {
-            return static_cast<uint64_t>(std::bit_cast<uint32_t>(float(value)));
-        };
-        return {address(arrays.in.position),
-                address(arrays.contact_row),
-                address(arrays.neighbour),
-                address(arrays.contact_spring),
-                address(arrays.body_laws),
-                address(arrays.pair_laws),
-                address(arrays.wall_laws),
-                bits(params.gravity.x),
-                bits(params.gravity.y),
-                bits(params.gravity.z),
-                bits(params.velocity_keep),
+    static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
+        return {keyWord(arrays.in.position),
+                keyWord(arrays.contact_row),
+                keyWord(arrays.neighbour),
+                keyWord(arrays.contact_spring),
+                keyWord(arrays.body_laws),
+                keyWord(arrays.pair_laws),
+                keyWord(arrays.wall_laws),
+                keyWord(double(params.gravity.x)),
+                keyWord(double(params.gravity.y)),
+                keyWord(double(params.gravity.z)),
+                keyWord(double(params.velocity_keep)),
                 params.breaking,
-                bits(params.dt),
-                uint64_t{ledger}};
+                keyWord(double(params.dt)),
+                uint64_t{ledger},
+                keyWord(arrays.work.ids),
+                keyWord(arrays.work.regime),
+                launchedParticles(arrays.work, params)};
+    }
+
+    /// Particles that threads are started for.
+    static uint32_t launchedParticles(const BondedWork& work, const StepParams<Real>& params) {
+        return work.all() ? params.in_bodies : std::min(params.in_bodies, roundedUp(work.at_most));
     }
 
     void runInterval(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                      ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
                      bool ledger) {
         static_assert(kLookInterval % 2 == 0, "a graph must end on the state it started from");
-        const Key key = keyOf(data.arrays(contacts), params, ledger);
-        const auto recorded =
-            std::find_if(graphs_.begin(), graphs_.end(), [&](const Recorded& r) { return r.key == key; });
-        if (recorded != graphs_.end()) {
-            checkCuda(cudaGraphLaunch(recorded->graph, backend.stream()), "starting substeps");
-            return;
-        }
-        // Worth recording only when the same is asked for again.
-        const bool again = std::find(seen_.begin(), seen_.end(), key) != seen_.end();
-        if (again) {
-            record(backend, data, contacts, params, ledger, key);
-            checkCuda(cudaGraphLaunch(graphs_.back().graph, backend.stream()), "starting substeps");
-            return;
-        }
-        if (seen_.size() >= kSeen) seen_.erase(seen_.begin());
-        seen_.push_back(key);
-        for (uint32_t k = 0; k < kLookInterval; ++k) launch(backend.stream(), data, contacts, params, ledger);
-    }
-
-    void record(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
-                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
-                const Key& key) {
-        if (graphs_.size() >= kGraphs) {
-            backend.synchronize();
-            cudaGraphExecDestroy(graphs_.front().graph);
-            graphs_.erase(graphs_.begin());
-        }
-        cudaGraph_t graph = nullptr;
-        checkCuda(cudaStreamBeginCapture(backend.stream(), cudaStreamCaptureModeThreadLocal),
-                  "recording substeps");
-        for (uint32_t k = 0; k < kLookInterval; ++k) launch(backend.stream(), data, contacts, params, ledger);
-        checkCuda(cudaStreamEndCapture(backend.stream(), &graph), "recording substeps");
-        Recorded recorded{key, nullptr};
-        const cudaError_t made = cudaGraphInstantiate(&recorded.graph, graph, 0);
-        cudaGraphDestroy(graph);
-        checkCuda(made, "recording substeps");
-        graphs_.push_back(recorded);
+        graphs_.run(backend, keyOf(data.arrays(contacts), params, ledger), [&] {
+            for (uint32_t k = 0; k < kLookInterval; ++k)
+                launch(backend.stream(), data, contacts, params, ledger);
+        });
     }
 
     void launch(cudaStream_t stream, SolverData<CudaBackend, Real>& data,
@@ -126,7 +81,7 @@ class SubstepRunner<CudaBackend, Real> {
     template <bool kLedger>
     static void launchWith(cudaStream_t stream, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
-        switch (threadsPerParticle(params.in_bodies)) {
+        switch (threadsPerParticle(launchedParticles(arrays.work, params))) {
             case 1:
                 return launchT<1, kLedger>(stream, arrays, params);
             case 2:
@@ -144,12 +99,12 @@ class SubstepRunner<CudaBackend, Real> {
     static void launchT(cudaStream_t stream, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
         constexpr uint32_t kParticles = kSubstepBlock / T;
-        const uint32_t blocks = (params.in_bodies + kParticles - 1) / kParticles + kMaxProjectiles;
+        const uint32_t particles = launchedParticles(arrays.work, params);
+        const uint32_t blocks = (particles + kParticles - 1) / kParticles + kMaxProjectiles;
         substepKernel<T, kLedger, Real><<<blocks, kSubstepBlock, 0, stream>>>(arrays, params);
     }
 
-    std::vector<Recorded> graphs_;
-    std::vector<Key> seen_;
+    CudaGraphCache graphs_;
 };
 
 }  // namespace demolish

@@ -1,7 +1,8 @@
 // The solver on one backend. What a frame does, in order:
 //
-//   set the state aside -> [ substeps -> look at the state -> substeps -> contact lists again, if the look
-//   said so ] ...
+//   set the state aside -> how each fragment is moved
+//   -> [ substeps of bonds, contact steps of rigid fragments -> look at the state -> the same once more
+//        -> contact lists again, if the look said so; then again how each fragment is moved ] ...
 //   -> last look -> sums of the frame -> fragments
 //
 // A look and the decision that follows it stand at fixed substeps, so that every device takes the same one;
@@ -18,6 +19,8 @@
 #include "sim_cuda/solver/fracture_surface.h"
 #include "sim_cuda/solver/fragment_motion.h"
 #include "sim_cuda/solver/look_interval.h"
+#include "sim_cuda/solver/regimes.h"
+#include "sim_cuda/solver/rigid_runner.h"
 #include "sim_cuda/solver/substep_runner.h"
 
 namespace demolish {
@@ -49,8 +52,13 @@ class DeviceSolver final : public Solver {
     StepStatus advance(uint32_t n);
     StepStatus runSubsteps(uint32_t n);
     StepStatus runChunk(uint32_t n);
+    void runAwake(uint32_t n);
+    bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
+    uint32_t lookInterval() const;
     void look(uint32_t lookahead);
     void buildLists();
+    void assignRegimes(bool frame_starts, uint32_t remaining);
+    void countAwake();
     void settle(double seconds, const ProgressCallback& progress);
     void setVelocities(bool at_rest);
 
@@ -74,8 +82,11 @@ class DeviceSolver final : public Solver {
     /// What changes while stepping and lives on the host.
     struct Progress {
         uint64_t substeps = 0, frames = 0;
-        uint32_t since_build = 0;  ///< substeps since the contact lists were built
-        uint32_t rebuild = 1;      ///< 1: they must be built before the next substep
+        uint32_t since_build = 0;               ///< substeps since the contact lists were built
+        uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
+        uint32_t last_frame = 0;                ///< substeps in the last frame
+        uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
+        uint32_t moves_bonds = 1;  ///< 0: since the last decision nothing is moved with its bonds
         uint32_t projectiles = 0;  ///< known so far
         uint32_t started = 0;      ///< bits of projectile slots
         uint32_t broken = 0;       ///< bonds
@@ -88,6 +99,8 @@ class DeviceSolver final : public Solver {
     mutable SolverData<Backend, Real> data_;
     mutable NeighbourLists<Backend, Real> lists_;
     SubstepRunner<Backend, Real> runner_;
+    RigidRunner<Backend, Real> rigid_runner_;
+    mutable Regimes<Backend, Real> regimes_;
     Clustering<Backend> clusters_;
     mutable FragmentMotion<Backend, Real> motion_;
     mutable FractureSurface<Backend> surface_;

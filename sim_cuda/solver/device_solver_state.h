@@ -39,13 +39,24 @@ void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
     summarizeFragments();
 }
 
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::countAwake() {
+    stats_.bonded_particles = regimes_.bondedParticles();
+    stats_.awake_particles = regimes_.bondedParticles() + regimes_.activeParticles();
+    stats_.rigid_fragments = regimes_.rigidFragments();
+    stats_.sleeping_fragments = regimes_.sleepingFragments();
+    stats_.awake_bodies = regimes_.awakeBodies();
+}
+
 /// A dry substep gives the velocities after the next kick; then all is put back.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::measure() {
     if (progress_.rebuild != 0) buildLists();
-    dry_run_.keep(backend_, data_, lists_);
+    const BondedWork work = std::exchange(data_.work, BondedWork{});
+    dry_run_.keep(backend_, data_, lists_, regimes_);
     runner_.run(backend_, data_, lists_.contacts(), params_, false, 1);
-    dry_run_.putBack(backend_, data_, lists_);
+    dry_run_.putBack(backend_, data_, lists_, regimes_);
+    data_.work = work;
     const Double3 g = setup_.params.gravity;
     const MeasureEnergy<Real> energy{
         data_.arrays(lists_.contacts()), data_.particles.in(1 - data_.current), params_, {g.x, g.y, g.z}};
@@ -73,7 +84,7 @@ uint64_t DeviceSolver<Backend, Real>::stateHash() const {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::writeBuffers(ByteStream& out) const {
-    visitFixedBuffers(data_, lists_,
+    visitFixedBuffers(data_, lists_, regimes_,
                       [&](auto& buffer) { out.writeVector(backend_.downloaded(buffer.view())); });
     auto& contacts = lists_.contacts();
     out.writeVector(backend_.downloaded(contacts.neighbour.view().part(0, contacts.used)));
@@ -88,7 +99,7 @@ void DeviceSolver<Backend, Real>::readBuffers(ByteStream& in) {
         backend_.upload(span, values.data(), values.size());
         backend_.synchronize();
     };
-    visitFixedBuffers(data_, lists_, [&](auto& buffer) { readInto(buffer.span()); });
+    visitFixedBuffers(data_, lists_, regimes_, [&](auto& buffer) { readInto(buffer.span()); });
     auto& contacts = lists_.contacts();
     readInto(contacts.neighbour.span().part(0, contacts.used));
     readInto(contacts.spring.span().part(0, contacts.used));

@@ -54,6 +54,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       data_(backend_, tables_, static_cast<uint32_t>(setup.params.planes.size())),
       lists_(backend_, tables_.counts, tables_.largest_radius),
       runner_(backend_),
+      regimes_(backend_, setup, tables_),
       clusters_(backend_, tables_.counts),
       motion_(backend_, restPositions<Real>(setup.bodies), particlesPerBody(setup.bodies)),
       surface_(backend_, concatenateGeometry(setup.bodies)),
@@ -75,6 +76,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
     motion_.advanceAges(clusters_.rows());
     summarizeFragments();
+    if (setup.params.settle_time > 0) regimes_.markRested();
 }
 
 template <class Backend, class Real>
@@ -93,47 +95,83 @@ template <class Backend, class Real>
 StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     const Progress before = progress_;
     const uint64_t builds = lists_.builds();
-    frame_start_.keep(backend_, data_, lists_);
+    frame_start_.keep(backend_, data_, lists_, regimes_);
+    startProjectiles();
+    if (regimes_.on()) {
+        if (progress_.rebuild != 0) buildLists();
+        assignRegimes(true, n);
+    }
     const StepStatus status = runSubsteps(n);
     stats_.status = status;
     if (status != StepStatus::kOk) {
-        frame_start_.putBack(backend_, data_, lists_);
+        frame_start_.putBack(backend_, data_, lists_, regimes_);
         progress_ = before;
         return status;
     }
+    progress_.last_frame = n;
     stats_.list_rebuilds = static_cast<uint32_t>(lists_.builds() - builds);
     collectFrame(n);
     return status;
 }
 
+/// Substeps between two looks: without bonds nothing happens fast.
+template <class Backend, class Real>
+uint32_t DeviceSolver<Backend, Real>::lookInterval() const {
+    return !regimes_.on() || regimes_.movesBonds() ? kLookInterval : kRigidLookInterval;
+}
+
 template <class Backend, class Real>
 StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
+    bool moved = false;
     while (n > 0) {
         startProjectiles();
-        const uint32_t chunk = substepsUntilNextStart(std::min(n, 2 * kLookInterval));
+        if (progress_.rebuild != 0) {
+            buildLists();
+            if (regimes_.on() && progress_.last_assigned != progress_.substeps) assignRegimes(false, n);
+        }
+        if (nothingMoves()) {
+            const uint32_t quiet = substepsUntilNextStart(n);
+            progress_.substeps += quiet;
+            n -= quiet;
+            continue;
+        }
+        moved = true;
+        const uint32_t chunk = substepsUntilNextStart(std::min(n, 2 * lookInterval()));
         const StepStatus status = runChunk(chunk);
         if (status != StepStatus::kOk) return status;
         n -= chunk;
     }
+    if (!moved) return StepStatus::kOk;
     look(0);
     return static_cast<StepStatus>(reader_.wait()[kLookStatus]);
 }
 
-/// At most 2 kLookInterval substeps; the look in the middle decides for the end.
+/// n substeps of what is moved with its bonds, and the same time of what is rigid.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
+    auto& contacts = lists_.contacts();
+    const bool ledger = setup_.params.ledger, on = regimes_.on();
+    if (!on || regimes_.movesBonds()) runner_.run(backend_, data_, contacts, params_, ledger, n);
+    if (on && regimes_.movesRigid()) {
+        rigid_runner_.run(backend_, data_, contacts, params_, regimes_.rigid(), regimes_.rigidConstants(),
+                          ledger, n);
+        regimes_.place(data_, clusters_);
+    }
+    progress_.since_build += n;
+    progress_.substeps += n;
+}
+
+/// At most 2 lookInterval() substeps; the look in the middle decides for the end.
 template <class Backend, class Real>
 StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     if (progress_.rebuild != 0) buildLists();
-    const uint32_t first = std::min(n, kLookInterval), second = n - first;
-    const auto run = [&](uint32_t count) {
-        runner_.run(backend_, data_, lists_.contacts(), params_, setup_.params.ledger, count);
-        progress_.since_build += count;
-        progress_.substeps += count;
-    };
-    run(first);
-    look(second + 2 * kLookInterval);
-    run(second);
+    const uint32_t first = std::min(n, lookInterval()), second = n - first;
+    const uint32_t longest = 2 * lookInterval();
+    runAwake(first);
+    look(second + longest);
+    runAwake(second);
     const std::vector<uint32_t>& words = reader_.wait();
-    const double needed = (progress_.since_build + 2.0 * kLookInterval) * tables_.time_step;
+    const double needed = (progress_.since_build + static_cast<double>(longest)) * tables_.time_step;
     if (words[kLookRebuild] != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
     return static_cast<StepStatus>(words[kLookStatus]);
 }
@@ -154,9 +192,20 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
+    lists_.use(progress_.moves_bonds != 0 ? NeighbourSettings{} : kRigidNeighbours);
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;
     progress_.rebuild = 0;
+}
+
+/// `remaining`: substeps of the frame that are still to come.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
+    regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
+                    remaining * tables_.time_step);
+    progress_.last_assigned = progress_.substeps;
+    progress_.moves_bonds = regimes_.movesBonds() ? 1 : 0;
+    countAwake();
 }
 
 /// Gravity comes on slowly, velocities decay, nothing breaks; then the bodies get the velocities of the

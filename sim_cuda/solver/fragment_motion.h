@@ -31,6 +31,9 @@ class FragmentMotion {
     /// After gather() with the same state: V and omega of every fragment, at its slot. Does not wait.
     Span<const RigidMotion> fitMotions(const FragmentRows& rows, const StateIn<Real>& state,
                                        Span<const Vec4<Real>> constants);
+    /// What the fit was made of, by place in the rows: after gather(), after fitMotions().
+    Span<const PoseSums> poses() const { return pose_.view(); }
+    Span<const SpinSums> spins() const { return spin_.view(); }
     /// After gather(). Waits.
     FragmentSummary summary(const FragmentRows& rows);
 

@@ -26,6 +26,9 @@ struct NeighbourSettings {
     double longest_horizon = 1;  ///< s, at rest
 };
 
+/// While nothing is moved with its bonds: candidates cost little, builds as much as ever.
+inline constexpr NeighbourSettings kRigidNeighbours{1.5, 3, 1};
+
 template <class Backend, class Real>
 class NeighbourLists {
   public:
@@ -35,6 +38,9 @@ class NeighbourLists {
     /// Lists are empty before the first build. `largest_radius`: of R_c among the bodies' particles, m, > 0.
     NeighbourLists(Backend& backend, ParticleCounts counts, double largest_radius,
                    const NeighbourSettings& settings = {});
+
+    /// For the builds to come.
+    void use(const NeighbourSettings& settings) { settings_ = settings; }
 
     /// Builds the rows from the present state. Waits for their length, not for the rows. Needed at the start,
     /// when elapsed + lookahead passes horizon(), when CheckPaths says so, and when a projectile starts.
@@ -83,8 +89,7 @@ class NeighbourLists {
     Backend& backend_;
     ParticleCounts counts_;
     NeighbourSettings settings_;
-    double reach_;  ///< m, of two particles of the largest radius
-    double largest_skin_;
+    double largest_radius_;      ///< m
     uint32_t mask_, bit_words_;  ///< buckets - 1; words of projectile bits
     double horizon_ = 0;
     uint64_t builds_ = 0;
@@ -104,8 +109,7 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
     : backend_(backend),
       counts_(counts),
       settings_(settings),
-      reach_(2 * largest_radius * (1 + settings.skin_share)),
-      largest_skin_(settings.skin_share * largest_radius),
+      largest_radius_(largest_radius),
       mask_(std::bit_ceil(counts.in_bodies + 3) - 1),
       bit_words_(shots() * ((counts.total + kBitsPerWord - 1) / kBitsPerWord)),
       ranges_(backend.template allocate<VelocityRanges<Real>>(1)),
@@ -154,14 +158,15 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
     backend_.fill(zeroed_.span(), 0u);
-    backend_.reduceInto(
-        ranges_.span(), counts_.total, VelocityRanges<Real>{},
-        StartPaths<Real>{state, constants, contacts_.built_position.span(), contacts_.built_velocity.span(),
-                         Real(settings_.skin_share), Real(largest_skin_), counts_.in_bodies},
-        WidenRanges<Real>{}, "start paths");
+    backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
+                        StartPaths<Real>{state, constants, contacts_.built_position.span(),
+                                         contacts_.built_velocity.span(), Real(settings_.skin_share),
+                                         Real(settings_.skin_share * largest_radius_), counts_.in_bodies},
+                        WidenRanges<Real>{}, "start paths");
     backend_.forEach(1,
                      ChooseFrame<Real>{ranges_.view(), frame_.span(),
-                                       sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords), reach_,
+                                       sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
+                                       2 * largest_radius_ * (1 + settings_.skin_share),
                                        settings_.travel_share, settings_.longest_horizon},
                      "choose frame");
 }

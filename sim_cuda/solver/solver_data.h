@@ -40,6 +40,7 @@ struct SolverData {
     Buffer<BodyLaw<Real>> body_laws;
     Buffer<PairLaw<Real>> pair_laws, wall_laws;
     uint32_t current = 0;  ///< which of the two states is the present one
+    BondedWork work;       ///< which particles a substep moves
 
     SolverData(Backend& backend, const SceneTables& tables, uint32_t planes);
 
@@ -139,12 +140,23 @@ void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& la
 
 template <class Backend, class Real>
 SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Real>& contacts) {
-    return {particles.in(current),  particles.out(1 - current), particles.constants.view(),
-            particles.owner.view(), bonds.row_start.view(),     contacts.row_start.view(),
-            bonds.rest.view(),      contacts.neighbour.view(),  body_laws.view(),
-            pair_laws.view(),       wall_laws.view(),           bonds.link.span(),
-            bonds.spring.span(),    contacts.spring.span(),     plane_spring.span(),
-            ledger.span()};
+    return {particles.in(current),
+            particles.out(1 - current),
+            particles.constants.view(),
+            particles.owner.view(),
+            bonds.row_start.view(),
+            contacts.row_start.view(),
+            bonds.rest.view(),
+            contacts.neighbour.view(),
+            body_laws.view(),
+            pair_laws.view(),
+            wall_laws.view(),
+            bonds.link.span(),
+            bonds.spring.span(),
+            contacts.spring.span(),
+            plane_spring.span(),
+            ledger.span(),
+            work};
 }
 
 }  // namespace demolish

@@ -1,0 +1,48 @@
+// How each fragment is moved, and the lists of those that are. A fragment's slot is its lowest particle id; a
+// projectile's slot is its own.
+#pragma once
+#include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/vec4.h"
+#include "sim_cuda/physics/rigid_motion.h"
+
+namespace demolish {
+
+enum class Regime : uint32_t {
+    kBonded = 0,  ///< every particle by itself, with its bonds
+    kRigid = 1,   ///< as one body, with contact steps
+    kAsleep = 2,  ///< not at all
+};
+DEM_FN uint32_t wordOf(Regime regime) {
+    return static_cast<uint32_t>(regime);
+}
+
+/// Which particles a substep moves. Without a list: all.
+struct BondedWork {
+    Span<const uint32_t> ids;     ///< particles of bodies, ascending; no data: all of them
+    Span<const uint32_t> count;   ///< one word: how many ids there are
+    Span<const uint32_t> bonds;   ///< CPU only: bonds with a particle among the ids
+    Span<const uint32_t> regime;  ///< per slot, for the projectiles; no data: all are moved
+    uint32_t at_most = 0;         ///< ids that the host knows there cannot be more of
+
+    DEM_FN bool all() const { return ids.data == nullptr; }
+    DEM_FN bool movesProjectile(uint32_t slot) const {
+        return regime.data == nullptr || regime[slot] == wordOf(Regime::kBonded);
+    }
+};
+
+/// Fragments that move as rigid bodies, and those of their particles that may touch something.
+struct RigidWork {
+    Span<const uint32_t> fragment;     ///< slots, ascending
+    Span<const uint32_t> first, last;  ///< per entry of `fragment`: its places in `active`
+    Span<const uint32_t> active;       ///< particle ids by (fragment, id)
+    Span<const uint32_t> counts;       ///< words: active, fragments
+    Span<RigidBody> body;              ///< per slot
+    Span<const Vec3<double>> arm;      ///< per particle: from the centre at the start, m
+    Span<const uint32_t> label;        ///< per particle: its fragment's slot
+    uint32_t active_at_most = 0, fragments_at_most = 0;
+};
+
+inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kAsleepCount = 3,
+                          kAwakeBodies = 4, kWorkWords = 5;
+
+}  // namespace demolish

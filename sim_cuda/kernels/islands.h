@@ -1,0 +1,239 @@
+// Which fragments may meet before the next decision, and what follows for how each is moved. Fragments that
+// may touch are of one island, and an island is moved in one way: two step sizes never share a contact.
+//
+//   join fragments that may meet -> flags of each island -> regime of each fragment
+//
+// Flags are bits set in any order, islands carry their lowest slot: the same on every device.
+#pragma once
+#include "sim_cuda/data/contact_rows.h"
+#include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/fragment_sums.h"
+#include "sim_cuda/kernels/join_bonded.h"
+#include "sim_cuda/kernels/predicted_path.h"
+
+namespace demolish {
+
+inline constexpr uint32_t kMustBond =
+                              1u,  ///< one of the island's fragments vibrates or is about to be hit hard
+    kRestless = 2u;                ///< one of them has not rested long enough
+
+/// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
+inline constexpr double kNearlyTouching = 1.3;
+
+/// What the decisions read of the present state.
+template <class Real>
+struct MeetingsIn {
+    StateIn<Real> state;
+    PathsIn<Real> paths;
+    Span<const Vec4<Real>> constants;
+    Span<const uint32_t> label;  ///< per particle and projectile slot: its fragment's slot
+    Span<const uint32_t> owner;
+    BondRowsIn<Real> bonds;
+    ContactRowsIn<Real> contacts;
+    uint32_t in_bodies = 0;
+    Real horizon{};  ///< s that the contact lists hold from their build on
+    Real soon{};     ///< s until the next decision
+
+    DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
+    /// On the paths that the contact lists rely on.
+    DEM_FN bool mayMeetInTime(uint32_t i, uint32_t j) const {
+        return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j], horizon);
+    }
+    /// Closing faster than `limit` (m/s), and touching or about to on straight paths from here.
+    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit) const {
+        const Vec3<Real> x = positionOf(state, j) - positionOf(state, i);
+        const Vec3<Real> v = xyz(state.velocity[j]) - xyz(state.velocity[i]);
+        const Real speed2 = length2(v), closing = -dot(x, v);
+        if (!(speed2 > limit * limit) || !(closing > Real(0))) return false;
+        const Real reach = Real(kNearlyTouching) * (constants[i].z + constants[j].z), apart2 = length2(x);
+        if (apart2 < reach * reach) return closing * closing > limit * limit * apart2;
+        const Real nearest = minOf(closing / speed2, soon);
+        return length2(axpy(nearest, v, x)) < reach * reach;
+    }
+
+    /// visit(j) for the particles of other fragments that i may touch while the contact lists hold; those
+    /// above i only with `above`.
+    template <class Visit>
+    DEM_FN void visitMeetings(uint32_t i, bool above, const Visit& visit) const {
+        const uint32_t own = label[i];
+        for (uint32_t s = bonds.row_start[i]; s < bonds.row_start[i + 1]; ++s) {
+            const BondLink link = bonds.link[s];
+            const uint32_t j = linkedParticle(link);
+            if (isBonded(link) || (above && j < i) || label[j] == own) continue;
+            if (pairState(link) == PairState::kBroken || mayMeetInTime(i, j)) visit(j);
+        }
+        for (uint32_t s = contacts.row_start[i]; s < contacts.row_start[i + 1]; ++s) {
+            const uint32_t j = contacts.neighbour[s];
+            if ((above && j < i) || label[j] == own) continue;
+            visit(j);
+        }
+    }
+};
+
+struct StartIslands {
+    Span<uint32_t> island, flags;
+    DEM_FN void operator()(uint32_t slot) const {
+        island[slot] = slot;
+        flags[slot] = 0;
+    }
+};
+
+template <class Real>
+struct JoinIslands {
+    MeetingsIn<Real> meetings;
+    Span<uint32_t> island;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!meetings.takesPart(i)) return;
+        const uint32_t own = meetings.label[i];
+        meetings.visitMeetings(i, true, [&](uint32_t j) { join(island, own, meetings.label[j]); });
+    }
+};
+
+/// Fastest particle of each fragment, and fastest against its rigid motion: squared speeds as words, which
+/// keep their order.
+template <class Real>
+struct MeasureMotion {
+    StateIn<Real> state;
+    Span<const Vec4<Real>> constants;
+    Span<const uint32_t> label;
+    Span<const RigidMotion> motion;
+    Span<uint32_t> fastest, inner;  ///< per slot, 0 before; float bits of m^2/s^2
+    uint32_t in_bodies = 0;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!(constants[i].x > Real(0))) return;
+        const uint32_t slot = label[i];
+        const Vec3<double> v = asDouble(xyz(state.velocity[i])), w = asDouble(xyz(state.spin[i]));
+        const double radius = double(constants[i].z), rim = radius * radius * length2(w);
+        raise(fastest[slot], length2(v) + rim);
+        if (i >= in_bodies) return;
+        const RigidMotion fit = motion[slot];
+        const Vec3<double> stray = v - velocityAt(fit, exactPosition(state, i));
+        raise(inner[slot], length2(stray) + radius * radius * length2(w - fit.spin));
+    }
+
+  private:
+    DEM_FN static void raise(uint32_t& word, double value) {
+        const uint32_t bits = std::bit_cast<uint32_t>(float(value));
+        if (bits > atomicLoadU32(&word)) atomicMaxU32(&word, bits);
+    }
+};
+
+/// Substeps for which a fragment has been calm inside, and at rest.
+struct CalmClock {
+    uint32_t calm = 0, rest = 0;
+};
+
+/// One thread a slot, once a frame.
+template <class Real>
+struct AdvanceClocks {
+    Span<const uint32_t> label, owner, fastest, inner;
+    Span<const Vec4<Real>> constants;
+    Span<const float> calm_speed2;  ///< per owner, m^2/s^2
+    Span<CalmClock> clock;
+    float rest_speed2 = 0;
+    uint32_t substeps = 0;  ///< since the last time
+
+    DEM_FN void operator()(uint32_t slot) const {
+        if (label[slot] != slot || !(constants[slot].x > Real(0))) return;
+        CalmClock next = clock[slot];
+        const bool calm = std::bit_cast<float>(inner[slot]) <= calm_speed2[owner[slot]];
+        const bool rests = std::bit_cast<float>(fastest[slot]) <= rest_speed2;
+        next.calm = calm ? grown(next.calm) : 0;
+        next.rest = rests ? grown(next.rest) : 0;
+        clock[slot] = next;
+    }
+    DEM_FN uint32_t grown(uint32_t before) const { return before > 0x7fffffffu ? before : before + substeps; }
+};
+
+/// What a decision goes by.
+struct RegimeRules {
+    bool hand_over = false, sleeping = false;
+    bool may_calm = false;  ///< a frame starts: bonds may come to rest; else they may only be woken
+    uint32_t calm_substeps = 0, rest_substeps = 0;
+};
+
+template <class Real>
+struct FlagIslands {
+    MeetingsIn<Real> meetings;
+    FragmentRows rows;
+    Span<const uint32_t> island, regime;
+    Span<const CalmClock> clock;
+    Span<const Real> wake_speed;  ///< per owner, m/s; infinite for a projectile
+    PlaneSet<Real> planes;
+    Vec3<Real> gravity;
+    RegimeRules rules;
+    Span<uint32_t> flags;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!meetings.takesPart(i)) return;
+        const uint32_t slot = meetings.label[i];
+        uint32_t found = i == slot ? ownFlags(slot) : 0;
+        if ((found & kMustBond) == 0 && isHitHard(i, slot)) found |= kMustBond;
+        if (found != 0) atomicOrU32(&flags[island[slot]], found);
+    }
+
+  private:
+    DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
+    DEM_FN bool hasBonds(uint32_t slot) const { return !isProjectile(slot) && rows.size[slot] > 1; }
+
+    DEM_FN uint32_t ownFlags(uint32_t slot) const {
+        const bool rested = clock[slot].rest >= rules.rest_substeps;
+        const uint32_t restless = rested ? 0 : kRestless;
+        if (isProjectile(slot) || regime[slot] != wordOf(Regime::kBonded)) return restless;
+        const bool calm = rules.hand_over && clock[slot].calm >= rules.calm_substeps;
+        return rules.may_calm && (calm || rested) ? restless : restless | kMustBond;
+    }
+
+    DEM_FN bool isHitHard(uint32_t i, uint32_t slot) const {
+        const Vec3<Real> velocity = xyz(meetings.state.velocity[i]);
+        const Real wake = wake_speed[meetings.owner[i]];
+        if (hasBonds(slot) && hitsPlane(i, velocity, wake)) return true;
+        bool hard = false;
+        meetings.visitMeetings(i, false, [&](uint32_t j) {
+            if (!hasBonds(slot) && !hasBonds(meetings.label[j])) return;
+            hard = hard || meetings.meetHard(i, j, minOf(wake, wake_speed[meetings.owner[j]]));
+        });
+        return hard;
+    }
+    DEM_FN bool hitsPlane(uint32_t i, const Vec3<Real>& velocity, Real wake) const {
+        const Vec3<Real> position = positionOf(meetings.state, i);
+        const Real soon = meetings.soon;
+        for (uint32_t p = 0; p < planes.count; ++p) {
+            const Vec3<Real> normal = xyz(planes.planes[p]);
+            const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
+            const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
+            if (closing > wake && madd(soon, closing, Real(0.5) * soon * soon * falling) > gap) return true;
+        }
+        return false;
+    }
+};
+
+/// One thread a slot. `former` keeps what it was.
+template <class Real>
+struct ChooseRegimes {
+    Span<const uint32_t> label, island, flags;
+    Span<const Vec4<Real>> constants;
+    RegimeRules rules;
+    Span<uint32_t> regime, former;
+    Span<CalmClock> clock;
+
+    DEM_FN void operator()(uint32_t slot) const {
+        if (label[slot] != slot) return;
+        const uint32_t before = regime[slot];
+        const Regime chosen = choose(slot);
+        former[slot] = before;
+        regime[slot] = wordOf(chosen);
+        if (chosen == Regime::kBonded && before != wordOf(Regime::kBonded)) clock[slot] = {};
+    }
+    DEM_FN Regime choose(uint32_t slot) const {
+        if (!(constants[slot].x > Real(0))) return Regime::kAsleep;
+        const uint32_t seen = flags[island[slot]];
+        if ((seen & kMustBond) != 0) return Regime::kBonded;
+        if (rules.sleeping && (seen & kRestless) == 0) return Regime::kAsleep;
+        return rules.hand_over ? Regime::kRigid : Regime::kBonded;
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,65 @@
+// What acts on one particle of a rigid fragment: the faces of broken bonds to other fragments, contacts,
+// planes. The laws are those of a substep; only the step is longer, and a particle carries its share of the
+// fragment's mass.
+#pragma once
+#include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/partial_sums.h"
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+/// Of one active particle, by its place in RigidWork::active.
+template <class Real>
+struct RigidLoad {
+    Wrench<Real> wrench;  ///< about the particle's centre
+    Tally<Real> tally;    ///< filled only for the ledger
+};
+
+template <class Real>
+DEM_FN bool isNullWrench(const Wrench<Real>& a) {
+    return !(length2(a.force) > Real(0)) && !(length2(a.torque) > Real(0));
+}
+
+/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> rigidBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                  const Span<const uint32_t>& label, const OwnParticle<Real>& own,
+                                  uint32_t slot, Tally<Real>& tally) {
+    const BondLink link = arrays.link[slot];
+    if (isBonded(link) || label[linkedParticle(link)] == label[own.id]) return {};
+    return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
+}
+
+template <bool kLedger, class Real>
+DEM_FN void addPlanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                      const OwnParticle<Real>& own, RigidLoad<Real>& load) {
+    for (uint32_t p = 0; p < params.planes.count; ++p)
+        add(load.wrench, planeContact<kLedger>(arrays, params, own, p, load.tally));
+}
+
+/// One thread a particle: the CPU. `load` is by place.
+template <bool kLedger, class Real>
+struct GatherRigidLoad {
+    SubstepArrays<Real> arrays;
+    StepParams<Real> params;
+    RigidWork work;
+    Span<RigidLoad<Real>> load;
+
+    DEM_FN void operator()(uint32_t place) const {
+        const OwnParticle<Real> own = loadOwn(arrays, work.active[place]);
+        RigidLoad<Real> out;
+        PartialSums<kPartials, Real> sums;
+        const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
+        for (uint32_t slot = first_bond; slot < last_bond; ++slot)
+            sums.add(slot - first_bond,
+                     rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally));
+        const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
+        for (uint32_t slot = first; slot < last; ++slot)
+            sums.add(slot - first, contactSlot<kLedger>(arrays, params, own, slot, out.tally));
+        out.wrench = sums.total();
+        addPlanes<kLedger>(arrays, params, own, out);
+        load[place] = out;
+    }
+};
+
+}  // namespace demolish

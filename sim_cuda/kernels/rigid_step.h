@@ -1,0 +1,101 @@
+// One contact step of a rigid fragment: the loads of its particles in a fixed order, kick and drift of the
+// whole, then the particles put where it has taken them. kRigidLanes lanes share a fragment, on the GPU as
+// threads; whatever runs them, place k of its row belongs to lane k mod kRigidLanes.
+#pragma once
+#include "sim_cuda/kernels/fragment_sums.h"
+#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/rigid_load.h"
+
+namespace demolish {
+
+inline constexpr uint32_t kRigidLanes = 64;
+
+/// About the fragment's centre.
+struct RigidSums {
+    Vec3<double> force, torque;  ///< N, N m
+    uint32_t touching = 0;       ///< particles that feel anything
+};
+DEM_FN void add(RigidSums& into, const RigidSums& other) {
+    into.force = into.force + other.force;
+    into.torque = into.torque + other.torque;
+    into.touching += other.touching;
+}
+
+/// A state in double as the particles' arrays hold it.
+template <class Real>
+DEM_FN void placeParticle(const StateOut<Real>& out, uint32_t i, const Vec3<double>& x, const Vec3<double>& v,
+                          const Vec3<double>& w) {
+    const Vec3<Real> high{Real(x.x), Real(x.y), Real(x.z)};
+    const Vec3<Real> low{Real(x.x - double(high.x)), Real(x.y - double(high.y)), Real(x.z - double(high.z))};
+    out.position[i] = withW(high, low.x);
+    out.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, low.y);
+    out.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, low.z);
+}
+
+/// A touching particle stands for the fragment's mass over all that touch, so that restitution is that of the
+/// fragment and many contacts at once stay stable; never for less than its own.
+template <class Real>
+DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec4<Real>& own) {
+    const double share = double(body.contact_share);
+    const Sym3& j = body.inverse_inertia;
+    return {minOf(own.x, Real(share * body.inverse_mass)), minOf(own.y, Real(share * (j.xx + j.yy + j.zz))),
+            own.z, own.w};
+}
+
+template <bool kLedger, class Real>
+struct StepRigid {
+    SubstepArrays<Real> arrays;  ///< `in` and `out` are both brought up to date
+    StateOut<Real> state;        ///< the memory behind arrays.in
+    StepParams<Real> params;
+    RigidWork work;
+    Span<const RigidLoad<Real>> load;
+    Span<Vec4<Real>> constants;  ///< those that contact steps use
+    Span<const Vec4<Real>> own_constants;
+
+    DEM_FN RigidSums gather(const RigidBody& body, uint32_t entry, uint32_t lane) const {
+        RigidSums sums;
+        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {
+            const Wrench<Real> wrench = load[place].wrench;
+            if (isNullWrench(wrench)) continue;
+            const uint32_t i = work.active[place];
+            const Vec3<double> force = asDouble(wrench.force);
+            const Vec3<double> arm = exactPosition(arrays.in, i) - body.centre;
+            add(sums, {force, asDouble(wrench.torque) + cross(arm, force), 1});
+        }
+        return sums;
+    }
+    /// What the first lane does with the total.
+    DEM_FN void move(RigidBody& body, uint32_t entry, const RigidSums& total) const {
+        advance(body, total.force, total.torque, asDouble(params.gravity), double(params.dt));
+        const uint32_t quarter = (work.last[entry] - work.first[entry]) / 4;
+        const uint32_t sharing = total.touching > quarter ? total.touching : quarter;
+        body.contact_share = sharing > 1 ? sharing : 1;
+        work.body[work.fragment[entry]] = body;
+    }
+    DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane) const {
+        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {
+            const uint32_t i = work.active[place];
+            const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+            const Vec3<double> arm = rotate(body.turned, work.arm[i]);
+            const Vec3<double> x = body.centre + arm, v = velocityAtArm(body, arm);
+            placeParticle(state, i, x, v, body.spin);
+            placeParticle(arrays.out, i, x, v, body.spin);
+            constants[i] = sharedConstants(body, own_constants[i]);
+            if constexpr (kLedger)
+                bookLedger(arrays.ledger[i], load[place].tally, before,
+                           loadWithoutRotation(arrays.in, arrays.in.position[i], i), params.dt);
+        }
+    }
+    /// The CPU: all lanes of a fragment in turn.
+    DEM_FN void operator()(uint32_t entry) const {
+        RigidBody body = work.body[work.fragment[entry]];
+        RigidSums lanes[kRigidLanes];
+        for (uint32_t lane = 0; lane < kRigidLanes; ++lane) lanes[lane] = gather(body, entry, lane);
+        for (uint32_t step = kRigidLanes / 2; step > 0; step /= 2)
+            for (uint32_t lane = 0; lane < step; ++lane) add(lanes[lane], lanes[lane + step]);
+        move(body, entry, lanes[0]);
+        for (uint32_t lane = 0; lane < kRigidLanes; ++lane) place(body, entry, lane);
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,61 @@
+// Contact steps on the GPU: kLoadThreads threads gather the row of a particle, a block moves a fragment.
+#pragma once
+#include "sim_cuda/kernels/rigid_step.h"
+#include "sim_cuda/kernels/substep_cuda.cuh"
+
+namespace demolish {
+
+inline constexpr uint32_t kLoadThreads = 8;
+
+template <bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock)
+    rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
+                    const Span<RigidLoad<Real>> load) {
+    constexpr uint32_t T = kLoadThreads, kParticles = kSubstepBlock / T;
+    const uint32_t count = work.counts[kActiveCount];
+    if (blockIdx.x * kParticles >= count) return;
+    const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    const bool present = place < count;
+    const OwnParticle<Real> own = loadOwn(arrays, work.active[present ? place : count - 1]);
+    LanePartials<T, Real> sums;
+    RigidLoad<Real> out;
+    const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
+        return present ? rows[own.id + end] : 0u;
+    };
+    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums, [&](uint32_t slot) {
+        return rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally);
+    });
+    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
+                 [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, out.tally); });
+    __syncwarp();
+    out.wrench = sums.total();
+    if constexpr (kLedger) sumTally<T>(out.tally);
+    if (!present || lane != 0) return;
+    addPlanes<kLedger>(arrays, params, own, out);
+    if constexpr (kLedger)
+        load[place] = out;
+    else
+        load[place].wrench = out.wrench;
+}
+
+template <bool kLedger, class Real>
+__global__ void __launch_bounds__(kRigidLanes) rigidStepKernel(const StepRigid<kLedger, Real> step) {
+    __shared__ alignas(16) unsigned char sums_memory[kRigidLanes * sizeof(RigidSums)];
+    __shared__ alignas(16) unsigned char body_memory[sizeof(RigidBody)];
+    auto* lanes = reinterpret_cast<RigidSums*>(sums_memory);
+    auto& body = *reinterpret_cast<RigidBody*>(body_memory);
+    const uint32_t entry = blockIdx.x, lane = threadIdx.x;
+    if (entry >= step.work.counts[kFragmentCount]) return;
+    if (lane == 0) body = step.work.body[step.work.fragment[entry]];
+    __syncthreads();
+    lanes[lane] = step.gather(body, entry, lane);
+    for (uint32_t width = kRigidLanes / 2; width > 0; width /= 2) {
+        __syncthreads();
+        if (lane < width) add(lanes[lane], lanes[lane + width]);
+    }
+    if (lane == 0) step.move(body, entry, lanes[0]);
+    __syncthreads();
+    step.place(body, entry, lane);
+}
+
+}  // namespace demolish

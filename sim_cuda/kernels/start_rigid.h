@@ -1,0 +1,138 @@
+// From particles to rigid bodies and back: the body that fits a fragment's present motion by (16)-(18), where
+// its particles hang on it, and the particles put where it has taken them.
+#pragma once
+#include "sim_cuda/kernels/islands.h"
+#include "sim_cuda/kernels/rigid_step.h"
+
+namespace demolish {
+
+/// One thread a slot that is not moved with its bonds: its body, from the fit of the moment. Within a frame
+/// bodies go on as they are; only projectiles, which may be new, start again.
+template <class Real>
+struct StartBodies {
+    FragmentRows rows;
+    Span<const uint32_t> label, regime;
+    StateIn<Real> state;
+    Span<const Vec4<Real>> constants;
+    Span<const RigidMotion> motion;  ///< per slot of a body's fragment
+    Span<const PoseSums> pose;       ///< by place
+    Span<const SpinSums> spin;       ///< by place
+    Span<RigidBody> body;
+    uint32_t in_bodies = 0;
+    bool frame_starts = false;
+
+    DEM_FN void operator()(uint32_t slot) const {
+        if (label[slot] != slot || regime[slot] == wordOf(Regime::kBonded)) return;
+        if (slot < in_bodies) {
+            if (frame_starts) body[slot] = ofFragment(slot);
+        } else if (constants[slot].x > Real(0)) {
+            body[slot] = ofProjectile(slot);
+        }
+    }
+
+  private:
+    DEM_FN RigidBody ofFragment(uint32_t slot) const {
+        const RigidMotion fit = motion[slot];
+        RigidBody start;
+        start.centre = fit.centre;
+        start.velocity = fit.velocity;
+        start.spin = fit.spin;
+        start.angular = spin[rows.first[slot]].angular;
+        start.inverse_inertia = inverted(spin[rows.first[slot]].inertia);
+        start.inverse_mass = 1 / pose[rows.first[slot]].now.mass;
+        return start;
+    }
+    DEM_FN RigidBody ofProjectile(uint32_t slot) const {
+        RigidBody start;
+        start.centre = exactPosition(state, slot);
+        start.velocity = asDouble(xyz(state.velocity[slot]));
+        start.spin = asDouble(xyz(state.spin[slot]));
+        const double inverse = double(constants[slot].y);
+        start.angular = (1 / inverse) * start.spin;
+        start.inverse_inertia = {inverse, inverse, inverse, 0, 0, 0};
+        start.inverse_mass = double(constants[slot].x);
+        return start;
+    }
+};
+
+/// J of a particle's translation and spin.
+DEM_FN double kineticEnergy(double mass, double inertia, const Vec3<double>& v, const Vec3<double>& w) {
+    return 0.5 * (mass * length2(v) + inertia * length2(w));
+}
+
+/// One thread a particle or projectile slot, of which the latter alone within a frame. Whatever is not moved
+/// with its bonds stands in both instants of the state; what vibration a fragment had when its bonds came to
+/// rest, and what speed when it fell asleep, is booked as damping.
+template <class Real>
+struct SettleRegimes {
+    StateIn<Real> in;
+    StateOut<Real> state, other;  ///< the memory behind `in`; the other instant
+    Span<const Vec4<Real>> constants;
+    Span<const uint32_t> label, regime, former;
+    Span<const RigidBody> body;
+    Span<Vec3<double>> arm;
+    Span<Vec4<Real>> start_rotation, ledger;
+    uint32_t in_bodies = 0;
+    bool frame_starts = false;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!frame_starts && i < in_bodies) return;
+        const uint32_t slot = label[i], now = regime[slot];
+        if (now != wordOf(Regime::kBonded)) hang(i, slot);
+        if (now == wordOf(Regime::kAsleep) && former[slot] != now) stop(i);
+        copyState(i);
+    }
+
+  private:
+    DEM_FN void hang(uint32_t i, uint32_t slot) const {
+        const RigidBody fit = body[slot];
+        const Vec3<double> from_centre = exactPosition(in, i) - fit.centre;
+        arm[i] = from_centre;
+        start_rotation[i] = in.rotation[i];
+        if (regime[slot] == wordOf(Regime::kRigid))
+            setMotion(i, former[slot] == wordOf(Regime::kBonded), velocityAtArm(fit, from_centre), fit.spin);
+    }
+    DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
+
+    DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {
+        if (!(constants[i].x > Real(0))) return;
+        const double mass = 1 / double(constants[i].x), inertia = 1 / double(constants[i].y);
+        const double before =
+            kineticEnergy(mass, inertia, asDouble(xyz(in.velocity[i])), asDouble(xyz(in.spin[i])));
+        if (book) ledger[i].x += Real(before - kineticEnergy(mass, inertia, v, w));
+        state.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i].w);
+        state.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, in.spin[i].w);
+    }
+    DEM_FN void copyState(uint32_t i) const {
+        other.position[i] = state.position[i];
+        other.rotation[i] = state.rotation[i];
+        other.velocity[i] = state.velocity[i];
+        other.spin[i] = state.spin[i];
+    }
+};
+
+/// One thread a particle or projectile slot: all of a rigid fragment, not only what may touch.
+template <class Real>
+struct PlaceRigid {
+    Span<const uint32_t> label, regime;
+    Span<const RigidBody> body;
+    Span<const Vec3<double>> arm;
+    Span<const Vec4<Real>> start_rotation;
+    StateOut<Real> state, other;
+
+    DEM_FN void operator()(uint32_t i) const {
+        const uint32_t slot = label[i];
+        if (regime[slot] != wordOf(Regime::kRigid)) return;
+        const RigidBody moved = body[slot];
+        const Vec3<double> from_centre = rotate(moved.turned, arm[i]);
+        const Vec3<double> x = moved.centre + from_centre, v = velocityAtArm(moved, from_centre);
+        placeParticle(state, i, x, v, moved.spin);
+        placeParticle(other, i, x, v, moved.spin);
+        const Vec4<Real> start = start_rotation[i];
+        const Quat<double> q = normalized(multiply(
+            moved.turned, Quat<double>{double(start.x), double(start.y), double(start.z), double(start.w)}));
+        state.rotation[i] = other.rotation[i] = {Real(q.x), Real(q.y), Real(q.z), Real(q.w)};
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,119 @@
+// The lists of what is moved (data/regimes.h), made in the order of ids by one scan over three rows of marks:
+// particles of rigid fragments that may touch something, rigid fragments, particles moved with their bonds.
+#pragma once
+#include "sim_cuda/kernels/start_rigid.h"
+
+namespace demolish {
+
+/// Places 0 .. total-1: particles in order of (fragment, id), then projectile slots.
+struct PlacesIn {
+    FragmentRows rows;
+    uint32_t in_bodies = 0, total = 0;
+    DEM_FN uint32_t particleAt(uint32_t place) const { return place < in_bodies ? rows.order[place] : place; }
+    DEM_FN uint32_t first(uint32_t slot) const { return slot < in_bodies ? rows.first[slot] : slot; }
+    DEM_FN uint32_t size(uint32_t slot) const { return slot < in_bodies ? rows.size[slot] : 1; }
+};
+
+template <class Real>
+struct MarkWork {
+    MeetingsIn<Real> meetings;
+    PlacesIn places;
+    Span<const uint32_t> regime;
+    PlaneSet<Real> planes;
+    Span<uint32_t> active, fragment, bonded;  ///< marks: by place, by slot, by particle
+
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = places.particleAt(k);
+        active[k] = isIn(i, Regime::kRigid) && (nearPlane(i) || nearOther(i)) ? 1 : 0;
+        fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
+        bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
+    }
+
+  private:
+    DEM_FN bool isIn(uint32_t i, Regime wanted) const { return regime[meetings.label[i]] == wordOf(wanted); }
+    DEM_FN bool nearOther(uint32_t i) const {
+        bool found = false;
+        meetings.visitMeetings(i, false, [&](uint32_t) { found = true; });
+        return found;
+    }
+    /// On the straight path that the contact lists rely on: a particle off it by more than its skin brings
+    /// new lists, and with them this question again.
+    DEM_FN bool nearPlane(uint32_t i) const {
+        const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
+        const Real reach = meetings.constants[i].w + velocity.w;
+        for (uint32_t p = 0; p < planes.count; ++p) {
+            const Vec3<Real> normal = xyz(planes.planes[p]);
+            const Real height = dot(normal, xyz(position)) - planes.planes[p].w;
+            const Real sinking = maxOf(-dot(normal, xyz(velocity)), Real(0));
+            if (madd(-sinking, meetings.horizon, height) < reach) return true;
+        }
+        return false;
+    }
+};
+
+/// After the scan of the three rows of marks, one after the other (3 total + 1 sums).
+template <class Real>
+struct WriteWork {
+    PlacesIn places;
+    Span<const uint32_t> label, regime, sums;
+    Span<RigidBody> body;
+    Span<const Vec4<Real>> own_constants;
+    Span<uint32_t> active, fragment, first, last, bonded;
+    Span<Vec4<Real>> constants;  ///< of contact steps
+
+    DEM_FN uint32_t sum(uint32_t row, uint32_t k) const {
+        return sums[row * places.total + k] - sums[row * places.total];
+    }
+    DEM_FN bool marked(uint32_t row, uint32_t k) const {
+        return sums[row * places.total + k + 1] != sums[row * places.total + k];
+    }
+
+    DEM_FN void operator()(uint32_t k) const {
+        if (marked(0, k)) active[sum(0, k)] = places.particleAt(k);
+        if (marked(2, k)) bonded[sum(2, k)] = k;
+        const uint32_t slot = label[k];
+        constants[k] = own_constants[k];
+        if (regime[slot] == wordOf(Regime::kRigid)) {
+            RigidBody start = body[slot];
+            const uint32_t quarter = (end(slot) - sum(0, places.first(slot))) / 4;
+            start.contact_share = quarter > 1 ? quarter : 1;
+            constants[k] = sharedConstants(start, own_constants[k]);
+        }
+        if (!marked(1, k)) return;
+        const uint32_t entry = sum(1, k);
+        fragment[entry] = k;
+        first[entry] = sum(0, places.first(k));
+        last[entry] = end(k);
+    }
+    DEM_FN uint32_t end(uint32_t slot) const { return sum(0, places.first(slot) + places.size(slot)); }
+};
+
+/// One thread: what the host wants to know.
+struct TellWork {
+    Span<const uint32_t> sums;
+    uint32_t total = 0;
+    Span<uint32_t> words;  ///< kWorkWords; the last is counted already
+
+    DEM_FN void operator()(uint32_t) const {
+        words[kActiveCount] = sums[total];
+        words[kFragmentCount] = sums[2 * total] - sums[total];
+        words[kBondedCount] = sums[3 * total] - sums[2 * total];
+    }
+};
+
+/// One thread a particle of a body: sleeping fragments and bodies that do not all sleep, counted.
+struct CountAsleep {
+    Span<const uint32_t> label, regime, owner;
+    Span<uint32_t> body_awake;  ///< per body, 0 before
+    Span<uint32_t> words;
+
+    DEM_FN void operator()(uint32_t i) const {
+        const bool asleep = regime[label[i]] == wordOf(Regime::kAsleep);
+        if (asleep && label[i] == i) atomicAddU32(&words[kAsleepCount], 1);
+        uint32_t& awake = body_awake[owner[i]];
+        if (!asleep && atomicLoadU32(&awake) == 0 && atomicMaxU32(&awake, 1) == 0)
+            atomicAddU32(&words[kAwakeBodies], 1);
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,56 @@
+// A fragment that goes on as one rigid body: the motion of (16) driven by the sum of what its particles feel
+// (architecture 9). In double: there are few of them, and their particles hang on them.
+#pragma once
+#include "sim_cuda/physics/quaternion.h"
+#include "sim_cuda/physics/rigid_fit.h"
+
+namespace demolish {
+
+/// A^-1 of a positive definite matrix; null when it is not.
+DEM_FN Sym3 inverted(const Sym3& a) {
+    const double xx = a.yy * a.zz - a.yz * a.yz, xy = a.yz * a.zx - a.xy * a.zz,
+                 zx = a.xy * a.yz - a.yy * a.zx;
+    const double determinant = a.xx * xx + a.xy * xy + a.zx * zx;
+    if (!(determinant > 0)) return {};
+    const double s = 1 / determinant;
+    return {s * xx, s * (a.xx * a.zz - a.zx * a.zx), s * (a.xx * a.yy - a.xy * a.xy),
+            s * xy, s * (a.xy * a.zx - a.xx * a.yz), s * zx};
+}
+
+/// World frame. `turned` starts at 1 with the body's axes along the world's.
+struct RigidBody {
+    Vec3<double> centre;         ///< X_c, m
+    Vec3<double> velocity;       ///< V, m/s
+    Vec3<double> angular;        ///< L about X_c, kg m^2/s
+    Vec3<double> spin;           ///< omega, rad/s
+    Quat<double> turned;         ///< since the start
+    Sym3 inverse_inertia;        ///< J^-1 at the start, 1/(kg m^2)
+    double inverse_mass = 0;     ///< 1/kg
+    uint32_t contact_share = 1;  ///< particles among which its mass is shared while they touch
+    uint32_t reserved = 0;
+};
+
+/// omega of J(q) omega = L.
+DEM_FN Vec3<double> spinAt(const RigidBody& body, const Quat<double>& turned) {
+    return rotate(turned, multiply(body.inverse_inertia, rotate(conjugate(turned), body.angular)));
+}
+
+/// Kick and drift as of one particle (physics B.1); the turn takes omega at its middle, so that without a
+/// torque L is kept exactly and the energy to third order. `force` N, `torque` N m about the centre,
+/// `gravity` m/s^2, dt s.
+DEM_FN void advance(RigidBody& body, const Vec3<double>& force, const Vec3<double>& torque,
+                    const Vec3<double>& gravity, double dt) {
+    body.velocity = axpy(dt, axpy(body.inverse_mass, force, gravity), body.velocity);
+    body.centre = axpy(dt, body.velocity, body.centre);
+    body.angular = axpy(dt, torque, body.angular);
+    const Quat<double> half = advanced(body.turned, spinAt(body, body.turned), 0.5 * dt);
+    body.turned = advanced(body.turned, spinAt(body, half), dt);
+    body.spin = spinAt(body, body.turned);
+}
+
+/// Velocity of the point at `arm` from the centre (m, world frame now): (16) as corrected.
+DEM_FN Vec3<double> velocityAtArm(const RigidBody& body, const Vec3<double>& arm) {
+    return body.velocity + cross(body.spin, arm);
+}
+
+}  // namespace demolish

@@ -1,0 +1,285 @@
+// Only what is breaking pays (architecture 9): decides which fragments are moved with their bonds, which as
+// rigid bodies and which not at all, and keeps the lists of each.
+//
+//   fit (16)-(18) of every fragment -> how calm it is -> islands that may meet -> regime of each island
+//   -> rigid bodies, particles made to follow them -> marks -> scan -> lists, their lengths to the host
+//
+// Bonds come to rest only at the start of a frame; they wake whenever contact lists are made, before a hard
+// hit and not after it.
+#pragma once
+#include <algorithm>
+#include <cmath>
+
+#include "sim_cuda/kernels/work_lists.h"
+#include "sim_cuda/physics/hand_over.h"
+#include "sim_cuda/solver/clustering.h"
+#include "sim_cuda/solver/fragment_motion.h"
+#include "sim_cuda/solver/neighbour_lists.h"
+#include "sim_cuda/solver/solver_data.h"
+
+namespace demolish {
+
+template <class Backend, class Real>
+class Regimes {
+  public:
+    template <class T>
+    using Buffer = typename Backend::template Buffer<T>;
+
+    Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables);
+
+    /// False: every particle is moved with its bonds, always, and nothing below is to be called.
+    bool on() const { return hand_over_ || sleeping_; }
+
+    /// Decides anew for the present state, whose contact lists must be good. `frame_starts`: `substeps` have
+    /// passed since the last frame started, and motion.gather() was called for the state. `soon`: s until the
+    /// frame ends. Waits.
+    void assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
+                const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
+    /// All particles of rigid fragments put where those are. Does not wait.
+    void place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
+    /// The bodies have stood still for long: they may sleep at once.
+    void markRested();
+
+    const RigidWork& rigid() const { return rigid_; }
+    Span<Vec4<Real>> rigidConstants() { return rigid_constants_.span(); }
+    bool movesBonds() const { return counts_[kBondedCount] > 0 || bonded_shots_; }
+    bool movesRigid() const { return counts_[kFragmentCount] > 0; }
+    uint32_t bondedParticles() const { return counts_[kBondedCount]; }
+    uint32_t activeParticles() const { return counts_[kActiveCount]; }
+    uint32_t rigidFragments() const { return counts_[kFragmentCount]; }
+    uint32_t sleepingFragments() const { return counts_[kAsleepCount]; }
+    uint32_t awakeBodies() const { return counts_[kAwakeBodies]; }
+
+    /// Calls visit(buffer) for what a checkpoint has to keep.
+    template <class Visit>
+    void visitBuffers(const Visit& visit) {
+        visit(regime_);
+        visit(clock_);
+    }
+    Span<const uint32_t> regime() const { return regime_.view(); }
+
+  private:
+    void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters, uint32_t substeps);
+    void chooseRegimes(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
+                       const StepParams<Real>& params, bool frame_starts);
+    void startBodies(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
+                     const FragmentRows& rows, const FragmentMotion<Backend, Real>& motion,
+                     bool frame_starts);
+    void listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,
+                  const StepParams<Real>& params);
+    void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
+
+    Backend& backend_;
+    ParticleCounts counts_of_;
+    bool hand_over_, sleeping_;
+    uint32_t calm_substeps_, rest_substeps_;
+    Buffer<float> calm_speed2_;
+    Buffer<Real> wake_speed_;
+    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_;
+    Buffer<CalmClock> clock_;
+    Buffer<RigidBody> body_;
+    Buffer<Vec3<double>> arm_;
+    Buffer<Vec4<Real>> start_rotation_, rigid_constants_;
+    Buffer<uint32_t> marks_;  ///< of the three lists, then their sums
+    Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, bonds_, body_awake_, words_;
+    typename Backend::Reader reader_;
+    Span<const RigidMotion> fits_;  ///< of the frame's start
+    RigidWork rigid_;
+    uint32_t counts_[kWorkWords] = {};
+    bool bonded_shots_ = false;
+};
+
+template <class Backend, class Real>
+Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
+    : backend_(backend),
+      counts_of_(tables.counts),
+      hand_over_(setup.params.hand_over),
+      sleeping_(setup.params.sleeping),
+      calm_substeps_(static_cast<uint32_t>(std::ceil(kCalmSeconds / tables.time_step))),
+      rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
+      reader_(backend) {
+    if (!on()) return;
+    const uint32_t total = counts_of_.total;
+    std::vector<float> calm(tables.owners(), 0.0f);
+    std::vector<Real> wake(tables.owners(), Real(1e30));
+    for (uint32_t b = 0; b < tables.bodies; ++b) {
+        const Material& material = setup.bodies[b].material;
+        const double speed = calmSpeed(material.beta, material.critical_velocity);
+        calm[b] = static_cast<float>(speed * speed);
+        wake[b] = static_cast<Real>(wakeSpeed(material.critical_velocity));
+    }
+    calm_speed2_ = backend.uploaded(calm);
+    wake_speed_ = backend.uploaded(wake);
+    for (Buffer<uint32_t>* words :
+         {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_})
+        *words = backend.template allocate<uint32_t>(total);
+    speeds_ = backend.template allocate<uint32_t>(2 * size_t{total});
+    clock_ = backend.template allocate<CalmClock>(total);
+    body_ = backend.template allocate<RigidBody>(total);
+    arm_ = backend.template allocate<Vec3<double>>(total);
+    start_rotation_ = backend.template allocate<Vec4<Real>>(total);
+    rigid_constants_ = backend.template allocate<Vec4<Real>>(total);
+    marks_ = backend.template allocate<uint32_t>(3 * size_t{total} + 1);
+    bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
+    words_ = backend.template allocate<uint32_t>(kWorkWords);
+    body_awake_ = backend.template allocate<uint32_t>(tables.bodies);
+    if constexpr (!Backend::kOnGpu) bonds_ = backend.template allocate<uint32_t>(tables.slot_of_bond.size());
+    backend.synchronize();  // the host copies go out of scope
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                    const Clustering<Backend>& clusters,
+                                    FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
+                                    bool frame_starts, uint32_t substeps, double soon) {
+    const FragmentRows rows = clusters.rows();
+    const StateIn<Real> state = data.particles.in(data.current);
+    const Span<const Vec4<Real>> constants = data.particles.constants.view();
+    if (frame_starts) {
+        fits_ = motion.fitMotions(rows, state, constants);
+        watchClocks(data, clusters, substeps);
+    }
+    const MeetingsIn<Real> meetings{state,
+                                    lists.contacts().paths(),
+                                    constants,
+                                    clusters.fragment(),
+                                    data.particles.owner.view(),
+                                    data.bonds.in(),
+                                    lists.contacts().in(),
+                                    counts_of_.in_bodies,
+                                    static_cast<Real>(lists.horizon()),
+                                    static_cast<Real>(soon)};
+    chooseRegimes(meetings, rows, params, frame_starts);
+    startBodies(data, meetings, rows, motion, frame_starts);
+    listWork(data, meetings, rows, params);
+    if constexpr (!Backend::kOnGpu) listBondsOnHost(data, clusters);
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
+                                         uint32_t substeps) {
+    const uint32_t total = counts_of_.total;
+    const Span<uint32_t> fastest = speeds_.span().part(0, total), inner = speeds_.span().part(total, total);
+    backend_.fill(speeds_.span(), 0u);
+    backend_.forEach(total,
+                     MeasureMotion<Real>{data.particles.in(data.current), data.particles.constants.view(),
+                                         clusters.fragment(), fits_, fastest, inner, counts_of_.in_bodies},
+                     "measure motion");
+    backend_.forEach(total,
+                     AdvanceClocks<Real>{clusters.fragment(), data.particles.owner.view(), fastest, inner,
+                                         data.particles.constants.view(), calm_speed2_.view(), clock_.span(),
+                                         static_cast<float>(kRestSpeed * kRestSpeed), substeps},
+                     "advance clocks");
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
+                                           const StepParams<Real>& params, bool frame_starts) {
+    const uint32_t total = counts_of_.total;
+    const RegimeRules rules{hand_over_, sleeping_, frame_starts, calm_substeps_, rest_substeps_};
+    backend_.forEach(total, StartIslands{island_.span(), flags_.span()}, "start islands");
+    backend_.forEach(total, JoinIslands<Real>{meetings, island_.span()}, "join islands");
+    backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
+    backend_.forEach(
+        total,
+        FlagIslands<Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(), wake_speed_.view(),
+                          params.planes, params.gravity, rules, flags_.span()},
+        "flag islands");
+    backend_.forEach(total,
+                     ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants,
+                                         rules, regime_.span(), former_.span(), clock_.span()},
+                     "choose regimes");
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::startBodies(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
+                                         const FragmentRows& rows,
+                                         const FragmentMotion<Backend, Real>& motion, bool frame_starts) {
+    auto& particles = data.particles;
+    const uint32_t total = counts_of_.total;
+    backend_.forEach(
+        total,
+        StartBodies<Real>{rows, meetings.label, regime_.view(), meetings.state, meetings.constants, fits_,
+                          motion.poses(), motion.spins(), body_.span(), counts_of_.in_bodies, frame_starts},
+        "start bodies");
+    backend_.forEach(
+        total,
+        SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),
+                            meetings.constants, meetings.label, regime_.view(), former_.view(), body_.view(),
+                            arm_.span(), start_rotation_.span(), data.ledger.span(), counts_of_.in_bodies,
+                            frame_starts},
+        "settle regimes");
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
+                                      const FragmentRows& rows, const StepParams<Real>& params) {
+    const uint32_t total = counts_of_.total;
+    const PlacesIn places{rows, counts_of_.in_bodies, total};
+    const Span<uint32_t> marks = marks_.span();
+    backend_.forEach(total,
+                     MarkWork<Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
+                                    marks.part(total, total), marks.part(2 * size_t{total}, total)},
+                     "mark work");
+    backend_.exclusiveScan(marks.part(0, 3 * size_t{total}), marks);
+    backend_.forEach(total,
+                     WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.span(),
+                                     meetings.constants, active_.span(), fragment_.span(), first_.span(),
+                                     last_.span(), bonded_.span(), rigid_constants_.span()},
+                     "write work");
+    backend_.fill(words_.span(), 0u);
+    backend_.fill(body_awake_.span(), 0u);
+    backend_.forEach(
+        counts_of_.in_bodies,
+        CountAsleep{meetings.label, regime_.view(), meetings.owner, body_awake_.span(), words_.span()},
+        "count asleep");
+    backend_.forEach(1, TellWork{marks_.view(), total, words_.span()}, "tell work");
+    reader_.start(backend_, words_.view());
+    const std::vector<uint32_t>& told = reader_.wait();
+    std::copy(told.begin(), told.end(), counts_);
+    bonded_shots_ = !hand_over_;
+    rigid_ = {fragment_.view(),      first_.view(),          last_.view(), active_.view(),
+              words_.view(),         body_.span(),           arm_.view(),  meetings.label,
+              counts_[kActiveCount], counts_[kFragmentCount]};
+    const bool all = counts_[kBondedCount] == counts_of_.in_bodies;
+    data.work = all ? BondedWork{}
+                    : BondedWork{bonded_.view(),
+                                 words_.view().part(kBondedCount, 1),
+                                 {},
+                                 regime_.view(),
+                                 counts_[kBondedCount]};
+    if (all) data.work.regime = regime_.view();
+}
+
+/// A solid bond joins particles of one fragment, so that one end tells.
+template <class Backend, class Real>
+void Regimes<Backend, Real>::listBondsOnHost(SolverData<Backend, Real>& data,
+                                             const Clustering<Backend>& clusters) {
+    if (data.work.all()) return;
+    const Span<const uint32_t> label = clusters.fragment(), slot_of_bond = data.bonds.slot_of_bond.view();
+    const Span<const BondLink> link = data.bonds.link.view();
+    uint32_t count = 0;
+    for (uint32_t b = 0; b < data.bonds.count; ++b) {
+        const BondLink bond = link[slot_of_bond[b]];
+        const bool moved = regime_.view()[label[linkedParticle(bond)]] == wordOf(Regime::kBonded);
+        if (moved && isBonded(bond)) bonds_.span()[count++] = b;
+    }
+    data.work.bonds = bonds_.view().part(0, count);
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters) {
+    backend_.forEach(counts_of_.total,
+                     PlaceRigid<Real>{clusters.fragment(), regime_.view(), body_.view(), arm_.view(),
+                                      start_rotation_.view(), data.particles.out(data.current),
+                                      data.particles.out(1 - data.current)},
+                     "place rigid");
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::markRested() {
+    if (on()) backend_.fill(clock_.span(), CalmClock{calm_substeps_, rest_substeps_});
+}
+
+}  // namespace demolish
