@@ -7,6 +7,15 @@
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point begun) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+}  // namespace
 
 /// One overload a command.
 struct Session::Obey {
@@ -104,19 +113,20 @@ void Session::fire(const Projectile& ball) {
 void Session::bringFrame(bool fresh) {
     shown_ = built_.solver->stats();
     if (!output_) return;
+    const auto begun = Clock::now();
     output_->bridge().transfer(*built_.solver, colour_, projectiles_, fresh);
     spheres_ = spheresOf(output_->bridge().projectiles());
+    last_transfer_ms_ = msSince(begun);
     if (!options_.record) return;
     recording_.add(output_->mesh(), output_->bridge().projectiles(), shown_);
     cursor_ = recording_.size() - 1;
 }
 
 StepStatus Session::advance() {
-    using Clock = std::chrono::steady_clock;
     const auto begun = Clock::now();
     const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
     built_.solver->synchronize();
-    last_sim_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    last_sim_ms_ = msSince(begun);
     if (status != StepStatus::kOk) {
         playing_ = false;
         message_ = describe(status);
@@ -134,7 +144,7 @@ void Session::apply(const command::Any& command, double now) {
 void Session::update(double now, bool may_step) {
     if (auto shot = debounce_.take(now)) worker_.start(*shot, built_);
     takeRebuild();
-    last_sim_ms_ = 0;
+    last_sim_ms_ = last_transfer_ms_ = 0;
     if (!playing_ || !may_step) return;
     if (!atEnd())
         showRecorded(cursor_ + 1);
@@ -149,7 +159,7 @@ void Session::showRecorded(size_t frame) {
     spheres_ = spheresOf(recorded.projectiles);
     shown_ = recorded.stats;
     cursor_ = frame;
-    last_sim_ms_ = 0;
+    last_sim_ms_ = last_transfer_ms_ = 0;
     // The newest frame may be coloured by another channel: bring it afresh so that stepping goes on from it.
     if (atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, true);
 }

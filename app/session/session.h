@@ -61,6 +61,8 @@ class Session {
     const char* transfer() const;
     SessionStatus status() const;
     double lastSimMs() const { return last_sim_ms_; }
+    /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
+    double lastTransferMs() const { return last_transfer_ms_; }
 
     /// Which channel the particle view is coloured by; acts with the next frame brought over.
     void setColour(ParticleColour colour);
@@ -91,7 +93,7 @@ class Session {
     std::string message_;
     uint32_t projectiles_ = 0;
     size_t cursor_ = 0;
-    double last_sim_ms_ = 0;
+    double last_sim_ms_ = 0, last_transfer_ms_ = 0;
     bool playing_ = false;
     bool user_fired_ = false;
 };
