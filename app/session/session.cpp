@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "app/session/shot_setup.h"
+#include "app/session/ball_flight.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -33,17 +33,11 @@ struct Session::Obey {
             session.advance();
     }
     void operator()(const command::Reset&) const { session.restart(); }
-    void operator()(const command::Fire&) const {
-        if (const auto ball = makeBall(session.wanted_, *session.built_.body)) {
-            session.fire(*ball);
-            session.user_fired_ = session.playing_ = true;
-        } else {
-            session.message_ = "nothing to fire: the impact velocity is 0 or the body is dropped";
-        }
-    }
+    void operator()(const command::Fire&) const { session.fireByHand(); }
     void operator()(const command::ShootAt& shot) const {
         session.fire(makeBallAt(session.wanted_, *session.built_.body, shot.from, shot.target));
-        session.user_fired_ = session.playing_ = true;
+        ++session.fired_by_hand_;
+        session.playing_ = true;
     }
     void operator()(const command::ChangeShot& changed) const { session.change(changed.shot, now); }
     void operator()(const command::CancelRebuild&) const {
@@ -72,13 +66,43 @@ void Session::adopt(BuiltShot built) {
 void Session::restart() {
     built_.solver->restore(built_.start);
     projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
-    user_fired_ = false;
+    balls_started_ = fired_by_hand_ = 0;
     recording_.clear();
     message_.clear();
+    startDueBalls();
+    bringFrame(true);
+}
+
+/// What is built, with the impact as it is chosen now: a change of its kind waits for the rebuild.
+Shot Session::shotOfBalls() const {
     Shot shot = built_.shot;
     if (shot.impact.kind == wanted_.impact.kind) shot.impact = wanted_.impact;
-    if (const auto ball = makeBall(shot, *built_.body)) fire(*ball);
-    bringFrame(true);
+    return shot;
+}
+
+/// Balls start between frames, so that the velocity chosen by then counts.
+void Session::startDueBalls() {
+    const Shot shot = shotOfBalls();
+    const std::vector<TimedBall> balls = ballsOf(shot);
+    const double now = built_.solver->stats().time, step = wanted_.time_scale / shot.fps;
+    while (balls_started_ < balls.size() && dueToStart(balls[balls_started_], now, step)) {
+        const TimedBall& ball = balls[balls_started_++];
+        if (ball.arrival_time <= now) continue;  // it was not to come then, and is late now
+        fire(makeBall(shot, built_.setup, ball, ball.arrival_time - now));
+    }
+}
+
+/// The shot's balls one after the other, over and over, now.
+void Session::fireByHand() {
+    const Shot shot = shotOfBalls();
+    const std::vector<TimedBall> balls = ballsOf(shot);
+    if (balls.empty()) {
+        message_ = "nothing to fire: the impact velocity is 0 or the body is dropped";
+        return;
+    }
+    const TimedBall& ball = balls[fired_by_hand_++ % balls.size()];
+    fire(makeBall(shot, built_.setup, ball, ball.flight_time));
+    playing_ = true;
 }
 
 /// Live values stay as chosen; those that would need a rebuild go back.
@@ -93,7 +117,9 @@ void Session::wantWhatIsBuilt() {
 
 /// A new velocity acts on the impact that is still to come.
 void Session::restartIfNotHit() {
-    if (!user_fired_ && shown_.bonds_broken == 0 && shown_.time < wanted_.impact.arrival_time) {
+    const auto balls = ballsOf(wanted_);
+    const double first_impact = balls.empty() ? wanted_.impact.arrival_time : balls[0].arrival_time;
+    if (fired_by_hand_ == 0 && shown_.bonds_broken == 0 && shown_.time < first_impact) {
         const bool was_playing = playing_;
         restart();
         playing_ = was_playing;
@@ -124,6 +150,7 @@ void Session::bringFrame(bool fresh) {
 
 StepStatus Session::advance() {
     const auto begun = Clock::now();
+    startDueBalls();
     const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
     built_.solver->synchronize();
     last_sim_ms_ = msSince(begun);
@@ -154,7 +181,7 @@ void Session::update(double now, bool may_step) {
 
 void Session::showRecorded(size_t frame) {
     if (!output_ || frame >= recording_.size()) return;
-    recording_.replay(frame, output_->mesh(), *built_.body);
+    recording_.replay(frame, output_->mesh(), built_.setup);
     const RecordedFrame& recorded = recording_.frame(frame);
     spheres_ = spheresOf(recorded.projectiles);
     shown_ = recorded.stats;

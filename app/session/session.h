@@ -41,7 +41,8 @@ struct SessionStatus {
 
 class Session {
   public:
-    /// With options.draw the GL context must be current, here and in every other call. Fires the shot's ball.
+    /// With options.draw the GL context must be current, here and in every other call. Fires the shot's
+    /// balls.
     Session(BuiltShot built, const SessionOptions& options);
 
     /// One simulated frame, brought to the buffers. A status other than kOk leaves the picture as it was.
@@ -73,6 +74,9 @@ class Session {
     void restartIfNotHit();
     void wantWhatIsBuilt();
     void fire(const Projectile& ball);
+    Shot shotOfBalls() const;
+    void startDueBalls();
+    void fireByHand();
     void bringFrame(bool fresh);
     void showRecorded(size_t frame);
     void change(const Shot& shot, double now);
@@ -92,10 +96,11 @@ class Session {
     FrameStats shown_;
     std::string message_;
     uint32_t projectiles_ = 0;
+    size_t balls_started_ = 0;  ///< by themselves, of ballsOf(shotOfBalls())
+    size_t fired_by_hand_ = 0;
     size_t cursor_ = 0;
     double last_sim_ms_ = 0, last_transfer_ms_ = 0;
     bool playing_ = false;
-    bool user_fired_ = false;
 };
 
 }  // namespace demolish
