@@ -181,4 +181,8 @@ engine::RenderQuality renderQuality(const ShotOptions& options, bool software_re
     return software_renderer ? engine::RenderQuality::kDraft : engine::RenderQuality::kFull;
 }
 
+const char* qualityName(engine::RenderQuality quality) {
+    return quality == engine::RenderQuality::kDraft ? "draft" : "full";
+}
+
 }  // namespace demolish

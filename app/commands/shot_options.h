@@ -37,5 +37,6 @@ PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
 
 /// --quality, or draft for a software rasteriser.
 engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer);
+const char* qualityName(engine::RenderQuality quality);
 
 }  // namespace demolish

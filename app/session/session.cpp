@@ -249,6 +249,7 @@ SessionStatus Session::status() const {
     status.memory_limit = recording_.memoryLimit();
     const uint32_t done = built_.solver->stats().substeps;  // 0 before the first frame
     status.substeps_per_frame = done > 0 ? done : built_.setup.params.substeps;
+    status.bodies = built_.setup.bodies.size();
     status.particle_size = built_.body->spacing;
     status.body_volume = built_.body->mesh_volume;
     status.build_seconds = built_.build_seconds;

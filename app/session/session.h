@@ -30,6 +30,7 @@ struct SessionStatus {
     bool playing = false, replaying = false;
     size_t cursor = 0, recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
     uint32_t substeps_per_frame = 0;
+    size_t bodies = 1;
     double particle_size = 0;  ///< m, h
     double body_volume = 0;    ///< m^3
     double build_seconds = 0;
