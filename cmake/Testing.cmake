@@ -19,3 +19,10 @@ function(demolish_test)
     set_tests_properties(${T_NAME} PROPERTIES LABELS "${T_LABELS}" TIMEOUT ${T_TIMEOUT} SKIP_RETURN_CODE 77)
     set_property(GLOBAL APPEND PROPERTY DEMOLISH_TEST_TARGETS ${T_NAME})
 endfunction()
+
+# The same program once more with its solvers on the GPU (tests/physics/solver/solver_under_test.h).
+function(demolish_test_on_gpu NAME)
+    add_test(NAME ${NAME}_gpu COMMAND $<TARGET_FILE:${NAME}> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+    set_tests_properties(${NAME}_gpu PROPERTIES LABELS gpu TIMEOUT 600 SKIP_RETURN_CODE 77
+        ENVIRONMENT DEMOLISH_TEST_DEVICE=cuda)
+endfunction()

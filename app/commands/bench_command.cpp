@@ -1,17 +1,16 @@
-// Timed frames: each one is stepped, drawn and waited for, so that a frame's time holds all its work.
+// From options to a timed run and its reports.
 #include "app/commands/bench_command.h"
-
-#include <glad/gl.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
-#include "app/commands/headless_stage.h"
+#include "app/commands/bench_run.h"
+#include "app/commands/frame_curve.h"
+#include "app/commands/machine_facts.h"
+#include "app/commands/phase_report.h"
 #include "app/commands/run_report.h"
-#include "app/commands/timed_loop.h"
 #include "app/session/output_file.h"
-#include "app/session/picture.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -19,55 +18,29 @@ namespace {
 
 constexpr Range kFrameRange{1, 100000};
 constexpr Range kWarmupRange{0, 100000};
+constexpr PictureSize kDefaultSize{1920, 1080};
+constexpr size_t kRecordingLimit = size_t{4} << 30;  // bytes
 
-/// Context, renderer and a target; absent with --no-draw.
-struct Stage {
-    HeadlessStage headless;
-    engine::FrameView view;
-    engine::FrameCapture target;
-    NamedTimes passes;
-
-    Stage(bool on_gpu, const BuiltShot& built, const ShotOptions& options, PictureSize size)
-        : headless(on_gpu),
-          view(makeFrameView(built.shot, *built.body, size.width, size.height,
-                             renderQuality(options, headless.info().software))),
-          target(size.width, size.height, [](uint64_t, engine::Image) {}) {}
-
-    /// Draws and waits; `timed` frames count in the passes' times. Returns the GPU's time, ms.
-    double draw(Session& session, bool timed) {
-        engine::Renderer& renderer = headless.renderer();
-        renderer.draw(session.mesh(), session.spheres(), view, target.framebuffer());
-        glFinish();
-        if (timed) {
-            for (const auto& pass : renderer.lastPassTimes()) passes.add(pass.name, pass.ms);
-        }
-        return renderer.lastDrawMs();
-    }
-};
-
-std::vector<FrameSample> timeFrames(const BenchOptions& options, Session& session, Stage* stage,
-                                    StepStatus& status) {
-    std::vector<FrameSample> samples;
-    const auto warmup = static_cast<uint64_t>(options.warmup);
-    const uint64_t frames = warmup + static_cast<uint64_t>(options.frames);
-    ProgressBar bar;
-    for (uint64_t frame = 0; frame < frames; ++frame) {
-        const StopWatch watch;
-        status = session.advance();
-        if (status != StepStatus::kOk) break;
-        const double draw_ms = stage != nullptr ? stage->draw(session, frame >= warmup) : 0;
-        if (frame >= warmup) samples.push_back({watch.milliseconds(), session.lastSimMs(), draw_ms});
-        bar.show(static_cast<double>(frame + 1) / static_cast<double>(frames), "timing");
-    }
-    return samples;
+BenchPlan planFor(const BenchOptions& options, const Shot& shot) {
+    if (options.no_draw && options.draw_only)
+        throw UsageError("--no-draw and --draw-only exclude each other: nothing would be left to time");
+    if (options.frames) requireInRange("--frames", *options.frames, kFrameRange, "");
+    requireInRange("--warmup", options.warmup, kWarmupRange, "");
+    BenchPlan plan;
+    plan.mode = options.no_draw     ? BenchMode::kSimulateOnly
+                : options.draw_only ? BenchMode::kDrawOnly
+                                    : BenchMode::kSimulateAndDraw;
+    plan.frames = options.frames ? static_cast<uint64_t>(*options.frames) : framesOfShot(shot);
+    plan.warmup = static_cast<uint64_t>(options.warmup);
+    return plan;
 }
 
 /// The timed frames go without the ledger, as a viewer would; a report gets it from the same frames once
 /// more. Throws NumericalError if booking changed the run, which it must not.
-EnergyLedger energyOfTheSameFrames(Session& timed, int frames) {
+EnergyLedger energyOfTheSameFrames(Session& timed, uint64_t frames) {
     BuildOptions options{.draw_geometry = timed.built().has_draw_geometry, .reuse = &timed.built()};
     Session session(buildShot(timed.built().shot, options, {}), {.draw = false});
-    for (int frame = 0; frame < frames; ++frame) requireOk(session.advance());
+    for (uint64_t frame = 0; frame < frames; ++frame) requireOk(session.advance());
     if (session.solver().stateHash() != timed.solver().stateHash())
         throw NumericalError(
             "the run with the energy ledger ended in another state than the timed one; report this");
@@ -75,55 +48,87 @@ EnergyLedger energyOfTheSameFrames(Session& timed, int frames) {
     return session.solver().stats().energy;
 }
 
-void runBench(const BenchOptions& options) {
-    const Shot shot = makeShot(options.shot);
-    requireInRange("--frames", options.frames, kFrameRange, "");
-    requireInRange("--warmup", options.warmup, kWarmupRange, "");
-    const bool on_gpu = choosesCuda(shot);
-    const PictureSize size =
-        pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{640, 360});
-    const StopWatch watch;
-    BuiltShot built = buildWithBar(shot, {.draw_geometry = !options.no_draw, .ledger = false});
-    announce(built);
-    std::unique_ptr<Stage> stage;
-    if (!options.no_draw) stage = std::make_unique<Stage>(on_gpu, built, options.shot, size);
-    Session session(std::move(built), {.draw = !options.no_draw});
-    StepStatus status = StepStatus::kOk;
-    const auto samples = timeFrames(options, session, stage.get(), status);
-
-    session.solver().measure();
+RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& session,
+                   const BenchStage* stage, PictureSize size) {
     RunReport report;
-    if (stage) {
-        report.gl_renderer = stage->headless.info().renderer;
+    report.mode = modeName(plan.mode);
+    if (stage != nullptr) {
+        report.gl_renderer = stage->info().renderer;
+        report.gl_version = stage->info().version;
+        report.quality = qualityName(stage->quality());
         report.width = static_cast<uint32_t>(size.width);
         report.height = static_cast<uint32_t>(size.height);
         report.transfer_note = session.status().transfer_note;
-        report.draw_passes = stage->passes.medians();
+        report.draw_passes = run.passes.medians();
     }
     report.transfer = session.transfer();
-    report.frames = samples.size();
+    report.frames = run.samples.size();
+    report.frame_seconds = leastSimulated(run.samples);
+    report.times = summarise(run.samples);
+    report.phases = summarisePhases(run.samples, session.built().shot.phases);
+    return report;
+}
+
+void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& built,
+                const RunReport& report) {
+    const FrameStats& stats = built.solver->stats();
+    const size_t bodies = built.setup.bodies.size();
+    std::string title = built.shot.scene + ": " + std::to_string(stats.particles) + " particles";
+    if (bodies > 1) title += " in " + std::to_string(bodies) + " bodies";
+    std::string subtitle = report.mode + " on " + built.solver->deviceName();
+    if (report.width > 0)
+        subtitle += ", " + std::to_string(report.width) + "x" + std::to_string(report.height) + " " +
+                    report.quality + " by " + report.gl_renderer + ", transfer: " + report.transfer;
+    writeTextFile(file, frameCurveSvg(run.samples, built.shot.phases, title, subtitle));
+}
+
+void runBench(const BenchOptions& options) {
+    const Shot shot = makeShot(options.shot, "paper");
+    const BenchPlan plan = planFor(options, shot);
+    const bool draws = plan.mode != BenchMode::kSimulateOnly;
+    const bool on_gpu = choosesCuda(shot);
+    const PictureSize size = pictureSize(options.shot, kDefaultSize);
+    const StopWatch watch;
+    BuiltShot built = buildWithBar(shot, {.draw_geometry = draws, .ledger = false});
+    announce(built);
+    std::unique_ptr<BenchStage> stage;
+    if (draws) stage = std::make_unique<BenchStage>(on_gpu, built, options.shot, size);
+    Session session(
+        std::move(built),
+        {.draw = draws, .record = plan.mode == BenchMode::kDrawOnly, .memory_limit = kRecordingLimit});
+    const BenchRun run = runBenchPlan(plan, session, stage.get());
+
+    session.solver().measure();
+    RunReport report = reportOf(plan, run, session, stage.get(), size);
     report.wall_seconds = watch.milliseconds() / 1000;
-    report.times = summarise(samples);
     if (!options.json.empty()) {
-        if (status == StepStatus::kOk)
-            report.energy = energyOfTheSameFrames(session, static_cast<int>(options.warmup + options.frames));
+        if (run.status == StepStatus::kOk) report.energy = energyOfTheSameFrames(session, plan.frames);
         writeTextFile(options.json, reportJson(session.built(), report));
     }
+    if (!options.csv.empty())
+        writeTextFile(options.csv, phaseCsv(report.phases, session.built().setup.bodies.size(),
+                                            runFacts(session.built(), report)));
+    if (!options.curve.empty()) writeCurve(options.curve, run, session.built(), report);
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
-    requireOk(status);
+    requireOk(run.status);
 }
 
 }  // namespace
 
 void addBenchCommand(CLI::App& app, BenchOptions& options) {
-    auto* command = app.add_subcommand("bench", "Time simulation and drawing");
+    auto* command = app.add_subcommand("bench", "Time simulation and drawing, phase by phase");
     addShotOptions(*command, options.shot);
-    command->add_option("--frames", options.frames, "Frames to time")->type_name("N")->capture_default_str();
-    command->add_option("--warmup", options.warmup, "Frames before the timed ones")
+    command->add_option("--frames", options.frames, "Frames to time (default: all phases of the scene)")
+        ->type_name("N");
+    command->add_option("--warmup", options.warmup, "Frames before the timed ones; then the shot starts anew")
         ->type_name("N")
         ->capture_default_str();
     command->add_option("--json", options.json, "Report of the run, JSON, SI units")->type_name("FILE");
+    command->add_option("--csv", options.csv, "A line for each phase, CSV")->type_name("FILE");
+    command->add_option("--curve", options.curve, "Frame time over the shot, stage by stage, SVG")
+        ->type_name("FILE");
     command->add_flag("--no-draw", options.no_draw, "Simulate only; needs no OpenGL");
+    command->add_flag("--draw-only", options.draw_only, "Time the drawing alone, of a recording of the shot");
     command->callback([&options] { runBench(options); });
 }
 

@@ -1,5 +1,6 @@
-// demolish bench: how fast it runs, step by step and frame by frame.
+// demolish bench: how fast it runs, phase by phase, beside the paper's numbers; or the substep alone.
 #pragma once
+#include <optional>
 #include <string>
 
 #include "app/commands/shot_options.h"
@@ -8,9 +9,10 @@ namespace demolish {
 
 struct BenchOptions {
     ShotOptions shot;
-    double frames = 120, warmup = 10;
-    std::string json;
-    bool no_draw = false;
+    std::optional<double> frames;  ///< none: to the end of the shot's last phase
+    double warmup = 10;
+    std::string json, csv, curve;
+    bool no_draw = false, draw_only = false;
 };
 
 void addBenchCommand(CLI::App& app, BenchOptions& options);

@@ -54,6 +54,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
         files.add(frame, std::move(image));
     });
     ProgressBar bar;
+    TriangleCounter triangles;
     for (uint64_t frame = 0; frame < capture.frames; ++frame) {
         const StopWatch watch;
         if (frame > 0) capture.status = session.advance();
@@ -62,7 +63,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
         target.submit(frame);
         if (frame > 0)
             capture.samples.push_back(
-                {watch.milliseconds(), session.lastSimMs(), stage.renderer().lastDrawMs()});
+                sampleOf(session, triangles, watch.milliseconds(), stage.renderer().lastDrawMs()));
         bar.show(static_cast<double>(frame + 1) / static_cast<double>(capture.frames),
                  "breaking and drawing");
     }
@@ -91,6 +92,8 @@ void runCapture(const CaptureOptions& options) {
     session.solver().measure();
     RunReport report;
     report.gl_renderer = stage.info().renderer;
+    report.gl_version = stage.info().version;
+    report.quality = qualityName(renderQuality(options.shot, stage.info().software));
     report.transfer = session.transfer();
     report.transfer_note = session.status().transfer_note;
     report.width = static_cast<uint32_t>(capture.size.width);

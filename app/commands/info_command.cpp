@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app/bridge/frame_bridge.h"
-#include "app/commands/run_report.h"
+#include "app/commands/machine_facts.h"
 #include "app/session/data_folder.h"
 #include "engine/gl/error.h"
 #include "engine/platform/headless_context.h"

@@ -1,11 +1,11 @@
 // JSON and table of one run.
 #include "app/commands/run_report.h"
 
-#include <tbb/global_control.h>
-
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+
+#include "app/commands/machine_facts.h"
+#include "app/commands/phase_report.h"
 
 namespace demolish {
 namespace {
@@ -68,27 +68,17 @@ std::string softeningText(const SofteningReport& softening, const SceneSetup& se
 
 }  // namespace
 
-unsigned threadsInUse() {
-    return static_cast<unsigned>(
-        tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-}
-
-std::string machineName() {
-    std::ifstream cpuinfo("/proc/cpuinfo");
-    for (std::string line; std::getline(cpuinfo, line);) {
-        const auto colon = line.find(": ");
-        if (line.rfind("model name", 0) == 0 && colon != std::string::npos) return line.substr(colon + 2);
-    }
-    return "unknown processor";
-}
-
 std::string reportJson(const BuiltShot& built, const RunReport& report) {
     const FrameStats& stats = built.solver->stats();
     Json json;
     json["scene"] = built.shot.scene;
     json["model"] = built.shot.model.filename().string();
+    json["mode"] = report.mode;
     json["device"] = built.solver->deviceName();
+    json["driver"] = gpuDriver();
     json["gl_renderer"] = report.gl_renderer;
+    json["gl_version"] = report.gl_version;
+    json["quality"] = report.quality;
     json["transfer"] = report.transfer;
     json["transfer_note"] = report.transfer_note;
     json["machine"] = machineName();
@@ -99,6 +89,10 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["impact_velocity"] = built.shot.impact.velocity;
     json["width"] = report.width;
     json["height"] = report.height;
+    json["bodies"] = built.setup.bodies.size();
+    json["fps"] = built.shot.fps;
+    json["time_scale"] = built.shot.time_scale;
+    json["frame_seconds"] = report.frame_seconds;
     json["frames"] = report.frames;
     json["wall_seconds"] = report.wall_seconds;
     json["build_seconds"] = built.build_seconds;
@@ -106,10 +100,13 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["fps_p1"] = report.times.fps_p1;
     json["fps_p99"] = report.times.fps_p99;
     json["frame_ms_p99"] = report.times.frame_ms_p99;
+    json["frame_ms_worst"] = report.times.frame_ms_worst;
     json["sim_ms"] = report.times.sim_ms;
+    json["transfer_ms"] = report.times.transfer_ms;
     json["draw_ms"] = report.times.draw_ms;
     json["draw_passes_ms"] = Json::object();
     for (const auto& [pass, ms] : report.draw_passes) json["draw_passes_ms"][pass] = ms;
+    json["phases"] = phaseJson(report.phases, built.setup.bodies.size());
     json["substeps_per_frame"] = stats.substeps;
     json["time_step"] = stats.time_step;
     json["time"] = stats.time;
@@ -132,22 +129,57 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     return json.dump(2) + "\n";
 }
 
+std::vector<std::pair<std::string, std::string>> runFacts(const BuiltShot& built, const RunReport& report) {
+    return {{"scene", built.shot.scene},
+            {"model", built.shot.model.filename().string()},
+            {"mode", report.mode},
+            {"device", built.solver->deviceName()},
+            {"driver", gpuDriver()},
+            {"machine", machineName()},
+            {"threads", std::to_string(threadsInUse())},
+            {"gl_renderer", report.gl_renderer},
+            {"width", std::to_string(report.width)},
+            {"height", std::to_string(report.height)},
+            {"quality", report.quality},
+            {"transfer", report.transfer},
+            {"version", DEMOLISH_VERSION},
+            {"seed", std::to_string(built.shot.seed)},
+            {"frame_seconds", number(report.frame_seconds, "%.9g")}};
+}
+
+namespace {
+
+std::string drawnBy(const RunReport& report) {
+    if (report.width == 0) return "nothing is drawn";
+    return report.gl_renderer + ", " + std::to_string(report.width) + "x" + std::to_string(report.height) +
+           ", " + report.quality + ", transfer: " + report.transfer;
+}
+
+void addTimes(std::string& table, const FrameSummary& times, uint32_t substeps) {
+    addRow(table, "FPS median / p1 / p99",
+           number(times.fps_median) + " / " + number(times.fps_p1) + " / " + number(times.fps_p99));
+    const std::string done = std::to_string(substeps);
+    addRow(table, "simulation", number(times.sim_ms, "%.3g") + " ms (" + done + " substeps)");
+    addRow(table, "draw", number(times.draw_ms, "%.3g") + " ms");
+}
+
+}  // namespace
+
 std::string reportTable(const BuiltShot& built, const RunReport& report) {
     const FrameStats& stats = built.solver->stats();
+    const size_t bodies = built.setup.bodies.size();
     std::string table;
     addRow(table, "scene", built.shot.scene + " (" + built.shot.model.filename().string() + ")");
-    addRow(table, "device", built.solver->deviceName());
-    addRow(table, "drawn by",
-           report.gl_renderer + (report.transfer == "none" ? "" : ", transfer: " + report.transfer));
+    addRow(table, "machine", machineName() + ", " + std::to_string(threadsInUse()) + " threads");
+    addRow(table, "device", built.solver->deviceName() + ", driver: " + gpuDriver());
+    addRow(table, "drawn by", drawnBy(report));
     addRow(table, "frames", std::to_string(report.frames) + " in " + number(report.wall_seconds) + " s");
-    addRow(table, "FPS median / p1 / p99",
-           number(report.times.fps_median) + " / " + number(report.times.fps_p1) + " / " +
-               number(report.times.fps_p99));
-    addRow(table, "simulation",
-           number(report.times.sim_ms, "%.3g") + " ms (" + std::to_string(stats.substeps) + " substeps)");
-    addRow(table, "draw", number(report.times.draw_ms, "%.3g") + " ms");
+    if (report.frame_seconds > 0)
+        addRow(table, "simulated a frame", number(1000 * report.frame_seconds, "%.4f") + " ms, none less");
+    if (report.phases.empty()) addTimes(table, report.times, stats.substeps);
     addRow(table, "particles",
-           std::to_string(stats.particles) + " of " + number(1000 * built.body->spacing, "%.3g") + " mm");
+           std::to_string(stats.particles) + " of " + number(1000 * built.body->spacing, "%.3g") + " mm in " +
+               std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"));
     addRow(table, "in force", softeningText(built.solver->softening(), built.setup));
     addRow(table, "bonds", std::to_string(stats.bonds) + ", broken " + std::to_string(stats.bonds_broken));
     addRow(table, "fragments",
@@ -156,6 +188,9 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
     addRow(table, "momentum", momentumText(stats));
     addRow(table, "state hash", hexadecimal(built.solver->stateHash()));
     addRow(table, "status", describe(stats.status));
+    if (report.phases.empty()) return table;
+    table += '\n';
+    table += phaseTable(report.phases, bodies);
     return table;
 }
 

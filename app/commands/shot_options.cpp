@@ -16,6 +16,7 @@ constexpr const char* kDefaultScene = "bunny";
 // A ball of a sixth of the height must be this many times faster than the material's critical velocity to
 // break the body well (the rabbit's threshold is 3.5, models.md E.2).
 constexpr double kModelImpactFactor = 6;
+constexpr Range kPiecesRange{0, 100000};
 constexpr Range kSeedRange{0, 9007199254740992.0};  // whole numbers that a double holds
 
 double inRange(const char* option, double value, const Range& range, const char* unit) {
@@ -68,6 +69,27 @@ void applyFineness(const ShotOptions& options, Shot& shot) {
     if (options.seed) shot.seed = static_cast<uint64_t>(wholeNumber("--seed", *options.seed, kSeedRange));
 }
 
+/// The scene's camera suits the scene's height only, its balls grow with the body.
+void applyHeight(double height, bool is_scene, Shot& shot) {
+    const double ratio = height / shot.height;
+    shot.height = height;
+    if (!is_scene) return;
+    shot.camera.reset();
+    shot.impact.ball_radius = 0;
+    for (TimedBall& ball : shot.balls)
+        if (ball.radius) *ball.radius *= ratio;
+}
+
+/// Benchmarks take the paper's mesh where there is one; a person who asks for it is told when there is none.
+void applyMesh(const ShotOptions& options, const std::string& fallback, Shot& shot) {
+    if (!options.mesh.empty() && !options.model.empty())
+        throw UsageError("--mesh chooses between the meshes of a scene; leave it out with --model");
+    if (options.mesh == "paper" && !shot.paper_model)
+        throw UsageError("scene '" + shot.scene + "' has one mesh only; leave out --mesh paper");
+    if ((options.mesh.empty() ? fallback : options.mesh) == "paper" && shot.paper_model)
+        shot.model = *shot.paper_model;
+}
+
 }  // namespace
 
 void addShotOptions(CLI::App& command, ShotOptions& options) {
@@ -77,13 +99,20 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("M");
     command
         .add_option("--impact-velocity", options.impact_velocity,
-                    "Speed of the iron ball; 0 = nothing hits the body")
+                    "Speed of the fastest ball, the others in proportion; 0 = nothing hits the body")
         ->type_name("M_PER_S");
     command.add_option("--drop", options.drop, "Drop the body: it meets the floor with this speed")
         ->type_name("M_PER_S");
+    command
+        .add_option("--mesh", options.mesh,
+                    "The scene's smooth mesh, or the one with the paper's number of triangles")
+        ->type_name("fine|paper")
+        ->check(CLI::IsMember({"fine", "paper"}).description(""));
+    command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
+        ->type_name("N");
     command.add_option("--particle-size", options.particle_size, "Mean spacing of the particles")
         ->type_name("M");
-    command.add_option("--particles", options.particles, "Number of particles, instead of their size")
+    command.add_option("--particles", options.particles, "Particles of each body, instead of their size")
         ->type_name("N");
     command.add_option("--material", options.material, "Material preset in place of the scene's")
         ->type_name("NAME");
@@ -102,17 +131,23 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--fps", options.fps, "Frames per simulated second (default 60)")->type_name("N");
     command.add_option("--slow-motion", options.slow_motion, "Simulated time per frame, 0.01..1 of 1/fps")
         ->type_name("FACTOR");
+    command.add_flag("--no-hand-over", options.no_hand_over,
+                     "Step bonds even in pieces that no longer vibrate");
+    command.add_flag("--no-sleep", options.no_sleep, "Step what rests, too");
     command.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH");
 }
 
-Shot makeShot(const ShotOptions& options) {
+Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     Shot shot = baseShot(options);
-    if (options.height) shot.height = inRange("--height", *options.height, kHeightRange, "m");
-    if (options.height && options.model.empty()) {
-        shot.camera.reset();  // the scene's camera and ball suit the scene's height only
-        shot.impact.ball_radius = 0;
-    }
+    applyMesh(options, mesh, shot);
+    if (options.height)
+        applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
     if (!options.material.empty()) applyMaterial(shot, options.material);
+    if (options.pieces)
+        shot.material.tough_cells =
+            static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
+    shot.hand_over = !options.no_hand_over;
+    shot.sleeping = !options.no_sleep;
     if (!options.model.empty()) shot.impact.velocity = kModelImpactFactor * shot.material.critical_velocity;
     applyImpact(options, shot);
     applyFineness(options, shot);
@@ -144,6 +179,10 @@ engine::RenderQuality renderQuality(const ShotOptions& options, bool software_re
     if (options.quality == "draft") return engine::RenderQuality::kDraft;
     if (options.quality == "full") return engine::RenderQuality::kFull;
     return software_renderer ? engine::RenderQuality::kDraft : engine::RenderQuality::kFull;
+}
+
+const char* qualityName(engine::RenderQuality quality) {
+    return quality == engine::RenderQuality::kDraft ? "draft" : "full";
 }
 
 }  // namespace demolish

@@ -20,18 +20,23 @@ struct PictureSize {
 struct ShotOptions {
     std::string scene, model, device = "auto", material, quality = "auto", size;
     std::optional<double> height, drop, impact_velocity, particle_size, fps, slow_motion;
-    std::optional<double> particles, seed, substeps;  ///< whole numbers, checked when the shot is made
+    std::optional<double> particles, seed, substeps,
+        pieces;        ///< whole numbers, checked when the shot is made
+    std::string mesh;  ///< "fine" or "paper"; "" = the command's own
+    bool no_hand_over = false, no_sleep = false;
 };
 
 void addShotOptions(CLI::App& command, ShotOptions& options);
 
-/// Throws UsageError (ranges, unknown scene, options that exclude each other) and the errors of scene files.
-Shot makeShot(const ShotOptions& options);
+/// `mesh` ("fine" or "paper") counts where the options name none. Throws UsageError (ranges, unknown scene,
+/// options that exclude each other) and the errors of scene files.
+Shot makeShot(const ShotOptions& options, const std::string& mesh = "fine");
 
 /// "1280x720". Throws UsageError; `fallback` if the option was not given.
 PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
 
 /// --quality, or draft for a software rasteriser.
 engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer);
+const char* qualityName(engine::RenderQuality quality);
 
 }  // namespace demolish

@@ -3,7 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
-#include "app/commands/run_report.h"
+#include "app/commands/machine_facts.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -30,6 +30,13 @@ void announce(const BuiltShot& built) {
     spdlog::info("{}: {} particles of {:.3g} mm, {} bonds, {:.3g} kg; made in {:.2f} s",
                  built.shot.model.filename().string(), stats.particles, 1000 * built.body->spacing,
                  stats.bonds, stats.mass, built.build_seconds);
+}
+
+FrameSample sampleOf(const Session& session, TriangleCounter& triangles, double frame_ms, double draw_ms) {
+    FrameSample sample{frame_ms, session.lastSimMs(), draw_ms, session.lastTransferMs()};
+    sample.stats = session.status().stats;
+    sample.triangles = triangles.count(session.mesh(), sample.stats.bonds_broken);
+    return sample;
 }
 
 void requireOk(StepStatus status) {

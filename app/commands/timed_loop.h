@@ -8,6 +8,7 @@
 #include "app/commands/progress_bar.h"
 #include "app/session/frame_times.h"
 #include "app/session/session.h"
+#include "app/session/triangle_counter.h"
 #include "engine/render/renderer.h"
 
 namespace demolish {
@@ -27,6 +28,10 @@ class StopWatch {
   private:
     std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
+
+/// The session's last frame as one sample. `frame_ms` from the start of its step to the finished picture;
+/// `draw_ms` as the renderer's GPU timer says.
+FrameSample sampleOf(const Session& session, TriangleCounter& triangles, double frame_ms, double draw_ms);
 
 /// Throws NumericalError with the status' sentence unless it is kOk.
 void requireOk(StepStatus status);

@@ -75,6 +75,7 @@ struct ViewLoop {
     Gui& gui;
     ScriptDriver* script;
     PictureTarget target{};
+    TriangleCounter triangles{};
     Pace pace{};
     std::filesystem::path model{};
     std::shared_ptr<const BreakableBody> body{};
@@ -100,7 +101,7 @@ struct ViewLoop {
         draw();
         if (script != nullptr) script->afterDraw();
         window.swapBuffers();
-        desk.history.add({watch.milliseconds(), session.lastSimMs(), renderer.lastDrawMs()});
+        desk.history.add(sampleOf(session, triangles, watch.milliseconds(), renderer.lastDrawMs()));
     }
 
     void draw() {

@@ -18,9 +18,9 @@ ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
 void ViewDesk::adoptBody(const Session& session, bool move_camera) {
     const BreakableBody& body = *session.built().body;
     const Shot& shot = session.built().shot;
-    home.shot_camera = shot.camera ? *shot.camera : framedCamera(body);
-    const glm::vec3 low(body.bounds_min.x, body.bounds_min.y, body.bounds_min.z);
-    const glm::vec3 high(body.bounds_max.x, body.bounds_max.y, body.bounds_max.z);
+    const SceneBox box = sceneBox(shot, body);
+    home.shot_camera = shot.camera ? *shot.camera : framedCamera(box);
+    const glm::vec3 low(box.low.x, box.low.y, box.low.z), high(box.high.x, box.high.y, box.high.z);
     home.centre = 0.5f * (low + high);
     home.radius = 0.6f * glm::length(high - low);
     if (move_camera) camera = home.shot_camera;

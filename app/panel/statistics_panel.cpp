@@ -8,8 +8,9 @@
 namespace demolish {
 namespace {
 
-constexpr ImU32 kSimColour = IM_COL32(240, 150, 60, 255), kDrawColour = IM_COL32(90, 170, 240, 255),
-                kOtherColour = IM_COL32(90, 95, 105, 255), kLineColour = IM_COL32(255, 255, 255, 90);
+constexpr ImU32 kSimColour = IM_COL32(240, 150, 60, 255), kTransferColour = IM_COL32(150, 115, 200, 255),
+                kDrawColour = IM_COL32(90, 170, 240, 255), kOtherColour = IM_COL32(90, 95, 105, 255),
+                kLineColour = IM_COL32(255, 255, 255, 90);
 
 /// The scale's top: above nearly all frames, so that one hiccup does not flatten the rest.
 double graphTop(std::span<const FrameSample> samples) {
@@ -25,9 +26,8 @@ void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
     ImGui::InvisibleButton("graph", size);
     noteItem(context, "statistics.graph");
     tooltipOnHover(
-        "Time of each frame: orange simulation, blue drawing, grey the rest (waiting for the screen). The "
-        "line "
-        "is 1/60 s.");
+        "Time of each frame: orange simulation, violet export and transfer, blue drawing, grey the rest "
+        "(waiting for the screen). The line is 1/60 s.");
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(low, high, IM_COL32(18, 19, 22, 255), 3);
     const double top = graphTop(samples);
@@ -42,13 +42,33 @@ void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
         };
         const FrameSample& sample = samples[i];
         bar(sample.sim_ms, kSimColour);
+        bar(sample.transfer_ms, kTransferColour);
         bar(sample.draw_ms, kDrawColour);
-        bar(sample.frame_ms - sample.sim_ms - sample.draw_ms, kOtherColour);
+        bar(sample.restMs(), kOtherColour);
     }
     const double budget = 1000.0 / 60;
     if (budget >= top) return;
     const float y = high.y - static_cast<float>(budget / top) * size.y;
     list.AddLine(ImVec2(low.x, y), ImVec2(high.x, y), kLineColour);
+}
+
+/// The numbers of `demolish bench`, of the last frames: the same statistics by the same code.
+void showSpeed(const FrameSummary& summary, size_t bodies) {
+    valueRow("FPS", "%.1f  (p1 %.1f)", summary.fps_median, summary.fps_p1);
+    valueRow("Frame", "p99 %.2f ms, worst %.2f", summary.frame_ms_p99, summary.frame_ms_worst);
+    valueRow("Simulation", "%.2f ms, %.0f substeps", summary.sim_ms, summary.substeps);
+    valueRow("Transfer, draw", "%.2f ms, %.2f ms", summary.transfer_ms, summary.draw_ms);
+    valueRow("Awake", "%.0f particles, %.0f of %zu bodies", summary.awake_particles, summary.awake_bodies,
+             bodies);
+    valueRow("Triangles", "%llu", static_cast<unsigned long long>(summary.triangles));
+}
+
+/// Where the scene names phases: the paper's rate for the present one, and ours in its frames so far.
+void showPhase(const PanelContext& context, std::span<const FrameSample> samples) {
+    const Phase* phase = phaseAt(context.shot.phases, context.status.stats.time);
+    if (phase == nullptr || phase->paper_fps <= 0) return;
+    const PhaseSummary row = summarisePhases(samples, {phase, 1}).front();
+    valueRow("Phase", "%s: paper %.0f FPS, x %.2f", phase->name.c_str(), phase->paper_fps, row.ratio());
 }
 
 }  // namespace
@@ -58,9 +78,8 @@ void showStatisticsPanel(PanelContext& context) {
     const auto samples = context.history.samples();
     const FrameSummary summary = summarise(samples);
     drawGraph(context, samples);
-    valueRow("FPS", "%.1f  (p1 %.1f)", summary.fps_median, summary.fps_p1);
-    valueRow("Simulation", "%.2f ms, %u substeps", summary.sim_ms, context.status.substeps_per_frame);
-    valueRow("Draw", "%.2f ms", summary.draw_ms);
+    showSpeed(summary, context.status.bodies);
+    showPhase(context, samples);
     const FrameStats& stats = context.status.stats;
     valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
     valueRow("Mass", "%.4g kg", stats.mass);

@@ -23,6 +23,19 @@ ProgressCallback part(const ProgressCallback& progress, double from, double to) 
     };
 }
 
+std::vector<std::shared_ptr<const BreakableBody>> fillVariants(const Shot& shot, const SolidMesh& mesh,
+                                                               uint32_t particles, bool draw_geometry,
+                                                               const ProgressCallback& progress) {
+    std::vector<std::shared_ptr<const BreakableBody>> variants(variantCount(shot));
+    for (size_t v = 0; v < variants.size(); ++v) {
+        const double share = 1.0 / static_cast<double>(variants.size()),
+                     from = static_cast<double>(v) * share;
+        const FillOptions fill{.particles = particles, .seed = shot.seed + v, .draw_geometry = draw_geometry};
+        variants[v] = fillWithParticles(mesh, fill, part(progress, from, from + share));
+    }
+    return variants;
+}
+
 bool sameMesh(const Shot& a, const Shot& b) {
     return a.model == b.model && a.height == b.height;
 }
@@ -54,16 +67,14 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
                      : loadSolidMesh(shot.model, {.height = shot.height});
     const uint32_t particles = particlesWanted(shot, *built.mesh, on_gpu);
     const bool same_body = reuse != nullptr && reuse->mesh == built.mesh && reuse->shot.seed == shot.seed &&
+                           reuse->variants.size() == variantCount(shot) &&
                            reuse->body->particles.size() == particles &&
                            reuse->has_draw_geometry == options.draw_geometry;
-    if (same_body) {
-        built.body = reuse->body;
-    } else {
-        const FillOptions fill{
-            .particles = particles, .seed = shot.seed, .draw_geometry = options.draw_geometry};
-        built.body = fillWithParticles(*built.mesh, fill, part(progress, 0.05, 0.75));
-    }
-    built.setup = makeSetup(shot, built.body);
+    built.variants = same_body ? reuse->variants
+                               : fillVariants(shot, *built.mesh, particles, options.draw_geometry,
+                                              part(progress, 0.05, 0.75));
+    built.body = built.variants[0];
+    built.setup = makeSetup(shot, built.variants);
     built.setup.params.ledger = options.ledger;
     const ProgressCallback last_part = part(progress, 0.75, 1);
     built.solver = on_gpu ? makeCudaSolver(built.setup, last_part) : makeCpuSolver(built.setup, last_part);

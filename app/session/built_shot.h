@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/session/shot.h"
 #include "sim_cuda/api/authoring.h"
@@ -12,10 +13,11 @@ namespace demolish {
 struct BuiltShot {
     Shot shot;
     std::shared_ptr<const SolidMesh> mesh;
-    std::shared_ptr<const BreakableBody> body;
+    std::vector<std::shared_ptr<const BreakableBody>> variants;  ///< one filling a variant of Shot::bodies
+    std::shared_ptr<const BreakableBody> body;                   ///< the first of them
     SceneSetup setup;
     std::unique_ptr<Solver> solver;
-    Snapshot start;  ///< settled, before the ball is fired
+    Snapshot start;  ///< settled, before a ball is fired
     double build_seconds = 0;
     bool has_draw_geometry = true;
 };

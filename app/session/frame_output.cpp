@@ -1,16 +1,16 @@
-// Buffers of one body, sized by what the solver may write.
+// Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
 namespace demolish {
 
 FrameOutput::FrameOutput(const BuiltShot& built) {
-    const FractureGeometry& geometry = built.body->geometry;
+    const FractureGeometry geometry = sceneExterior(built.setup);
     const StreamSizes sizes = streamSizes(built.setup);
     engine::FractureMeshData data;
     data.exterior_vertices = std::as_bytes(std::span(geometry.exterior));
     data.exterior_indices = geometry.exterior_indices;
     data.crack_edges = std::as_bytes(std::span(geometry.crack_edges));
-    data.particle_count = built.body->particles.size();
+    data.particle_count = built.solver->stats().particles;
     data.particle_capacity = sizes.particles;
     data.interior_vertex_capacity = sizes.interior_vertices;
     data.interior_index_capacity = sizes.interior_indices;

@@ -10,12 +10,14 @@ namespace demolish {
 
 engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
                                 engine::RenderQuality quality) {
-    const double size_x = body.bounds_max.x - body.bounds_min.x;
+    const SceneBox box = sceneBox(shot, body);
     const double size_y = body.bounds_max.y - body.bounds_min.y;
-    const double size_z = body.bounds_max.z - body.bounds_min.z;
-    const double radius = 0.5 * std::hypot(size_x, size_y, size_z);
+    const double body_radius = 0.5 * std::hypot(body.bounds_max.x - body.bounds_min.x, size_y,
+                                                body.bounds_max.z - body.bounds_min.z);
+    const double radius =
+        0.5 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
     engine::FrameView view;
-    view.camera = shot.camera ? *shot.camera : framedCamera(body);
+    view.camera = shot.camera ? *shot.camera : framedCamera(box);
     view.lighting = shot.lighting;
     view.look = shot.look;
     view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
@@ -23,9 +25,11 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     view.width = width;
     view.height = height;
     view.quality = quality;
-    // Pieces fly: the shadow map covers a few times the body.
-    view.scene_radius = static_cast<float>(3 * radius);
+    // Pieces fly: the shadow map covers a body's size more on every side.
+    view.scene_radius = static_cast<float>(radius + 2 * body_radius);
+    view.scene_centre[0] = static_cast<float>(0.5 * (box.low.x + box.high.x));
     view.scene_centre[1] = static_cast<float>(0.5 * size_y);
+    view.scene_centre[2] = static_cast<float>(0.5 * (box.low.z + box.high.z));
     return view;
 }
 

@@ -1,4 +1,4 @@
-// From a shot's values and a body to what the renderer is asked to draw.
+// From a shot's values and its bodies to what the renderer is asked to draw.
 #pragma once
 #include "app/session/shot.h"
 #include "engine/render/renderer.h"
@@ -6,7 +6,8 @@
 
 namespace demolish {
 
-/// Camera, light and look of the shot; noise and shadow sized to the body.
+/// Camera, light and look of the shot; noise sized to the body, shadow to all of the shot's bodies. `body` is
+/// any filling of them.
 engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
                                 engine::RenderQuality quality);
 

@@ -15,6 +15,7 @@ void RebuildWorker::start(const Shot& shot, const BuiltShot& reuse) {
     parts.shot = reuse.shot;
     parts.mesh = reuse.mesh;
     parts.body = reuse.body;
+    parts.variants = reuse.variants;
     parts.has_draw_geometry = reuse.has_draw_geometry;
     progress_ = {};
     busy_ = true;

@@ -39,15 +39,15 @@ Float3 moved(const FragmentTransform& motion, const Double3& rest) {
 
 std::vector<ParticleInstance> instancesOf(const RecordedFrame& frame,
                                           const std::vector<FragmentTransform>& transforms,
-                                          const BreakableBody& body) {
+                                          const SceneSetup& setup) {
     std::vector<ParticleInstance> instances;
-    instances.reserve(body.particles.size() + frame.projectiles.size());
-    for (size_t i = 0; i < body.particles.size(); ++i) {
-        const Particle& particle = body.particles[i];
-        const uint32_t slot = frame.draw_list->particle_fragment[i];
-        const auto radius = static_cast<float>(std::cbrt(3 * particle.volume / (4 * std::numbers::pi)));
-        instances.push_back({moved(transforms[slot], particle.seed), radius, 0.0f, slot, {}});
-    }
+    instances.reserve(frame.draw_list->particle_fragment.size() + frame.projectiles.size());
+    for (const BodyInstance& instance : setup.bodies)
+        for (const Particle& particle : instance.body->particles) {
+            const uint32_t slot = frame.draw_list->particle_fragment[instances.size()];
+            const auto radius = static_cast<float>(std::cbrt(3 * particle.volume / (4 * std::numbers::pi)));
+            instances.push_back({moved(transforms[slot], particle.seed), radius, 0.0f, slot, {}});
+        }
     instances.insert(instances.end(), frame.projectiles.begin(), frame.projectiles.end());
     return instances;
 }
@@ -98,13 +98,13 @@ void Recording::add(const engine::FractureMesh& mesh, std::span<const ParticleIn
     frames_.push_back(std::move(frame));
 }
 
-void Recording::replay(size_t index, engine::FractureMesh& mesh, const BreakableBody& body) const {
+void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetup& setup) const {
     const RecordedFrame& frame = frames_[index];
     const RecordedDrawList& list = *frame.draw_list;
     std::vector<FragmentTransform> transforms(mesh.particleCount());
     for (size_t i = 0; i < list.slots.size(); ++i) transforms[list.slots[i]] = frame.transforms[i];
     upload(mesh, StreamId::kTransforms, transforms);
-    upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, body));
+    upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, setup));
     upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
     upload(mesh, StreamId::kInteriorVertices, list.interior_vertices);
     upload(mesh, StreamId::kInteriorIndices, list.interior_indices);

@@ -5,9 +5,8 @@
 #include <vector>
 
 #include "engine/render/fracture_mesh.h"
-#include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/api/render_streams.h"
-#include "sim_cuda/api/stats.h"
+#include "sim_cuda/api/solver.h"
 
 namespace demolish {
 
@@ -36,9 +35,9 @@ class Recording {
     /// Reads the present frame back from the mesh's streams.
     void add(const engine::FractureMesh& mesh, std::span<const ParticleInstance> projectiles,
              const FrameStats& stats);
-    /// Writes a recorded frame into the mesh's streams. The particle view's spheres come from the body's
+    /// Writes a recorded frame into the mesh's streams. The particle view's spheres come from the bodies'
     /// seeds, which move with their fragments; their colour channel is not recorded and reads 0.
-    void replay(size_t frame, engine::FractureMesh& mesh, const BreakableBody& body) const;
+    void replay(size_t frame, engine::FractureMesh& mesh, const SceneSetup& setup) const;
 
     size_t size() const { return frames_.size(); }
     const RecordedFrame& frame(size_t index) const { return frames_[index]; }

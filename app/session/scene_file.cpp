@@ -5,6 +5,7 @@
 
 #include "app/session/data_folder.h"
 #include "app/session/material_file.h"
+#include "app/session/scene_parts_file.h"
 #include "app/session/toml_reader.h"
 #include "sim_cuda/api/errors.h"
 
@@ -97,6 +98,10 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     if (model.empty())
         throw InputFileError(file.string() + ": 'model' is missing; name a mesh file relative to assets");
     shot.model = dataFolder() / "assets" / model;
+    if (reader.has("paper_model")) {
+        reader.read("paper_model", model);
+        shot.paper_model = dataFolder() / "assets" / model;
+    }
     reader.read("height_m", shot.height, kHeightRange);
     reader.read("material_preset", preset);
     applyMaterial(shot, preset);
@@ -113,6 +118,9 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.read("solver.fps", shot.fps, kFpsRange);
     reader.read("solver.time_scale", shot.time_scale, kTimeScaleRange);
     readImpact(reader, shot.impact);
+    shot.bodies = readBodies(reader, shot.height);
+    shot.balls = readBalls(reader, std::max<size_t>(1, shot.bodies.size()), shot.impact);
+    shot.phases = readPhases(reader);
     readPicture(reader, shot);
     reader.requireAllRead();
     return shot;

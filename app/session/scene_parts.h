@@ -10,7 +10,7 @@ namespace demolish {
 
 /// Where one body of the scene stands.
 struct Placement {
-    Double3 position;      ///< m, of the point of the floor that it stands on
+    Double3 position;      ///< of the point that the model's origin comes to, in heights of the body
     double yaw = 0;        ///< rad about the vertical, counter-clockwise seen from above
     uint32_t variant = 0;  ///< bodies of one variant share their cells; each variant has a seed of its own
 };
@@ -18,6 +18,7 @@ struct Placement {
 /// A ball that hits a body at a time of its own.
 struct TimedBall {
     double arrival_time = 0.12;             ///< s from the start of the shot to the impact
+    double flight_time = 0.12;              ///< s before the impact in which it is there
     uint32_t body = 0;                      ///< index into Shot::bodies
     double speed_share = 1;                 ///< times Impact::velocity, so that one knob scales them all
     std::optional<double> radius;           ///< m; none: as Impact's

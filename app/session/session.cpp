@@ -3,10 +3,19 @@
 
 #include <chrono>
 
-#include "app/session/shot_setup.h"
+#include "app/session/ball_flight.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double msSince(Clock::time_point begun) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+}
+
+}  // namespace
 
 /// One overload a command.
 struct Session::Obey {
@@ -24,17 +33,11 @@ struct Session::Obey {
             session.advance();
     }
     void operator()(const command::Reset&) const { session.restart(); }
-    void operator()(const command::Fire&) const {
-        if (const auto ball = makeBall(session.wanted_, *session.built_.body)) {
-            session.fire(*ball);
-            session.user_fired_ = session.playing_ = true;
-        } else {
-            session.message_ = "nothing to fire: the impact velocity is 0 or the body is dropped";
-        }
-    }
+    void operator()(const command::Fire&) const { session.fireByHand(); }
     void operator()(const command::ShootAt& shot) const {
         session.fire(makeBallAt(session.wanted_, *session.built_.body, shot.from, shot.target));
-        session.user_fired_ = session.playing_ = true;
+        ++session.fired_by_hand_;
+        session.playing_ = true;
     }
     void operator()(const command::ChangeShot& changed) const { session.change(changed.shot, now); }
     void operator()(const command::CancelRebuild&) const {
@@ -63,13 +66,43 @@ void Session::adopt(BuiltShot built) {
 void Session::restart() {
     built_.solver->restore(built_.start);
     projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
-    user_fired_ = false;
+    balls_started_ = fired_by_hand_ = 0;
     recording_.clear();
     message_.clear();
+    startDueBalls();
+    bringFrame(true);
+}
+
+/// What is built, with the impact as it is chosen now: a change of its kind waits for the rebuild.
+Shot Session::shotOfBalls() const {
     Shot shot = built_.shot;
     if (shot.impact.kind == wanted_.impact.kind) shot.impact = wanted_.impact;
-    if (const auto ball = makeBall(shot, *built_.body)) fire(*ball);
-    bringFrame(true);
+    return shot;
+}
+
+/// Balls start between frames, so that the velocity chosen by then counts.
+void Session::startDueBalls() {
+    const Shot shot = shotOfBalls();
+    const std::vector<TimedBall> balls = ballsOf(shot);
+    const double now = built_.solver->stats().time, step = wanted_.time_scale / shot.fps;
+    while (balls_started_ < balls.size() && dueToStart(balls[balls_started_], now, step)) {
+        const TimedBall& ball = balls[balls_started_++];
+        if (ball.arrival_time <= now) continue;  // it was not to come then, and is late now
+        fire(makeBall(shot, built_.setup, ball, ball.arrival_time - now));
+    }
+}
+
+/// The shot's balls one after the other, over and over, now.
+void Session::fireByHand() {
+    const Shot shot = shotOfBalls();
+    const std::vector<TimedBall> balls = ballsOf(shot);
+    if (balls.empty()) {
+        message_ = "nothing to fire: the impact velocity is 0 or the body is dropped";
+        return;
+    }
+    const TimedBall& ball = balls[fired_by_hand_++ % balls.size()];
+    fire(makeBall(shot, built_.setup, ball, ball.flight_time));
+    playing_ = true;
 }
 
 /// Live values stay as chosen; those that would need a rebuild go back.
@@ -84,7 +117,9 @@ void Session::wantWhatIsBuilt() {
 
 /// A new velocity acts on the impact that is still to come.
 void Session::restartIfNotHit() {
-    if (!user_fired_ && shown_.bonds_broken == 0 && shown_.time < wanted_.impact.arrival_time) {
+    const auto balls = ballsOf(wanted_);
+    const double first_impact = balls.empty() ? wanted_.impact.arrival_time : balls[0].arrival_time;
+    if (fired_by_hand_ == 0 && shown_.bonds_broken == 0 && shown_.time < first_impact) {
         const bool was_playing = playing_;
         restart();
         playing_ = was_playing;
@@ -104,19 +139,21 @@ void Session::fire(const Projectile& ball) {
 void Session::bringFrame(bool fresh) {
     shown_ = built_.solver->stats();
     if (!output_) return;
+    const auto begun = Clock::now();
     output_->bridge().transfer(*built_.solver, colour_, projectiles_, fresh);
     spheres_ = spheresOf(output_->bridge().projectiles());
+    last_transfer_ms_ = msSince(begun);
     if (!options_.record) return;
     recording_.add(output_->mesh(), output_->bridge().projectiles(), shown_);
     cursor_ = recording_.size() - 1;
 }
 
 StepStatus Session::advance() {
-    using Clock = std::chrono::steady_clock;
     const auto begun = Clock::now();
+    startDueBalls();
     const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
     built_.solver->synchronize();
-    last_sim_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
+    last_sim_ms_ = msSince(begun);
     if (status != StepStatus::kOk) {
         playing_ = false;
         message_ = describe(status);
@@ -134,7 +171,7 @@ void Session::apply(const command::Any& command, double now) {
 void Session::update(double now, bool may_step) {
     if (auto shot = debounce_.take(now)) worker_.start(*shot, built_);
     takeRebuild();
-    last_sim_ms_ = 0;
+    last_sim_ms_ = last_transfer_ms_ = 0;
     if (!playing_ || !may_step) return;
     if (!atEnd())
         showRecorded(cursor_ + 1);
@@ -144,12 +181,12 @@ void Session::update(double now, bool may_step) {
 
 void Session::showRecorded(size_t frame) {
     if (!output_ || frame >= recording_.size()) return;
-    recording_.replay(frame, output_->mesh(), *built_.body);
+    recording_.replay(frame, output_->mesh(), built_.setup);
     const RecordedFrame& recorded = recording_.frame(frame);
     spheres_ = spheresOf(recorded.projectiles);
     shown_ = recorded.stats;
     cursor_ = frame;
-    last_sim_ms_ = 0;
+    last_sim_ms_ = last_transfer_ms_ = 0;
     // The newest frame may be coloured by another channel: bring it afresh so that stepping goes on from it.
     if (atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, true);
 }
@@ -212,6 +249,7 @@ SessionStatus Session::status() const {
     status.memory_limit = recording_.memoryLimit();
     const uint32_t done = built_.solver->stats().substeps;  // 0 before the first frame
     status.substeps_per_frame = done > 0 ? done : built_.setup.params.substeps;
+    status.bodies = built_.setup.bodies.size();
     status.particle_size = built_.body->spacing;
     status.body_volume = built_.body->mesh_volume;
     status.build_seconds = built_.build_seconds;

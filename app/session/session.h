@@ -30,6 +30,7 @@ struct SessionStatus {
     bool playing = false, replaying = false;
     size_t cursor = 0, recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
     uint32_t substeps_per_frame = 0;
+    size_t bodies = 1;
     double particle_size = 0;  ///< m, h
     double body_volume = 0;    ///< m^3
     double build_seconds = 0;
@@ -41,7 +42,8 @@ struct SessionStatus {
 
 class Session {
   public:
-    /// With options.draw the GL context must be current, here and in every other call. Fires the shot's ball.
+    /// With options.draw the GL context must be current, here and in every other call. Fires the shot's
+    /// balls.
     Session(BuiltShot built, const SessionOptions& options);
 
     /// One simulated frame, brought to the buffers. A status other than kOk leaves the picture as it was.
@@ -61,6 +63,8 @@ class Session {
     const char* transfer() const;
     SessionStatus status() const;
     double lastSimMs() const { return last_sim_ms_; }
+    /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
+    double lastTransferMs() const { return last_transfer_ms_; }
 
     /// Which channel the particle view is coloured by; acts with the next frame brought over.
     void setColour(ParticleColour colour);
@@ -71,6 +75,9 @@ class Session {
     void restartIfNotHit();
     void wantWhatIsBuilt();
     void fire(const Projectile& ball);
+    Shot shotOfBalls() const;
+    void startDueBalls();
+    void fireByHand();
     void bringFrame(bool fresh);
     void showRecorded(size_t frame);
     void change(const Shot& shot, double now);
@@ -90,10 +97,11 @@ class Session {
     FrameStats shown_;
     std::string message_;
     uint32_t projectiles_ = 0;
+    size_t balls_started_ = 0;  ///< by themselves, of ballsOf(shotOfBalls())
+    size_t fired_by_hand_ = 0;
     size_t cursor_ = 0;
-    double last_sim_ms_ = 0;
+    double last_sim_ms_ = 0, last_transfer_ms_ = 0;
     bool playing_ = false;
-    bool user_fired_ = false;
 };
 
 }  // namespace demolish

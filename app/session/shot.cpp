@@ -1,8 +1,10 @@
 // Ranges of a shot's values and what a change of them costs.
 #include "app/session/shot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <type_traits>
 
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
@@ -14,9 +16,34 @@ bool same(const Double3& a, const Double3& b) {
     return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+bool same(const Placement& a, const Placement& b) {
+    return same(a.position, b.position) && a.yaw == b.yaw && a.variant == b.variant;
+}
+
+template <class Part>
+bool same(const std::optional<Part>& a, const std::optional<Part>& b) {
+    if (!a || !b) return a.has_value() == b.has_value();
+    if constexpr (std::is_same_v<Part, Double3>)
+        return same(*a, *b);
+    else
+        return *a == *b;
+}
+
+bool same(const TimedBall& a, const TimedBall& b) {
+    return a.arrival_time == b.arrival_time && a.flight_time == b.flight_time && a.body == b.body &&
+           a.speed_share == b.speed_share && same(a.radius, b.radius) && same(a.direction, b.direction) &&
+           same(a.height_fraction, b.height_fraction);
+}
+
+template <class Part>
+bool sameList(const std::vector<Part>& a, const std::vector<Part>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Part& x, const Part& y) { return same(x, y); });
+}
+
 bool sameBody(const Shot& a, const Shot& b) {
     return a.model == b.model && a.height == b.height && a.seed == b.seed && a.device == b.device &&
-           a.fineness.particles == b.fineness.particles &&
+           sameList(a.bodies, b.bodies) && a.fineness.particles == b.fineness.particles &&
            a.fineness.particle_size == b.fineness.particle_size && a.fineness.full == b.fineness.full &&
            a.fineness.draft == b.fineness.draft;
 }
@@ -59,6 +86,9 @@ void validate(const Shot& shot) {
     requireInRange("the frame rate", shot.fps, kFpsRange, "frames/s");
     requireInRange("the time scale", shot.time_scale, kTimeScaleRange, "");
     requireInRange("the ball's radius", shot.impact.ball_radius, {0, 100}, "m");
+    for (const TimedBall& ball : shot.balls)
+        requireInRange("the velocity of a ball of the scene", ball.speed_share * shot.impact.velocity,
+                       kVelocityRange, "m/s");
     if (shot.fineness.particle_size)
         requireInRange("the particle size", *shot.fineness.particle_size, kParticleSizeRange, "m");
     if (shot.fineness.particles)
@@ -73,9 +103,11 @@ Change changeBetween(const Shot& before, const Shot& after) {
                              before.wave_speed == after.wave_speed && before.substeps == after.substeps &&
                              before.settle_time == after.settle_time &&
                              before.scene_radius == after.scene_radius && before.fps == after.fps &&
+                             before.hand_over == after.hand_over && before.sleeping == after.sleeping &&
                              sameImpactForSolver(before.impact, after.impact);
     if (!same_solver) return Change::kSolver;
-    const bool same_live = sameBall(before.impact, after.impact) && before.time_scale == after.time_scale;
+    const bool same_live = sameBall(before.impact, after.impact) && sameList(before.balls, after.balls) &&
+                           before.time_scale == after.time_scale;
     return same_live ? Change::kNothing : Change::kLive;
 }
 

@@ -1,9 +1,8 @@
-// Placement of body and ball, choice of substeps.
+// Placement of bodies, choice of substeps.
 #include "app/session/shot_setup.h"
 
 #include <algorithm>
 #include <cmath>
-
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
@@ -28,81 +27,30 @@ double heightOf(const BreakableBody& body) {
     return body.bounds_max.y - body.bounds_min.y;
 }
 
-/// Across the longer horizontal side, a little from above the horizon of nothing: level flight.
-glm::dvec3 flightDirection(const Shot& shot, const BreakableBody& body) {
-    const glm::dvec3 chosen = toGlm(shot.impact.direction);
-    if (glm::length(chosen) > 1e-9) return glm::normalize(chosen);
-    const double along_x = body.bounds_max.x - body.bounds_min.x;
-    const double along_z = body.bounds_max.z - body.bounds_min.z;
-    return along_x >= along_z ? glm::dvec3(0, 0, -1) : glm::dvec3(-1, 0, 0);
+/// Where the shot puts its bodies; a shot without a list has one, at the origin.
+std::vector<Placement> placementsOf(const Shot& shot) {
+    return shot.bodies.empty() ? std::vector<Placement>(1) : shot.bodies;
 }
 
-/// Middle of the particles near the height of the impact; on the body even where its middle is hollow.
-glm::dvec3 aimPoint(const Shot& shot, const BreakableBody& body) {
-    const double y = body.bounds_min.y + shot.impact.height_fraction * heightOf(body);
-    const double slab = std::max(0.05 * heightOf(body), body.spacing);
-    glm::dvec3 sum(0);
-    size_t count = 0;
-    for (const auto& particle : body.particles) {
-        if (std::abs(particle.seed.y - y) > slab) continue;
-        sum += toGlm(particle.seed);
-        ++count;
-    }
-    const glm::dvec3 middle = count > 0 ? sum / static_cast<double>(count) : glm::dvec3(0, y, 0);
-    return {middle.x, y, middle.z};
+glm::dquat turnOf(const Placement& place) {
+    return glm::angleAxis(place.yaw, glm::dvec3(0, 1, 0));
 }
 
-/// Where the centre of a ball of `radius` is when it touches the body, flying through `aim`: from the
-/// particles' depth.
-glm::dvec3 touchPoint(const BreakableBody& body, glm::dvec3 aim, const glm::dvec3& direction, double radius) {
-    double farthest = -1e300;
-    double nearest_miss = 1e300;
-    glm::dvec3 nearest(aim);
-    for (const auto& particle : body.particles) {
-        const glm::dvec3 offset = toGlm(particle.seed) - aim;
-        const double along = -glm::dot(offset, direction);
-        const double aside = glm::length(offset + along * direction);
-        const double reach = radius + particle.depth;
-        if (aside < reach) farthest = std::max(farthest, along + std::sqrt(reach * reach - aside * aside));
-        if (aside < nearest_miss) {
-            nearest_miss = aside;
-            nearest = toGlm(particle.seed);
-        }
-    }
-    if (farthest > -1e299) return aim - farthest * direction;
-    return nearest -
-           (radius + 0.5 * body.spacing) * direction;  // a hole at the aim: hit the nearest particle
+Quaternion fromGlm(const glm::dquat& q) {
+    return {q.x, q.y, q.z, q.w};
 }
 
-/// A ball that is at `point` with velocity `velocity` after `flight` seconds under gravity.
-Projectile thrown(const glm::dvec3& point, const glm::dvec3& velocity, double flight, double radius) {
-    const glm::dvec3 gravity(0, -kGravity, 0);
-    Projectile ball;
-    ball.position = fromGlm(point - flight * velocity + 0.5 * flight * flight * gravity);
-    ball.velocity = fromGlm(velocity - flight * gravity);
-    ball.radius = radius;
-    return ball;
-}
-
-/// The flight is cut short so that the ball starts above the floor.
-Projectile thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity, double flight,
-                            double radius) {
-    Projectile ball = thrown(point, velocity, flight, radius);
-    for (int tries = 0; tries < 8 && ball.position.y < 1.05 * radius; ++tries)
-        ball = thrown(point, velocity, flight *= 0.7, radius);
-    return ball;
-}
-
-void placeDropped(const Shot& shot, const BreakableBody& body, BodyInstance& instance) {
-    const glm::dquat rotation(toGlm(shot.impact.tilt));
+/// Turned and lifted so that it meets the floor with the chosen velocity.
+void drop(const Shot& shot, const BreakableBody& body, const Placement& place, BodyInstance& instance) {
+    const glm::dquat rotation = turnOf(place) * glm::dquat(toGlm(shot.impact.tilt));
     double lowest = 1e300;
     for (const auto& particle : body.particles)
         lowest = std::min(lowest, (rotation * toGlm(particle.seed)).y - body.spacing);
     // Falls for some hundredths of a second, so that one sees it come.
     const double speed = shot.impact.velocity;
     const double gap = std::min(0.06 * speed, speed * speed / (2 * kGravity));
-    instance.rotation = {rotation.x, rotation.y, rotation.z, rotation.w};
-    instance.position = {0, gap - lowest, 0};
+    instance.rotation = fromGlm(rotation);
+    instance.position.y += gap - lowest;
     instance.velocity = {0, -std::sqrt(std::max(0.0, speed * speed - 2 * kGravity * gap)), 0};
 }
 
@@ -120,50 +68,55 @@ uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_sa
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), double{kLeastSubsteps}, kSubstepRange.most));
 }
 
-SceneSetup makeSetup(const Shot& shot, std::shared_ptr<const BreakableBody> body) {
+uint32_t variantCount(const Shot& shot) {
+    uint32_t highest = 0;
+    for (const Placement& place : shot.bodies) highest = std::max(highest, place.variant);
+    return highest + 1;
+}
+
+SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const BreakableBody>>& variants) {
     SceneSetup setup;
     setup.params.frame_time = 1 / shot.fps;
-    setup.params.substeps = substepsFor(shot, *body, setup.params.step_safety);
+    setup.params.substeps = substepsFor(shot, *variants.at(0), setup.params.step_safety);
     setup.params.scene_radius = shot.scene_radius;
     setup.params.seed = shot.seed;
+    setup.params.hand_over = shot.hand_over;
+    setup.params.sleeping = shot.sleeping;
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
     setup.params.settle_time = dropped ? 0 : shot.settle_time;
-    BodyInstance instance;
-    instance.material = shot.material;
-    if (dropped) placeDropped(shot, *body, instance);
-    instance.body = std::move(body);
-    setup.bodies.push_back(std::move(instance));
+    for (const Placement& place : placementsOf(shot)) {
+        BodyInstance instance;
+        instance.body = variants.at(place.variant);
+        instance.material = shot.material;
+        instance.position = fromGlm(shot.height * toGlm(place.position));
+        instance.rotation = fromGlm(turnOf(place));
+        if (dropped) drop(shot, *instance.body, place, instance);
+        setup.bodies.push_back(std::move(instance));
+    }
     return setup;
 }
 
-double ballRadius(const Shot& shot, const BreakableBody& body) {
-    return shot.impact.ball_radius > 0 ? shot.impact.ball_radius : heightOf(body) / 12;
+SceneBox sceneBox(const Shot& shot, const BreakableBody& body) {
+    glm::dvec3 low(1e300), high(-1e300);
+    for (const Placement& place : placementsOf(shot))
+        for (int corner = 0; corner < 8; ++corner) {
+            const auto pick = [corner](int axis, double least, double most) {
+                return (corner >> axis & 1) != 0 ? most : least;
+            };
+            const glm::dvec3 at(pick(0, body.bounds_min.x, body.bounds_max.x),
+                                pick(1, body.bounds_min.y, body.bounds_max.y),
+                                pick(2, body.bounds_min.z, body.bounds_max.z));
+            const glm::dvec3 placed = shot.height * toGlm(place.position) + turnOf(place) * at;
+            low = glm::min(low, placed);
+            high = glm::max(high, placed);
+        }
+    return {fromGlm(low), fromGlm(high)};
 }
 
-std::optional<Projectile> makeBall(const Shot& shot, const BreakableBody& body) {
-    if (shot.impact.kind != ImpactKind::kBall || shot.impact.velocity <= 0) return std::nullopt;
-    const double radius = ballRadius(shot, body);
-    const glm::dvec3 direction = flightDirection(shot, body);
-    const glm::dvec3 point = touchPoint(body, aimPoint(shot, body), direction, radius);
-    return thrownAboveFloor(point, shot.impact.velocity * direction, shot.impact.arrival_time, radius);
-}
-
-Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,
-                      const Double3& target) {
-    constexpr double kShortFlight = 0.06;  // s: a click should hit at once, and the ball still be seen coming
-    const double radius = ballRadius(shot, body);
-    const glm::dvec3 path = toGlm(target) - toGlm(from);
-    const double distance = glm::length(path);
-    const glm::dvec3 direction = distance > 1e-9 ? path / distance : glm::dvec3(0, 0, -1);
-    const double speed = std::max(shot.impact.velocity, 0.1);
-    const double flight = std::min(kShortFlight, 0.8 * distance / speed);
-    return thrownAboveFloor(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius);
-}
-
-engine::Camera framedCamera(const BreakableBody& body) {
-    const glm::dvec3 size = toGlm(body.bounds_max) - toGlm(body.bounds_min);
+engine::Camera framedCamera(const SceneBox& box) {
+    const glm::dvec3 size = toGlm(box.high) - toGlm(box.low);
     const auto radius = static_cast<float>(0.5 * glm::length(size));
-    const glm::vec3 centre = glm::vec3(0.5 * (toGlm(body.bounds_max) + toGlm(body.bounds_min)));
+    const glm::vec3 centre = glm::vec3(0.5 * (toGlm(box.high) + toGlm(box.low)));
     engine::Camera camera;
     camera.target = centre;
     // From the longer side, a little to the right and above.

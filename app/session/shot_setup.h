@@ -1,7 +1,8 @@
-// From a shot's values and a body to the solver's setup: where the body stands, what hits it, how stiff it
-// is.
+// From a shot's values and its bodies to the solver's setup: where each body stands, how stiff it is, where
+// the camera looks from.
 #pragma once
-#include <optional>
+#include <memory>
+#include <vector>
 
 #include "app/session/shot.h"
 #include "engine/scene/camera.h"
@@ -17,21 +18,20 @@ inline constexpr double kDefaultFailureStrain = 0.011;
 /// n_sub of models.md E.1: c_eff / (kappa safety 60 h).
 uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_safety);
 
-/// The body in its place, without projectiles: those are fired when the shot starts.
-SceneSetup makeSetup(const Shot& shot, std::shared_ptr<const BreakableBody> body);
+/// How many different fillings the shot's bodies ask for, at least 1.
+uint32_t variantCount(const Shot& shot);
 
-/// The ball of the shot, started so that it reaches the body's surface after Impact::arrival_time with the
-/// chosen velocity (gravity on the way included). None when nothing is to hit the body.
-std::optional<Projectile> makeBall(const Shot& shot, const BreakableBody& body);
+/// The bodies in their places, without projectiles: those are fired while the shot runs. One filling a
+/// variant; all of the same mesh.
+SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const BreakableBody>>& variants);
 
-/// A ball that passes `target` after a short flight from the side of `from`, with the shot's velocity and
-/// radius there.
-Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,
-                      const Double3& target);
+/// Box round all bodies of the shot as they stand, m. `body` is any of its fillings.
+struct SceneBox {
+    Double3 low, high;
+};
+SceneBox sceneBox(const Shot& shot, const BreakableBody& body);
 
-double ballRadius(const Shot& shot, const BreakableBody& body);
-
-/// Camera that shows body and impact, for shots that name none.
-engine::Camera framedCamera(const BreakableBody& body);
+/// Camera that shows all bodies and the impact, for shots that name none.
+engine::Camera framedCamera(const SceneBox& box);
 
 }  // namespace demolish

@@ -31,6 +31,10 @@ struct TomlReader::State {
             const std::string path = prefix + std::string(key.str());
             if (const auto* below = node.as_table()) {
                 requireAsked(*below, path + ".");
+            } else if (const auto* list = node.as_array();
+                       list != nullptr && list->is_homogeneous<toml::table>()) {
+                for (size_t i = 0; i < list->size(); ++i)
+                    requireAsked(*list->get_as<toml::table>(i), path + "[" + std::to_string(i) + "].");
             } else if (!asked.count(path)) {
                 throw InputFileError(place(&node) + ": there is no setting '" + path +
                                      "'; remove it or mend its name");
@@ -56,6 +60,20 @@ TomlReader::~TomlReader() = default;
 
 bool TomlReader::has(std::string_view path) const {
     return static_cast<bool>(state_->table.at_path(path));
+}
+
+size_t TomlReader::count(std::string_view path, double most) const {
+    const auto node = state_->at(path);
+    if (!node) return 0;
+    const auto* list = node.as_array();
+    if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>()))
+        fail(path, "must be a list of tables");
+    if (static_cast<double>(list->size()) > most) {
+        std::ostringstream text;
+        text << "has " << list->size() << " entries; at most " << most << " are possible";
+        fail(path, text.str());
+    }
+    return list->size();
 }
 
 void TomlReader::fail(std::string_view path, const std::string& what) const {

@@ -18,6 +18,8 @@ class TomlReader {
     ~TomlReader();
 
     bool has(std::string_view path) const;
+    /// Elements of a list of tables, 0 if there is none: read them as "path[0].key". Complains above `most`.
+    size_t count(std::string_view path, double most) const;
     void read(std::string_view path, double& value, const Range& range);
     void read(std::string_view path, uint32_t& value, const Range& range);
     void read(std::string_view path, std::string& value);

@@ -11,12 +11,13 @@ namespace demolish {
 
 /// One Voronoi cell clipped by the surface. The particle sits at its seed.
 struct Particle {
-    Double3 seed;             ///< m, body frame
-    Double3 centroid;         ///< m, centre of mass of the cell
-    SymmetricTensor inertia;  ///< m^5, about the centroid, at unit density
-    double volume = 0;        ///< m^3
-    double depth = 0;         ///< m, distance of the seed from the surface, > 0 inside
-    double lowest = 0;        ///< m, height (y) of the cell's lowest point
+    Double3 seed;               ///< m, body frame
+    Double3 centroid;           ///< m, centre of mass of the cell
+    SymmetricTensor inertia;    ///< m^5, about the centroid, at unit density
+    double volume = 0;          ///< m^3
+    double depth = 0;           ///< m, distance of the seed from the surface, > 0 inside
+    double lowest = 0;          ///< m, height (y) of the cell's lowest point
+    double contact_radius = 0;  ///< m, of a sphere, for all contacts; 0: from the seeds and the surface
 };
 
 /// One shared face area inside the solid (geometry.md 5). i < j; the face lies on the seeds' bisector.

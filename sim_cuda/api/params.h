@@ -9,8 +9,10 @@
 namespace demolish {
 
 enum class BondLaw : uint32_t {
-    kBeam,   ///< models.md E1-E4, a = 0.3: the default
-    kPaper,  ///< the paper's (5)-(10) on the face, reading P2: a* = a_b / sqrt(L^2/4 + a_b^2)
+    kBeam,     ///< models.md E1-E4, a = 0.3: the default
+    kPaper,    ///< the paper's (5)-(10) on the face, reading P2: a* = a_b / sqrt(L^2/4 + a_b^2)
+    kSpheres,  ///< the paper's (5)-(10) between spheres that a gap parts: a* = bond_ratio, a_b from the
+               ///< bond's area, E of a bond = E of the material when softening is off
 };
 enum class ContactLaw : uint32_t {
     kLinear,  ///< k_contact = mean k_N of the body: the default for scenes
@@ -34,7 +36,9 @@ struct Material {
     double tough_factor = 3;         ///< ci: strength of bonds inside one tough cell
     double adhesion_energy = 0;      ///< w, J/m^2, 0 = off
     BondLaw bond_law = BondLaw::kBeam;
-    double shear_ratio = 0.3;  ///< a = k_T / k_N of the beam law, 0..1
+    double shear_ratio = 0.3;    ///< a = k_T / k_N of the beam law, 0..1
+    double bond_ratio = 0.5;     ///< a* of BondLaw::kSpheres, 0.1..0.9
+    double fracture_energy = 0;  ///< Gamma, J/m^2: every bond as strong as (13) says; 0: as beta and v_c say
 };
 
 /// In one run, fired later ones included.
@@ -64,8 +68,11 @@ struct SolverParams {
     Double3 gravity{0, -9.81, 0};  ///< m/s^2
     ContactLaw contact_law = ContactLaw::kLinear;
     std::vector<Plane> planes{Plane{}};  ///< at most 4
-    double settle_time = 0;              ///< s of settling before frame 0 (models.md E.4), 0 = none
-    double scene_radius = 1000;          ///< m; particles beyond it stop the run with kLeftScene
+    double wall_friction = -1;           ///< mu against planes, 0..1.5; negative: the body's own
+    double wall_stiffness = 1;   ///< Hertz: share of a rigid wall's E* and G*; 1/2: the wall is of the
+                                 ///< body's own material, as (1) reads at R* = R
+    double settle_time = 0;      ///< s of settling before frame 0 (models.md E.4), 0 = none
+    double scene_radius = 1000;  ///< m; particles beyond it stop the run with kLeftScene
     uint64_t seed = 1;
     bool ledger = true;      ///< book damping and friction work every substep
     bool hand_over = false;  ///< fragments that no longer vibrate move as rigid bodies (16)-(18)

@@ -35,6 +35,8 @@ void checkMaterial(const Material& material) {
     demandRange(material.tough_factor, 1, 100, "Tough factor" + of);
     demandRange(material.adhesion_energy, 0, 1e3, "Adhesion energy" + of);
     demandRange(material.shear_ratio, 0, 1, "Shear ratio" + of);
+    demandRange(material.bond_ratio, 0.1, 0.9, "Bond radius ratio" + of);
+    demandRange(material.fracture_energy, 0, 1e9, "Fracture energy" + of);
 }
 
 void checkBody(const BodyInstance& instance) {
@@ -58,6 +60,8 @@ void checkParams(const SolverParams& params) {
     demandFinite(params.gravity, "Gravity");
     demand(params.planes.size() <= kMaxPlanes,
            "A scene has at most " + std::to_string(kMaxPlanes) + " planes.");
+    demandRange(params.wall_friction, -1, 1.5, "Friction of the planes");
+    demandRange(params.wall_stiffness, 1e-3, 1, "Stiffness of the planes");
     for (const Plane& plane : params.planes) {
         const Double3 n = plane.normal;
         demandRange(n.x * n.x + n.y * n.y + n.z * n.z, 0.999, 1.001, "The square of a plane's normal");

@@ -90,6 +90,8 @@ std::vector<double> contactRadii(const BreakableBody& body) {
     const SeedCubes cubes(body);
     std::vector<double> radii(body.particles.size());
     tbb::parallel_for(size_t{0}, radii.size(), [&](size_t i) {
+        radii[i] = body.particles[i].contact_radius;
+        if (radii[i] > 0) return;
         const double nearest = cubes.nearestDistance(static_cast<uint32_t>(i));
         radii[i] = std::isfinite(nearest) ? nearest / 2 : sphereRadius(body.particles[i].volume);
     });
@@ -102,6 +104,8 @@ std::vector<double> floorRadii(const BreakableBody& body, bool standing) {
     std::vector<double> radii(body.particles.size());
     for (size_t i = 0; i < radii.size(); ++i) {
         const Particle& p = body.particles[i];
+        radii[i] = p.contact_radius;
+        if (radii[i] > 0) continue;
         radii[i] = std::min(p.depth, sphereRadius(p.volume));
         if (standing && p.lowest <= lowest + 0.2 * body.spacing) radii[i] = p.seed.y - lowest;
     }

@@ -66,9 +66,13 @@ PairLaw<double> pairLaw(const SolverParams& params, const Surface& a, const Surf
 
 PairLaw<double> wallLaw(const SolverParams& params, const Surface& a) {
     const ContactModuli<double> moduli = rigidWallModuli(a.modulus * a.factor, a.poisson);
-    PairLaw<double> law{
-        a.stiffness * a.factor, 0, a.friction, a.rolling, a.projectile ? 0 : a.adhesion, moduli.normal,
-        moduli.tangential};
+    PairLaw<double> law;
+    law.stiffness = a.stiffness * a.factor;
+    law.friction = params.wall_friction < 0 ? a.friction : params.wall_friction;
+    law.rolling = a.rolling;
+    law.adhesion = a.projectile ? 0 : a.adhesion;
+    law.modulus = params.wall_stiffness * moduli.normal;
+    law.shear_modulus = params.wall_stiffness * moduli.tangential;
     setDamping(params, a.restitution, law);
     return law;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/physics/bond_stiffness.h"
@@ -19,6 +20,8 @@ namespace {
 
 /// Modulus with which the highest frequency is found before the true one is known.
 constexpr double kTrialModulus = 1e7;
+/// E_eff / E of spheres bonded across gaps at 8.5 bonds a particle and a* = 0.5 (physics A.3, test D.14).
+constexpr double kSpheresModulusShare = 0.66;
 
 Vec3<double> vec(const Double3& a) {
     return {a.x, a.y, a.z};
@@ -60,12 +63,24 @@ void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables&
     }
 }
 
-/// Strength factors of a body's bonds: Weibull scatter and tough cells (models E.3).
+/// m, of the bonds' mean area: where (13) is the strength that the report shows; 1 without bonds.
+double meanBondRadius(const BreakableBody& body) {
+    double area = 0;
+    for (const BondGeometry& bond : body.bonds) area += bond.area;
+    return area > 0 ? faceBondRadius(area / static_cast<double>(body.bonds.size())) : 1;
+}
+
+/// Strength factors of a body's bonds: Weibull scatter, 1/sqrt(a_b) of (13), tough cells (models E.3).
 std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed) {
     const BreakableBody& body = *instance.body;
     std::vector<double> factors(body.bonds.size());
     for (size_t b = 0; b < factors.size(); ++b)
         factors[b] = weibullFactor(instance.material.weibull_modulus, counterHash(seed, 1), b);
+    if (instance.material.fracture_energy > 0) {
+        const double mean = meanBondRadius(body);
+        for (size_t b = 0; b < factors.size(); ++b)
+            factors[b] *= std::sqrt(mean / faceBondRadius(body.bonds[b].area));
+    }
     if (instance.material.tough_cells == 0) return factors;
     std::vector<Vec3<double>> seeds;
     seeds.reserve(body.particles.size());
@@ -84,7 +99,9 @@ BondStiffness<double> stiffnessOf(const Material& material, const BondGeometry& 
     if (material.bond_law == BondLaw::kBeam)
         return beamBond(modulus, bond.area, bond.length, material.shear_ratio);
     const double radius = faceBondRadius(bond.area);
-    return paperBond(modulus, material.poisson_ratio, faceRatioNeck(radius, bond.length), radius);
+    const double ratio =
+        material.bond_law == BondLaw::kSpheres ? material.bond_ratio : faceRatioNeck(radius, bond.length);
+    return paperBond(modulus, material.poisson_ratio, ratio, radius);
 }
 
 /// k_T / k_N: of the beam law a free choice, of the paper's 2 (1 - nu) / (2 - nu) since f_N = f_T.
@@ -131,29 +148,48 @@ void appendBonds(const BodyInstance& instance, uint32_t first, uint64_t seed, Sc
     }
 }
 
+/// E_eff of a body with bonds of this modulus, Pa.
+double effectiveModulusOf(const Material& material, double bond_modulus) {
+    switch (material.bond_law) {
+        case BondLaw::kBeam:
+            return effectiveModulus(bond_modulus, material.shear_ratio);
+        case BondLaw::kPaper:
+            return effectiveModulusPaper(bond_modulus);
+        case BondLaw::kSpheres:
+            break;
+    }
+    return kSpheresModulusShare * bond_modulus;
+}
+
+/// sigma_c, Pa, of a bond of mean area: (13), or the rule that holds the critical velocity.
+double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
+    const Material& material = instance.material;
+    if (material.fracture_energy > 0)
+        return griffithStrength(report.bond_modulus, material.poisson_ratio, material.fracture_energy,
+                                meanBondRadius(*instance.body));
+    return bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
+}
+
 /// Modulus, strength and damping from the step (softened) or from the material.
 BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
                             double dt) {
     const Material& material = instance.material;
-    const bool beam = material.bond_law == BondLaw::kBeam;
     const double safety = std::min(params.step_safety, dampedStepShare(material.damping_ratio));
-    const auto effective = [&](double modulus) {
-        return beam ? effectiveModulus(modulus, material.shear_ratio) : effectiveModulusPaper(modulus);
-    };
     BodyConstants constants;
     SofteningReport& report = constants.report;
     if (!params.soften)
-        report.bond_modulus = material.youngs_modulus / effective(1);
+        report.bond_modulus = material.bond_law == BondLaw::kSpheres
+                                  ? material.youngs_modulus
+                                  : material.youngs_modulus / effectiveModulusOf(material, 1);
     else if (trial_omega > 0)
         report.bond_modulus = bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
     else {  // no bonds: c_eff = kappa sf h / dt with the kappa of solid bodies (E.1)
         const double speed = 0.68 * safety * instance.body->spacing / dt;
-        report.bond_modulus = material.density * speed * speed / effective(1);
+        report.bond_modulus = material.density * speed * speed / effectiveModulusOf(material, 1);
     }
-    report.effective_modulus = effective(report.bond_modulus);
+    report.effective_modulus = effectiveModulusOf(material, report.bond_modulus);
     report.wave_speed = waveSpeed(report.effective_modulus, material.density);
-    report.strength =
-        bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
+    report.strength = strengthOf(instance, report);
     report.strain_at_failure = strainAtFailure(report.strength, report.effective_modulus);
     report.highest_frequency = trial_omega * std::sqrt(report.bond_modulus / kTrialModulus);
     constants.shear_ratio = shearRatio(material);
@@ -175,6 +211,24 @@ void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double
         constants.largest_strength = std::max(constants.largest_strength, tables.slots[s].strength);
     }
     constants.mean_stiffness = end > begin ? sum / (end - begin) : constants.report.bond_modulus * spacing;
+}
+
+/// True when two instances vibrate alike at the trial modulus.
+bool vibrateAlike(const BodyInstance& a, const BodyInstance& b) {
+    const auto key = [](const Material& m) {
+        return std::tuple(m.density, m.poisson_ratio, m.bond_law, m.shear_ratio, m.bond_ratio);
+    };
+    return a.body == b.body && key(a.material) == key(b.material);
+}
+
+/// rad/s, at the trial modulus, of the last body of the tables; `known` holds those of the bodies before.
+double trialFrequency(const SceneSetup& setup, const SceneTables& tables, uint32_t first,
+                      const std::vector<double>& known) {
+    const size_t number = known.size();
+    for (size_t b = 0; b < number; ++b)
+        if (vibrateAlike(setup.bodies[b], setup.bodies[number])) return known[b];
+    const auto count = static_cast<uint32_t>(tables.mass.size()) - first;
+    return highestFrequency(tables, first, count, shearRatio(setup.bodies[number].material));
 }
 
 /// s: 1/60 s over the substeps asked for, or what the stiffest body allows.
@@ -211,8 +265,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
         appendParticles(instance, b, tables);
         appendBonds(instance, first[b], counterHash(setup.params.seed, b), tables);
         first.push_back(static_cast<uint32_t>(tables.mass.size()));
-        omega.push_back(
-            highestFrequency(tables, first[b], first[b + 1] - first[b], shearRatio(instance.material)));
+        omega.push_back(trialFrequency(setup, tables, first[b], omega));
         tables.spacing = std::min(tables.spacing, instance.body->spacing);
     }
     tables.counts = {first.back(), first.back() + kMaxProjectiles};

@@ -1,13 +1,15 @@
 // Free bodies: rigid invariance, spinning, flight, damping (physics.md D 15, 16, 18).
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "sim_cuda/solver/double_solver.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 namespace {
+
+class FreeMotion : public OnEitherDevice {};
+class FreeMotionDouble : public OnTheCpu {};
 
 double norm(const Double3& a) {
     return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
@@ -36,9 +38,12 @@ double strayForce(Solver& solver) {
     return speed * mass / (k * h * solver.stats().time_step);
 }
 
-TEST(FreeMotion, ATurnedAndMovedBodyFeelsNoForce) {
+TEST_F(FreeMotionDouble, ATurnedAndMovedBodyFeelsNoForce) {
     EXPECT_LT(strayForce(*makeCpuSolverDouble(movedBody())), 1e-11);
-    EXPECT_LT(strayForce(*makeCpuSolver(movedBody())), 1e-5);
+}
+
+TEST_F(FreeMotion, ATurnedAndMovedBodyFeelsNoForce) {
+    EXPECT_LT(strayForce(*makeSolver(movedBody())), 1e-5);
 }
 
 constexpr double kSpin = 13;  // rad/s
@@ -58,24 +63,24 @@ Drift spinFor(Solver& solver, uint32_t substeps) {
             kSpin * solver.stats().time / 6.283185307179586};
 }
 
-TEST(FreeMotion, ASpinningBodyKeepsItsAngularMomentumAndEnergy) {
+TEST_F(FreeMotionDouble, ASpinningBodyKeepsItsAngularMomentumAndEnergy) {
     const Drift drift = spinFor(*makeCpuSolverDouble(spinningBody(kSpin)), 90'000);
     EXPECT_GT(drift.revolutions, 10);
     EXPECT_LT(drift.angular, 1e-11);
     EXPECT_LT(drift.energy, 1e-5);
 }
 
-TEST(FreeMotion, ASpinningBodyInSinglePrecision) {
-    const Drift drift = spinFor(*makeCpuSolver(spinningBody(kSpin)), 90'000);
+TEST_F(FreeMotion, ASpinningBodyInSinglePrecision) {
+    const Drift drift = spinFor(*makeSolver(spinningBody(kSpin)), 90'000);
     EXPECT_LT(drift.angular, 1e-4);
     EXPECT_LT(drift.energy, 1e-4);
 }
 
-TEST(FreeMotion, NothingBrakesFlight) {
+TEST_F(FreeMotion, NothingBrakesFlight) {
     SceneSetup setup = freeBody(latticeBody(4, 4, 4, 0.05, 0.2));
     setup.bodies[0].velocity = {3, -2, 5};
     setup.params.gravity = {0, -9.81, 0};
-    auto solver = makeCpuSolver(setup);
+    auto solver = makeSolver(setup);
     solver->measure();
     const Double3 before = solver->stats().linear_momentum;
     for (int frame = 0; frame < 6; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
@@ -89,7 +94,7 @@ TEST(FreeMotion, NothingBrakesFlight) {
     EXPECT_NEAR(stats.time, 0.1, 1e-9);
 }
 
-TEST(FreeMotion, DampingKeepsMomenta) {
+TEST_F(FreeMotionDouble, DampingKeepsMomenta) {
     SceneSetup setup = spinningBody(kSpin);
     setup.bodies[0].material.damping_ratio = 0.5;
     setup.bodies[0].velocity = {1, 2, 3};

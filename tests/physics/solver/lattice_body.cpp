@@ -85,6 +85,23 @@ std::shared_ptr<const BreakableBody> latticeBody(uint32_t nx, uint32_t ny, uint3
     return Brick(nx, ny, nz, h, jitter, seed).make();
 }
 
+std::shared_ptr<const BreakableBody> ballBody(double R) {
+    auto body = std::make_shared<BreakableBody>();
+    body->name = "ball";
+    Particle p;
+    p.seed = p.centroid = {0, R, 0};
+    p.volume = 4.0 / 3 * kPi * R * R * R;
+    const double moment = 0.4 * p.volume * R * R;
+    p.inertia = {moment, moment, moment, 0, 0, 0};
+    p.depth = R;
+    body->particles.push_back(p);
+    body->spacing = std::cbrt(p.volume);
+    body->mesh_volume = body->cells_volume = p.volume;
+    body->bounds_min = {-R, 0, -R};
+    body->bounds_max = {R, 2 * R, R};
+    return body;
+}
+
 Material brittleMaterial() {
     Material material;
     material.critical_velocity = 1;

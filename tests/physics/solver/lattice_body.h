@@ -12,6 +12,9 @@ namespace demolish::tests {
 std::shared_ptr<const BreakableBody> latticeBody(uint32_t nx, uint32_t ny, uint32_t nz, double h,
                                                  double jitter = 0, uint64_t seed = 1);
 
+/// A single particle: a ball of radius R (m) that touches y = 0 from above and has its true inertia.
+std::shared_ptr<const BreakableBody> ballBody(double R);
+
 /// One body at rest on no plane, without gravity: a free body. Callers change what they need.
 SceneSetup freeBody(std::shared_ptr<const BreakableBody> body);
 

@@ -1,13 +1,15 @@
 // A thousand revolutions in double, a hundred in single precision (physics.md D 16, at full length).
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "sim_cuda/solver/double_solver.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 namespace {
+
+class LongSpin : public OnEitherDevice {};
+class LongSpinDouble : public OnTheCpu {};
 
 constexpr double kTurn = 6.283185307179586, kSpin = 77;  // rad, rad/s
 
@@ -32,15 +34,15 @@ Drift spinFor(Solver& solver, double revolutions) {
             kSpin * solver.stats().time / kTurn};
 }
 
-TEST(LongSpin, AThousandRevolutionsInDouble) {
+TEST_F(LongSpinDouble, AThousandRevolutions) {
     const Drift drift = spinFor(*makeCpuSolverDouble(spinningBody(kSpin)), 1000);
     EXPECT_GE(drift.revolutions, 1000);
     EXPECT_LT(drift.angular, 1e-11);
     EXPECT_LT(drift.energy, 1e-5);
 }
 
-TEST(LongSpin, AHundredRevolutionsInSinglePrecision) {
-    const Drift drift = spinFor(*makeCpuSolver(spinningBody(kSpin)), 100);
+TEST_F(LongSpin, AHundredRevolutionsInSinglePrecision) {
+    const Drift drift = spinFor(*makeSolver(spinningBody(kSpin)), 100);
     EXPECT_GE(drift.revolutions, 100);
     EXPECT_LT(drift.angular, 1e-4);
     EXPECT_LT(drift.energy, 1e-4);

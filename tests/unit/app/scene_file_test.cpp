@@ -65,6 +65,58 @@ TEST(SceneFile, NamesFileAndLineOfAMistake) {
     EXPECT_THAT(complaintAbout("version = 1\nmodel = \n"), HasSubstr("scene.toml:2"));
 }
 
+TEST(SceneFile, ReadsBodiesBallsAndPhases) {
+    const TemporaryFolder folder;
+    const std::string bodies =
+        "height_m = 0.5\nbody = [\n  { position_m = [1.0, 0, -2], yaw_deg = 90, variant = 1 },\n  {},\n]\n";
+    const std::string balls =
+        "[[ball]]\nat_s = 2.0\nbody = 1\nvelocity_mps = 6\ndirection = [0, 0, 1]\nflight_s = 0.3\n"
+        "[[ball]]\nat_s = 0.5\nvelocity_mps = 3\nradius_m = 0.04\nheight_fraction = 0.8\n";
+    const std::string phases =
+        "[[phase]]\nname = \"whole\"\nto_s = 0.4\npaper_fps = 180\n"
+        "[[phase]]\nname = \"all broken\"\nfrom_s = 2\nto_s = 3\n";
+    const Shot shot = loadSceneFile(folder.write("two.toml", kHead + bodies + balls + phases));
+    ASSERT_EQ(shot.bodies.size(), 2u);
+    EXPECT_DOUBLE_EQ(shot.bodies[0].position.x, 2) << "in heights of the body";
+    EXPECT_DOUBLE_EQ(shot.bodies[0].position.z, -4);
+    EXPECT_NEAR(shot.bodies[0].yaw, 1.5707963, 1e-6);
+    EXPECT_EQ(shot.bodies[0].variant, 1u);
+    EXPECT_DOUBLE_EQ(shot.impact.velocity, 6) << "of the fastest ball";
+    ASSERT_EQ(shot.balls.size(), 2u);
+    EXPECT_DOUBLE_EQ(shot.balls[0].arrival_time, 0.5) << "in order of time";
+    EXPECT_DOUBLE_EQ(shot.balls[0].speed_share, 0.5);
+    EXPECT_DOUBLE_EQ(shot.balls[0].radius.value(), 0.04);
+    EXPECT_DOUBLE_EQ(shot.balls[0].height_fraction.value(), 0.8);
+    EXPECT_FALSE(shot.balls[0].direction.has_value());
+    EXPECT_EQ(shot.balls[1].body, 1u);
+    EXPECT_DOUBLE_EQ(shot.balls[1].flight_time, 0.3);
+    EXPECT_DOUBLE_EQ(shot.balls[1].direction.value().z, 1);
+    ASSERT_EQ(shot.phases.size(), 2u);
+    EXPECT_EQ(shot.phases[0].name, "whole");
+    EXPECT_DOUBLE_EQ(shot.phases[0].paper_fps, 180);
+    EXPECT_DOUBLE_EQ(shot.phases[1].from, 2);
+    EXPECT_DOUBLE_EQ(shot.phases[1].to, 3);
+}
+
+TEST(SceneFile, RefusesListsThatMakeNoSense) {
+    const std::string ball = "[[ball]]\nat_s = 1\nvelocity_mps = 5\n";
+    EXPECT_EQ(complaintAbout(kHead + ball), "");
+    EXPECT_THAT(complaintAbout(kHead + ball + "body = 1\n"), HasSubstr("scene.toml:6: ball[0].body must be"));
+    EXPECT_THAT(complaintAbout(kHead + ball + "colour = 1\n"), HasSubstr("no setting 'ball[0].colour'"));
+    EXPECT_THAT(complaintAbout(kHead + ball + "flight_s = 1.5\n"), HasSubstr("not be longer than at_s"));
+    EXPECT_THAT(complaintAbout(kHead + "[[ball]]\nat_s = 1\n"), HasSubstr("ball[0].velocity_mps is missing"));
+    EXPECT_THAT(complaintAbout(kHead + ball + "[impact]\nvelocity_mps = 0\n"), HasSubstr("must be above 0"));
+    EXPECT_THAT(complaintAbout(kHead + "body = 3\n"), HasSubstr("body must be a list of tables"));
+    EXPECT_THAT(complaintAbout(kHead + "body = [{ yaw_deg = 400 }]\n"), HasSubstr("body[0].yaw_deg"));
+    const std::string phase = "[[phase]]\nname = \"whole\"\nfrom_s = 1\nto_s = 2\n";
+    EXPECT_EQ(complaintAbout(kHead + phase), "");
+    EXPECT_THAT(complaintAbout(kHead + phase + phase), HasSubstr("phase[1].from_s must not lie before"));
+    EXPECT_THAT(complaintAbout(kHead + "[[phase]]\nname = \"a\"\n"), HasSubstr("later than from_s"));
+    std::string many;
+    for (int i = 0; i < 33; ++i) many += ball;
+    EXPECT_THAT(complaintAbout(kHead + many), HasSubstr("ball has 33 entries; at most 32"));
+}
+
 TEST(SceneFile, WantsAVersionAndAModel) {
     EXPECT_THAT(complaintAbout("model = \"models/block.obj\"\n"), HasSubstr("'version' is missing"));
     EXPECT_THAT(complaintAbout("version = 2\nmodel = \"a.obj\"\n"), HasSubstr("version"));

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "sim_cuda/api/errors.h"
 
@@ -60,6 +61,46 @@ TEST(Shot, ABallsVelocityIsLiveAndADropsIsNot) {
     after = drop;
     after.impact.velocity = 3;
     EXPECT_EQ(changeBetween(drop, after), Change::kSolver);
+}
+
+TEST(Shot, ValidateLooksAtEveryBallOfTheScene) {
+    Shot shot;
+    shot.balls.resize(2);
+    shot.balls[1].speed_share = 3;
+    shot.impact.velocity = 60;
+    EXPECT_NO_THROW(validate(shot));
+    shot.impact.velocity = 70;  // 210 m/s
+    EXPECT_THROW(validate(shot), UsageError);
+}
+
+TEST(Shot, BallsAreLiveAndPlacesAreNot) {
+    Shot before;
+    before.balls.resize(2);
+    before.bodies.resize(2);
+    Shot after = before;
+    EXPECT_EQ(changeBetween(before, after), Change::kNothing);
+    for (const auto& edit : std::vector<void (*)(TimedBall&)>{[](TimedBall& ball) { ball.arrival_time = 2; },
+                                                              [](TimedBall& ball) { ball.radius = 0.1; },
+                                                              [](TimedBall& ball) {
+                                                                  ball.direction = Double3{1, 0, 0};
+                                                              },
+                                                              [](TimedBall& ball) { ball.body = 1; }}) {
+        after = before;
+        edit(after.balls[1]);
+        EXPECT_EQ(changeBetween(before, after), Change::kLive);
+    }
+    after = before;
+    after.balls.pop_back();
+    EXPECT_EQ(changeBetween(before, after), Change::kLive);
+    after = before;
+    after.bodies[1].position.x = 1;
+    EXPECT_EQ(changeBetween(before, after), Change::kBody);
+    after = before;
+    after.bodies[0].variant = 1;
+    EXPECT_EQ(changeBetween(before, after), Change::kBody);
+    after = before;
+    after.sleeping = false;
+    EXPECT_EQ(changeBetween(before, after), Change::kSolver);
 }
 
 TEST(Shot, MaterialKeepsTheCellsAndParticleSizeDoesNot) {

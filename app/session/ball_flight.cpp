@@ -1,0 +1,135 @@
+// Aim on the body's particles, flight back from the impact.
+#include "app/session/ball_flight.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+namespace demolish {
+namespace {
+
+constexpr double kGravity = 9.81;  // m/s^2
+
+glm::dvec3 toGlm(const Double3& v) {
+    return {v.x, v.y, v.z};
+}
+Double3 fromGlm(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+double heightOf(const BreakableBody& body) {
+    return body.bounds_max.y - body.bounds_min.y;
+}
+
+/// Across the longer horizontal side, level.
+glm::dvec3 flightDirection(const Double3& chosen_direction, const BreakableBody& body) {
+    const glm::dvec3 chosen = toGlm(chosen_direction);
+    if (glm::length(chosen) > 1e-9) return glm::normalize(chosen);
+    const double along_x = body.bounds_max.x - body.bounds_min.x;
+    const double along_z = body.bounds_max.z - body.bounds_min.z;
+    return along_x >= along_z ? glm::dvec3(0, 0, -1) : glm::dvec3(-1, 0, 0);
+}
+
+/// Middle of the particles near the height of the impact; on the body even where its middle is hollow.
+glm::dvec3 aimPoint(const BreakableBody& body, double height_fraction) {
+    const double y = body.bounds_min.y + height_fraction * heightOf(body);
+    const double slab = std::max(0.05 * heightOf(body), body.spacing);
+    glm::dvec3 sum(0);
+    size_t count = 0;
+    for (const auto& particle : body.particles) {
+        if (std::abs(particle.seed.y - y) > slab) continue;
+        sum += toGlm(particle.seed);
+        ++count;
+    }
+    const glm::dvec3 middle = count > 0 ? sum / static_cast<double>(count) : glm::dvec3(0, y, 0);
+    return {middle.x, y, middle.z};
+}
+
+/// Where the centre of a ball of `radius` is when it touches the body, flying through `aim`: from the
+/// particles' depth.
+glm::dvec3 touchPoint(const BreakableBody& body, glm::dvec3 aim, const glm::dvec3& direction, double radius) {
+    double farthest = -1e300;
+    double nearest_miss = 1e300;
+    glm::dvec3 nearest(aim);
+    for (const auto& particle : body.particles) {
+        const glm::dvec3 offset = toGlm(particle.seed) - aim;
+        const double along = -glm::dot(offset, direction);
+        const double aside = glm::length(offset + along * direction);
+        const double reach = radius + particle.depth;
+        if (aside < reach) farthest = std::max(farthest, along + std::sqrt(reach * reach - aside * aside));
+        if (aside < nearest_miss) {
+            nearest_miss = aside;
+            nearest = toGlm(particle.seed);
+        }
+    }
+    if (farthest > -1e299) return aim - farthest * direction;
+    return nearest -
+           (radius + 0.5 * body.spacing) * direction;  // a hole at the aim: hit the nearest particle
+}
+
+/// A ball that is at `point` with velocity `velocity` after `flight` seconds under gravity.
+Projectile thrown(const glm::dvec3& point, const glm::dvec3& velocity, double flight, double radius) {
+    const glm::dvec3 gravity(0, -kGravity, 0);
+    Projectile ball;
+    ball.position = fromGlm(point - flight * velocity + 0.5 * flight * flight * gravity);
+    ball.velocity = fromGlm(velocity - flight * gravity);
+    ball.radius = radius;
+    return ball;
+}
+
+/// The flight is cut short so that the ball starts above the floor.
+Projectile thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity, double flight,
+                            double radius) {
+    Projectile ball = thrown(point, velocity, flight, radius);
+    for (int tries = 0; tries < 8 && ball.position.y < 1.05 * radius; ++tries)
+        ball = thrown(point, velocity, flight *= 0.7, radius);
+    return ball;
+}
+
+}  // namespace
+
+double ballRadius(const Shot& shot, const BreakableBody& body) {
+    return shot.impact.ball_radius > 0 ? shot.impact.ball_radius : heightOf(body) / 12;
+}
+
+std::vector<TimedBall> ballsOf(const Shot& shot) {
+    if (shot.impact.kind != ImpactKind::kBall || shot.impact.velocity <= 0) return {};
+    if (!shot.balls.empty()) return shot.balls;
+    TimedBall ball;
+    ball.arrival_time = ball.flight_time = shot.impact.arrival_time;
+    return {ball};
+}
+
+bool dueToStart(const TimedBall& ball, double now, double step) {
+    // Times are sums of steps: a flight that begins with a frame must not slip into the one after it.
+    const double before_impact = ball.arrival_time - now, slack = 1e-6;
+    return before_impact <= ball.flight_time + slack || before_impact - step < 0.5 * ball.flight_time;
+}
+
+Projectile makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight) {
+    const BodyInstance& instance = setup.bodies[std::min<size_t>(ball.body, setup.bodies.size() - 1)];
+    const BreakableBody& body = *instance.body;
+    const Quaternion& q = instance.rotation;
+    const glm::dquat rotation(q.w, q.x, q.y, q.z);
+    const double radius = ball.radius.value_or(ballRadius(shot, body));
+    const glm::dvec3 direction = flightDirection(ball.direction.value_or(shot.impact.direction), body);
+    const glm::dvec3 aim = aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));
+    const glm::dvec3 touch = touchPoint(body, aim, glm::inverse(rotation) * direction, radius);
+    const glm::dvec3 velocity = shot.impact.velocity * ball.speed_share * direction;
+    return thrownAboveFloor(toGlm(instance.position) + rotation * touch, velocity, flight, radius);
+}
+
+Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,
+                      const Double3& target) {
+    constexpr double kShortFlight = 0.06;  // s: a click should hit at once, and the ball still be seen coming
+    const double radius = ballRadius(shot, body);
+    const glm::dvec3 path = toGlm(target) - toGlm(from);
+    const double distance = glm::length(path);
+    const glm::dvec3 direction = distance > 1e-9 ? path / distance : glm::dvec3(0, 0, -1);
+    const double speed = std::max(shot.impact.velocity, 0.1);
+    const double flight = std::min(kShortFlight, 0.8 * distance / speed);
+    return thrownAboveFloor(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius);
+}
+
+}  // namespace demolish

@@ -1,0 +1,30 @@
+// The balls of a shot: which one comes when, and how it flies so that it hits as the shot says.
+#pragma once
+#include <vector>
+
+#include "app/session/shot.h"
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+/// m, of the shot's ball where a TimedBall names none.
+double ballRadius(const Shot& shot, const BreakableBody& body);
+
+/// The balls that the shot fires by itself, in order of time: Shot::balls, or the one of Shot::impact. None
+/// when nothing is to hit the bodies.
+std::vector<TimedBall> ballsOf(const Shot& shot);
+
+/// True if a ball should start now: its flight has begun, or would be less than half left after the next
+/// step of `step` s.
+bool dueToStart(const TimedBall& ball, double now, double step);
+
+/// A ball that reaches its body's surface after `flight` s with its velocity, gravity on the way included.
+/// Flights that would begin below the floor are cut short. The body counts where the setup places it.
+Projectile makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight);
+
+/// A ball that passes `target` after a short flight from the side of `from`, with the shot's velocity and
+/// radius there.
+Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,
+                      const Double3& target);
+
+}  // namespace demolish

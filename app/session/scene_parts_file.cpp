@@ -1,0 +1,96 @@
+// Lists of a scene file, checked element by element.
+#include "app/session/scene_parts_file.h"
+
+#include <algorithm>
+
+namespace demolish {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kMostBodies = 1000;
+constexpr Range kTimeRange{0, 1000};        // s
+constexpr Range kArrivalRange{0.01, 1000};  // s
+constexpr Range kFlightRange{0.01, 2};      // s
+
+std::string element(const char* list, size_t index) {
+    return std::string(list) + "[" + std::to_string(index) + "].";
+}
+
+template <class Value>
+void readOptional(TomlReader& reader, const std::string& path, std::optional<Value>& value,
+                  const Range& range) {
+    if (!reader.has(path)) return;
+    value.emplace();
+    reader.read(path, *value, range);
+}
+
+TimedBall readBall(TomlReader& reader, const std::string& at, size_t bodies, double& velocity) {
+    TimedBall ball;
+    for (const char* key : {"at_s", "velocity_mps"})
+        if (!reader.has(at + key)) reader.fail(at + key, "is missing");
+    reader.read(at + "at_s", ball.arrival_time, kArrivalRange);
+    ball.flight_time = std::min(ball.flight_time, ball.arrival_time);
+    reader.read(at + "flight_s", ball.flight_time, kFlightRange);
+    if (ball.flight_time > ball.arrival_time) reader.fail(at + "flight_s", "must not be longer than at_s");
+    reader.read(at + "velocity_mps", velocity, {0.01, kVelocityRange.most});
+    reader.read(at + "body", ball.body, {0, static_cast<double>(bodies - 1)});
+    readOptional(reader, at + "radius_m", ball.radius, {1e-4, 100});
+    readOptional(reader, at + "height_fraction", ball.height_fraction, {0, 1});
+    if (reader.has(at + "direction")) {
+        ball.direction.emplace();
+        reader.read(at + "direction", *ball.direction);
+    }
+    return ball;
+}
+
+}  // namespace
+
+std::vector<Placement> readBodies(TomlReader& reader, double height) {
+    std::vector<Placement> bodies(reader.count("body", kMostBodies));
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        const std::string at = element("body", i);
+        Double3 metres;
+        reader.read(at + "position_m", metres);
+        bodies[i].position = {metres.x / height, metres.y / height, metres.z / height};
+        double degrees = 0;
+        reader.read(at + "yaw_deg", degrees, {-360, 360});
+        bodies[i].yaw = degrees * kDegree;
+        reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
+    }
+    return bodies;
+}
+
+std::vector<TimedBall> readBalls(TomlReader& reader, size_t bodies, Impact& impact) {
+    std::vector<TimedBall> balls(reader.count("ball", kMaxProjectiles));
+    std::vector<double> velocity(balls.size());
+    for (size_t i = 0; i < balls.size(); ++i)
+        balls[i] = readBall(reader, element("ball", i), bodies, velocity[i]);
+    if (balls.empty()) return balls;
+    if (!reader.has("impact.velocity_mps"))
+        impact.velocity = *std::max_element(velocity.begin(), velocity.end());
+    if (!(impact.velocity > 0)) reader.fail("impact.velocity_mps", "must be above 0 in a scene with balls");
+    for (size_t i = 0; i < balls.size(); ++i) balls[i].speed_share = velocity[i] / impact.velocity;
+    std::stable_sort(balls.begin(), balls.end(),
+                     [](const TimedBall& a, const TimedBall& b) { return a.arrival_time < b.arrival_time; });
+    return balls;
+}
+
+std::vector<Phase> readPhases(TomlReader& reader) {
+    constexpr double kMostPhases = 100;
+    std::vector<Phase> phases(reader.count("phase", kMostPhases));
+    for (size_t i = 0; i < phases.size(); ++i) {
+        const std::string at = element("phase", i);
+        Phase& phase = phases[i];
+        reader.read(at + "name", phase.name);
+        reader.read(at + "from_s", phase.from, kTimeRange);
+        reader.read(at + "to_s", phase.to, kTimeRange);
+        reader.read(at + "paper_fps", phase.paper_fps, {0, 1e6});
+        if (phase.name.empty()) reader.fail(at + "name", "is missing");
+        if (!(phase.to > phase.from)) reader.fail(at + "to_s", "must be later than from_s");
+        if (i > 0 && phase.from < phases[i - 1].to)
+            reader.fail(at + "from_s", "must not lie before the end of the phase before it");
+    }
+    return phases;
+}
+
+}  // namespace demolish

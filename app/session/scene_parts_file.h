@@ -1,0 +1,18 @@
+// The lists of a scene file: body = [...], ball = [...], phase = [...]; in-line tables or [[body]] alike.
+#pragma once
+#include <vector>
+
+#include "app/session/shot.h"
+#include "app/session/toml_reader.h"
+
+namespace demolish {
+
+/// `height` of the bodies, m: the file gives metres, Placement heights. Empty when the file lists none.
+std::vector<Placement> readBodies(TomlReader& reader, double height);
+/// Balls in order of time. Sets impact.velocity to the fastest ball's unless the file names a velocity of the
+/// impact. `bodies` is how many the scene has, at least 1.
+std::vector<TimedBall> readBalls(TomlReader& reader, size_t bodies, Impact& impact);
+/// Phases in order of time.
+std::vector<Phase> readPhases(TomlReader& reader);
+
+}  // namespace demolish

@@ -1,0 +1,22 @@
+// How many triangles a picture of the body holds.
+#pragma once
+#include <cstdint>
+
+#include "engine/render/fracture_mesh.h"
+
+namespace demolish {
+
+class TriangleCounter {
+  public:
+    /// Exterior, exposed interior faces and the two of each crack line; 0 without a mesh. Reads the draw
+    /// list's counts back from the GPU when the number of broken bonds says that they changed, and only then:
+    /// call it outside of what is timed.
+    uint64_t count(const engine::FractureMesh* mesh, uint32_t bonds_broken);
+
+  private:
+    const engine::FractureMesh* mesh_ = nullptr;
+    uint32_t exterior_indices_ = 0, bonds_broken_ = 0;  ///< of the count below
+    uint64_t count_ = 0;
+};
+
+}  // namespace demolish

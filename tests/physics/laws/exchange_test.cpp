@@ -1,0 +1,152 @@
+// Which particle comes first must not matter, to any law: what one gets is the exact opposite of what the
+// other gets, and both decide alike.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/physics/pair_state.h"
+#include "sim_cuda/physics/rigid_fit.h"
+#include "sim_cuda/physics/time_step.h"
+#include "tests/physics/laws/random_pairs.h"
+
+namespace demolish {
+namespace {
+
+constexpr int kPairs = 2000;
+
+template <class T>
+bool opposite(const Vec3<T>& a, const Vec3<T>& b) {
+    return a.x == -b.x && a.y == -b.y && a.z == -b.z;
+}
+
+template <class T>
+void expectBondsOdd() {
+    std::mt19937 random(1);
+    int broken = 0;
+    for (int k = 0; k < kPairs; ++k) {
+        const auto p = test::drawBondedPair<T>(random), q = test::exchanged(p);
+        const auto a = bondEffect(p.bond, p.motion), b = bondEffect(q.bond, q.motion);
+        ASSERT_TRUE(opposite(a.force, b.force));
+        ASSERT_TRUE(opposite(a.torque_i, b.torque_j));  // torque_j is the opposite of what j gets
+        ASSERT_TRUE(opposite(a.torque_j, b.torque_i));
+        ASSERT_EQ(a.severity, b.severity);
+        ASSERT_EQ(a.limit, b.limit);
+        const auto c = bondDamping(p.bond, p.motion), d = bondDamping(q.bond, q.motion);
+        ASSERT_TRUE(opposite(c.force, d.force));
+        ASSERT_TRUE(opposite(c.torque_i, d.torque_j));
+        ASSERT_EQ(bondFractureEnergy(p.bond, p.motion, T(1e-5)),
+                  bondFractureEnergy(q.bond, q.motion, T(1e-5)));
+        broken += a.severity >= a.limit;
+    }
+    EXPECT_GT(broken, kPairs / 10);
+    EXPECT_LT(broken, kPairs * 9 / 10);
+}
+
+TEST(Exchange, BondsGiveExactOpposites) {
+    expectBondsOdd<float>();
+    expectBondsOdd<double>();
+}
+
+template <class T>
+void expectTouchesOdd() {
+    std::mt19937 random(2);
+    int pulled_off = 0;
+    for (int k = 0; k < kPairs; ++k) {
+        const auto p = test::drawTouchingPair<T>(random), q = test::exchanged(p);
+        const auto a = touchEffect(p.geometry, p.law, p.motion, p.spring, T(1e-4));
+        const auto b = touchEffect(q.geometry, q.law, q.motion, q.spring, T(1e-4));
+        ASSERT_TRUE(opposite(a.load.force, b.load.force));
+        ASSERT_TRUE(opposite(a.spring, b.spring));
+        ASSERT_TRUE(opposite(a.damping.force, b.damping.force));
+        ASSERT_TRUE(opposite(a.friction.force, b.friction.force));
+        ASSERT_EQ(a.spring_energy, b.spring_energy);
+        // Torques act at one common point: arm x force from each side, and opposite rolling torques.
+        const auto roll = rollingTorque(p.law.rolling, p.law.radius, p.law.elastic, p.law.inertia,
+                                        p.motion.spin_j - p.motion.spin_i, T(1e-4));
+        const auto back = rollingTorque(q.law.rolling, q.law.radius, q.law.elastic, q.law.inertia,
+                                        q.motion.spin_j - q.motion.spin_i, T(1e-4));
+        ASSERT_TRUE(opposite(roll, back));
+        pulled_off += dot(a.load.force, p.geometry.normal) > T(0);
+    }
+    EXPECT_GT(pulled_off, 0);
+    EXPECT_LT(pulled_off, kPairs);
+}
+
+TEST(Exchange, ContactsGiveExactOpposites) {
+    expectTouchesOdd<float>();
+    expectTouchesOdd<double>();
+}
+
+TEST(Exchange, ConstantsOfAPairAreTheSameFromBothSides) {
+    const auto a = contactModuli(7e9, 0.2, 3e10, 0.31), b = contactModuli(3e10, 0.31, 7e9, 0.2);
+    EXPECT_EQ(a.normal, b.normal);
+    EXPECT_EQ(a.tangential, b.tangential);
+    EXPECT_EQ(reduced(0.3f, 0.7f), reduced(0.7f, 0.3f));
+    EXPECT_EQ(reducedRadius(0.3f, 0.7f), reducedRadius(0.7f, 0.3f));
+    EXPECT_EQ(sphereBondRadius(0.5, reduced(0.3, 0.7)), sphereBondRadius(0.5, reduced(0.7, 0.3)));
+    const auto k = beamBond(4e6, 1.1e-3, 0.05);
+    const BondEnd light{0.2, 3e-5, 7, 0.02}, heavy{0.9, 2e-4, 11, 0.03};
+    EXPECT_NEAR(frequencyBoundSquared(k, light, heavy) / frequencyBoundSquared(k, heavy, light), 1, 1e-14);
+}
+
+TEST(Exchange, ContactLawsOfAPairAreTheSameFromBothSides) {
+    for (const uint32_t hertz : {0u, 1u}) {
+        PairLaw<float> pair{1e5f, 0.7f, 0.4f, 0.3f, 0.2f, 2e7f, 8e6f};
+        StepParams<float> params;
+        params.hertz = hertz;
+        params.stiffness_cap = 1e6f;
+        const float m_i = 0.3f, m_j = 0.05f, r_i = 0.04f, r_j = 0.02f;
+        const auto a = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_i, r_j), 1 / m_i + 1 / m_j, 7.0f);
+        const auto b = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_j, r_i), 1 / m_j + 1 / m_i, 7.0f);
+        EXPECT_EQ(a.elastic, b.elastic);
+        EXPECT_EQ(a.normal_damping, b.normal_damping);
+        EXPECT_EQ(a.shear, b.shear);
+        EXPECT_EQ(a.adhesion, b.adhesion);
+    }
+}
+
+TEST(Exchange, StateOfAPairDependsOnItsDistanceAlone) {
+    std::mt19937 random(3);
+    for (int k = 0; k < kPairs; ++k) {
+        const auto u = test::drawVector<float>(random, 1);
+        ASSERT_EQ(nextState(PairState::kBroken, false, length(u), 0.7f),
+                  nextState(PairState::kBroken, false, length(-u), 0.7f));
+        ASSERT_EQ(brokenOverlap(0.7f, length(u)), brokenOverlap(0.7f, length(-u)));
+        ASSERT_EQ(isDiscrete(length(u), 0.7f, 0.01f), isDiscrete(length(-u), 0.7f, 0.01f));
+        const Vec3<float> moment = test::drawVector<float>(random, 1);
+        ASSERT_TRUE(opposite(cappedBendingMoment(moment, 0.25f, 2.0f, 0.5f),
+                             cappedBendingMoment(-moment, 0.25f, 2.0f, 0.5f)));
+    }
+}
+
+TEST(Exchange, AFragmentsMotionDoesNotDependOnTheOrderOfItsParticles) {
+    std::mt19937 random(4);
+    struct Body {
+        double mass;
+        Vec3<double> x, v, w;
+    };
+    std::vector<Body> bodies;
+    for (int k = 0; k < 60; ++k)
+        bodies.push_back({1 + 0.3 * test::drawVector<double>(random, 1).x,
+                          test::drawVector<double>(random, 1), test::drawVector<double>(random, 3),
+                          test::drawVector<double>(random, 5)});
+    const auto fit = [&] {
+        MassSums sums;
+        for (const Body& b : bodies) sums = sums + massOf(b.mass, b.x, b.v);
+        SpinSums spins;
+        for (const Body& b : bodies)
+            spins = spins + spinOf(b.mass, 0.01, b.x - massCentre(sums), b.v - meanVelocity(sums), b.w);
+        return rigidMotion(sums, spins);
+    };
+    const RigidMotion forward = fit();
+    std::reverse(bodies.begin(), bodies.end());
+    const RigidMotion backward = fit();
+    EXPECT_LT(length(forward.centre - backward.centre), 1e-14);
+    EXPECT_LT(length(forward.velocity - backward.velocity), 1e-14);
+    EXPECT_LT(length(forward.spin - backward.spin), 1e-13);
+}
+
+}  // namespace
+}  // namespace demolish

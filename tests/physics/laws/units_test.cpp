@@ -1,0 +1,211 @@
+// The same physics in metres, kilograms and seconds and in millimetres, grams and milliseconds: every law
+// must give the same numbers but for the factor of its dimension. (Contact laws and constants of bonds:
+// contact_test, bond_stiffness_test.)
+#include <gtest/gtest.h>
+
+#include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/physics/pair_state.h"
+#include "sim_cuda/physics/rigid_fit.h"
+#include "sim_cuda/physics/softening.h"
+#include "sim_cuda/physics/time_step.h"
+#include "sim_cuda/physics/tough_cells.h"
+#include "tests/physics/laws/random_pairs.h"
+
+namespace demolish {
+namespace {
+
+/// mm, g, ms: numbers of small units in a metre, a kilogram, a second.
+constexpr double kMetre = 1000, kKilogram = 1000, kSecond = 1000;
+constexpr double kVelocity = kMetre / kSecond, kForce = kKilogram * kVelocity / kSecond,
+                 kMoment = kForce * kMetre;
+constexpr double kPressure = kForce / (kMetre * kMetre), kStiffness = kForce / kMetre, kEnergy = kMoment;
+constexpr double kInertia = kKilogram * kMetre * kMetre, kDensity = kKilogram / (kMetre * kMetre * kMetre);
+
+using V = Vec3<double>;
+
+PairMotion<double> small(const PairMotion<double>& p) {
+    return {kMetre * p.separation,    p.rotation_i,           p.rotation_j,          kVelocity * p.velocity_i,
+            kVelocity * p.velocity_j, 1 / kSecond * p.spin_i, 1 / kSecond * p.spin_j};
+}
+BondStiffness<double> small(const BondStiffness<double>& k) {
+    return {kStiffness * k.normal, kStiffness * k.shear, kMoment * k.bending, kMoment * k.torsion};
+}
+void expectScaled(const V& scaled, const V& plain, double factor) {
+    EXPECT_LT(length(scaled - factor * plain), 1e-10 * factor * (length(plain) + 1e-12));
+}
+
+TEST(Units, ABondsForcesDampingBreakAndEnergy) {
+    std::mt19937 random(1);
+    for (int n = 0; n < 100; ++n) {
+        const auto p = test::drawBondedPair<double>(random);
+        const BondConstants<double> bond{kMetre * p.bond.rest, small(p.bond.stiffness),
+                                         kMetre * p.bond.radius, kPressure * p.bond.strength,
+                                         kSecond * p.bond.beta_r};
+        const auto a = bondEffect(p.bond, p.motion), b = bondEffect(bond, small(p.motion));
+        expectScaled(b.force, a.force, kForce);
+        expectScaled(b.torque_i, a.torque_i, kMoment);
+        expectScaled(b.torque_j, a.torque_j, kMoment);
+        EXPECT_NEAR(b.severity / b.limit, a.severity / a.limit, 1e-10 * (1 + a.severity / a.limit));
+        EXPECT_NEAR(bondFractureEnergy(bond, small(p.motion), 1e-5 * kSecond) /
+                        (kEnergy * bondFractureEnergy(p.bond, p.motion, 1e-5)),
+                    1, 1e-9);
+    }
+}
+
+TEST(Units, StressStrengthAndDampingPower) {
+    const BondStiffness<double> k = beamBond(4e6, 1e-3, 0.05);
+    BondDeformation<double> d, e;
+    d.normal = e.normal = {1, 0, 0};
+    d.stretch = 2e-5;
+    d.shear = {0, 1e-5, 0};
+    d.twist = e.twist = 1e-3;
+    d.bending = e.bending = {0, 0, 2e-3};
+    e.stretch = kMetre * d.stretch;
+    e.shear = kMetre * d.shear;
+    const auto a = bondStress(bondLoad(k, d), 1e-3, 0.0178);
+    const auto b = bondStress(bondLoad(small(k), e), 1e-3 * kMetre * kMetre, 0.0178 * kMetre);
+    EXPECT_NEAR(b.tension / (kPressure * a.tension), 1, 1e-12);
+    EXPECT_NEAR(b.shear / (kPressure * a.shear), 1, 1e-12);
+    EXPECT_NEAR(bondEnergy(small(k), e) / (kEnergy * bondEnergy(k, d)), 1, 1e-12);
+    const BondRates<double> rates{{0.3, 0.1, 0}, {1, 0, 2}};
+    const BondRates<double> small_rates{kVelocity * rates.velocity, 1 / kSecond * rates.spin};
+    EXPECT_NEAR(bondDampingPower(small(k), e, small_rates, 1e-4 * kSecond) /
+                    (kEnergy / kSecond * bondDampingPower(k, d, rates, 1e-4)),
+                1, 1e-12);
+    EXPECT_NEAR(confinedShearStrength(kPressure * 5e5, 0.4, -kForce * 300.0, kMetre * kMetre * 1e-3) /
+                    (kPressure * confinedShearStrength(5e5, 0.4, -300.0, 1e-3)),
+                1, 1e-12);
+    const double limit = stretchLimit(3e5, 1e-3, k.normal);
+    EXPECT_NEAR(
+        stretchLimit(kPressure * 3e5, kMetre * kMetre * 1e-3, kStiffness * k.normal) / (kMetre * limit), 1,
+        1e-12);
+    for (const double share : {0.9, 1.1})
+        EXPECT_EQ(isDiscrete(kMetre * (0.05 + share * limit), kMetre * 0.05, kMetre * limit), share > 1);
+    EXPECT_EQ(nextState(PairState::kBroken, false, 1.0801 * kMetre, kMetre), PairState::kContact);
+}
+
+TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
+    std::mt19937 random(2);
+    for (int n = 0; n < 100; ++n) {
+        const auto p = test::drawTouchingPair<double>(random);
+        const TouchGeometry<double> at{p.geometry.normal, kMetre * p.geometry.overlap,
+                                       kMetre * p.geometry.arm_i, kMetre * p.geometry.arm_j};
+        const double damping = kForce / kVelocity;
+        const TouchLaw<double> law{kForce * p.law.elastic,
+                                   damping * p.law.normal_damping,
+                                   kStiffness * p.law.shear,
+                                   damping * p.law.shear_damping,
+                                   kForce * p.law.adhesion,
+                                   p.law.friction,
+                                   p.law.rolling,
+                                   kMetre * p.law.radius,
+                                   kInertia * p.law.inertia};
+        const auto a = touchEffect(p.geometry, p.law, p.motion, p.spring, 1e-4);
+        const auto b = touchEffect(at, law, small(p.motion), kMetre * p.spring, 1e-4 * kSecond);
+        expectScaled(b.load.force, a.load.force, kForce);
+        expectScaled(b.load.torque, a.load.torque, kMoment);
+        expectScaled(b.spring, a.spring, kMetre);
+        EXPECT_NEAR(b.spring_energy / (kEnergy * a.spring_energy), 1, 1e-9);
+    }
+}
+
+TEST(Units, ContactLawsOfThePairTable) {
+    for (const uint32_t hertz : {0u, 1u}) {
+        StepParams<double> params, small_params;
+        params.hertz = small_params.hertz = hertz;
+        params.stiffness_cap = 1e6;
+        small_params.stiffness_cap = 1e6 / (kSecond * kSecond);
+        const PairLaw<double> pair{1e5, 0.7, 0.4, 0.3, 0.2, 2e7, 8e6};
+        const PairLaw<double> small_pair{kStiffness * 1e5, 0.7, 0.4, 0.3, kStiffness * 0.2, kPressure * 2e7,
+                                         kPressure * 8e6};
+        const auto a = contactTouchLaw(pair, params, 1e-4, 0.02, 3.0, 700.0);
+        const auto b = contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
+                                       3.0 / kKilogram, 700.0 / kInertia);
+        EXPECT_NEAR(b.elastic / (kForce * a.elastic), 1, 1e-12);
+        EXPECT_NEAR(b.normal_damping / (kForce / kVelocity * a.normal_damping), 1, 1e-12);
+        EXPECT_NEAR(b.shear / (kStiffness * a.shear), 1, 1e-12);
+        EXPECT_NEAR(b.adhesion / (kForce * a.adhesion), 1, 1e-12);
+        EXPECT_NEAR(b.inertia / (kInertia * a.inertia), 1, 1e-12);
+    }
+}
+
+TEST(Units, BrokenBonds) {
+    const V moment{3, 4, 0};
+    expectScaled(cappedBendingMoment(kMoment * moment, 0.25, kForce * 8.0, kMetre * 0.5),
+                 cappedBendingMoment(moment, 0.25, 8.0, 0.5), kMoment);
+    EXPECT_NEAR(brokenRepulsion(kStiffness * 7.0, brokenOverlap(kMetre * 2.0, kMetre * 1.5)) /
+                    (kForce * brokenRepulsion(7.0, brokenOverlap(2.0, 1.5))),
+                1, 1e-12);
+    EXPECT_NEAR(frictionLimit(0.3, kForce * 2.0) / (kForce * frictionLimit(0.3, 2.0)), 1, 1e-12);
+    EXPECT_NEAR(fractureEnergy(kEnergy * 5.0, kStiffness * 2.0, kMetre * 1.0) /
+                    (kEnergy * fractureEnergy(5.0, 2.0, 1.0)),
+                1, 1e-12);
+}
+
+TEST(Units, StableStepAndSoftening) {
+    const auto k = beamBond(4e6, 1.1e-3, 0.05);
+    const BondEnd i{0.2, 3e-5, 7, 0.02}, j{0.9, 2e-4, 11, 0.03};
+    const auto small_end = [](const BondEnd& e) {
+        return BondEnd{kKilogram * e.mass, kInertia * e.inertia, e.bonds, kMetre * e.arm};
+    };
+    const double omega2 = frequencyBoundSquared(k, i, j);
+    EXPECT_NEAR(frequencyBoundSquared(small(k), small_end(i), small_end(j)) * kSecond * kSecond / omega2, 1,
+                1e-12);
+    const double omega = std::sqrt(omega2);
+    EXPECT_NEAR(stableStep(omega / kSecond, 0.3) / (kSecond * stableStep(omega, 0.3)), 1, 1e-12);
+    EXPECT_NEAR(stiffnessDamping(0.3, omega / kSecond) / (kSecond * stiffnessDamping(0.3, omega)), 1, 1e-12);
+    const double modulus = bondModulusForStep(1e7, omega, 0.5, 5e-5);
+    EXPECT_NEAR(
+        bondModulusForStep(kPressure * 1e7, omega / kSecond, 0.5, 5e-5 * kSecond) / (kPressure * modulus), 1,
+        1e-12);
+    const double effective = effectiveModulus(modulus, 0.3), speed = waveSpeed(effective, 2400);
+    EXPECT_NEAR(waveSpeed(kPressure * effective, kDensity * 2400) / (kVelocity * speed), 1, 1e-12);
+    const double strength = bondStrength(0.4, 2400, speed, 5);
+    EXPECT_NEAR(bondStrength(0.4, kDensity * 2400, kVelocity * speed, kVelocity * 5) / (kPressure * strength),
+                1, 1e-12);
+    EXPECT_NEAR(
+        strainAtFailure(kPressure * strength, kPressure * effective) / strainAtFailure(strength, effective),
+        1, 1e-12);
+}
+
+TEST(Units, MotionOfAFragment) {
+    std::mt19937 random(5);
+    const auto fit = [&](double metre, double kilogram, double second) {
+        random.seed(5);
+        std::vector<V> x, v, w;
+        MassSums sums;
+        SpinSums spins;
+        for (int n = 0; n < 40; ++n) {
+            x.push_back(metre * test::drawVector<double>(random, 1));
+            v.push_back(metre / second * test::drawVector<double>(random, 3));
+            w.push_back(1 / second * test::drawVector<double>(random, 5));
+            sums = sums + massOf(kilogram * (1 + n), x[n], v[n]);
+        }
+        for (int n = 0; n < 40; ++n)
+            spins = spins + spinOf(kilogram * (1 + n), 0.01 * kilogram * metre * metre,
+                                   x[n] - massCentre(sums), v[n] - meanVelocity(sums), w[n]);
+        return rigidMotion(sums, spins);
+    };
+    const RigidMotion a = fit(1, 1, 1), b = fit(kMetre, kKilogram, kSecond);
+    expectScaled(b.centre, a.centre, kMetre);
+    expectScaled(b.velocity, a.velocity, kVelocity);
+    expectScaled(b.spin, a.spin, 1 / kSecond);
+}
+
+TEST(Units, ToughCellsKeepTheirShape) {
+    std::mt19937 random(6);
+    std::vector<V> points, small_points;
+    for (int n = 0; n < 600; ++n) {
+        points.push_back(test::drawVector<double>(random, 0.3));
+        small_points.push_back(kMetre * points.back());
+    }
+    const double volume = 0.6 * 0.6 * 0.6;
+    const auto a = toughCellLabels(points, volume, 20, 3);
+    const auto b = toughCellLabels(small_points, kMetre * kMetre * kMetre * volume, 20, 3);
+    int moved = 0;
+    for (size_t n = 0; n < a.size(); ++n) moved += a[n] != b[n];
+    EXPECT_LE(moved, 1);  // the noise is looked up in single precision
+}
+
+}  // namespace
+}  // namespace demolish

@@ -1,0 +1,131 @@
+// demolish bench as a user meets it: phases of a scene, the three ways to time it, files beside the table.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/app/run_program.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// A data folder with one scene of its own: a small block that is hit at once, in two phases of 3 and 9
+/// frames.
+class Bench : public testing::Test {
+  protected:
+    void SetUp() override {
+        namespace fs = std::filesystem;
+        if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+        const fs::path source = DEMOLISH_SOURCE_DIR, own = folder_.path() / "assets";
+        fs::create_directories(own / "scenes");
+        fs::create_directory_symlink(source / "assets/models", own / "models");
+        fs::create_directory_symlink(source / "assets/materials", own / "materials");
+        fs::create_directory_symlink(source / "shaders", folder_.path() / "shaders");
+        folder_.write("assets/scenes/phased.toml",
+                      "version = 1\nmodel = \"models/block.obj\"\nmaterial_preset = \"stone\"\n"
+                      "[particles]\nfull = 150\ndraft = 150\n"
+                      "[impact]\nkind = \"ball\"\nvelocity_mps = 60\narrival_s = 0.06\n"
+                      "[[phase]]\nname = \"whole\"\nfrom_s = 0\nto_s = 0.05\npaper_fps = 280\n"
+                      "[[phase]]\nname = \"all broken\"\nfrom_s = 0.05\nto_s = 0.2\npaper_fps = 155\n");
+    }
+
+    ProgramRun bench(std::vector<std::string> more) {
+        std::vector<std::string> words = {"bench", "phased", "--device", "cpu",    "--warmup",
+                                          "2",     "--size", "160x90",   "--json", report()};
+        words.insert(words.end(), more.begin(), more.end());
+        return runProgram(words, {"DEMOLISH_DATA=" + folder_.path().string()});
+    }
+    std::string report() const { return folder_.path() / "report.json"; }
+    nlohmann::json read() const { return nlohmann::json::parse(readText(report())); }
+
+    TemporaryFolder folder_;
+};
+
+TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
+    const auto csv = folder_.path() / "rows.csv", curve = folder_.path() / "curve.svg";
+    const ProgramRun run = bench({"--no-draw", "--csv", csv, "--curve", curve});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto json = read();
+    EXPECT_EQ(json["frames"], 12) << "to the end of the last phase";
+    EXPECT_NEAR(json["frame_seconds"].get<double>(), 1.0 / 60, 1e-6) << "no frame simulates less";
+    const auto& rows = json["phases"];
+    ASSERT_EQ(rows.size(), 4u);
+    EXPECT_EQ(rows[0]["phase"], "whole");
+    EXPECT_EQ(rows[0]["frames"], 3);
+    EXPECT_EQ(rows[0]["paper_fps"], 280);
+    EXPECT_EQ(rows[0]["fragments"], 1);
+    EXPECT_NEAR(rows[0]["ratio"].get<double>(), rows[0]["fps_median"].get<double>() / 280, 1e-9);
+    EXPECT_EQ(rows[1]["phase"], "all broken");
+    EXPECT_EQ(rows[1]["frames"], 9);
+    EXPECT_GT(rows[1]["fragments"].get<int>(), 1);
+    EXPECT_EQ(rows[2]["phase"], "breaking");
+    EXPECT_GT(rows[2]["frames"].get<int>(), 0);
+    EXPECT_LT(rows[2]["frames"].get<int>(), 12);
+    EXPECT_EQ(rows[3]["frames"], 12);
+    EXPECT_EQ(rows[3]["particles"], 150);
+    EXPECT_GT(rows[3]["sim_ms"].get<double>(), 0);
+    EXPECT_EQ(rows[3]["draw_ms"], 0);
+    EXPECT_THAT(run.out,
+                testing::AllOf(HasSubstr("all broken"), HasSubstr("breaking"), HasSubstr("paper's")));
+    const std::string lines = readText(csv);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 5);
+    EXPECT_THAT(readText(curve), testing::AllOf(HasSubstr("<svg"), HasSubstr(">all broken<")));
+}
+
+TEST_F(Bench, FramesMayBeChosenAndAPhaseThatIsNotReachedSaysSo) {
+    ASSERT_EQ(bench({"--no-draw", "--frames", "3"}).exit_code, 0);
+    const auto json = read();
+    EXPECT_EQ(json["frames"], 3);
+    EXPECT_EQ(json["phases"][1]["frames"], 0);
+    EXPECT_TRUE(json["phases"][1]["fps_median"].is_null());
+}
+
+TEST_F(Bench, DrawingARecordingTimesTheSameFramesWithoutTheSolver) {
+    ASSERT_EQ(bench({"--no-draw"}).exit_code, 0);
+    const auto simulated = read();
+    const ProgramRun run = bench({"--draw-only"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto drawn = read();
+    EXPECT_EQ(drawn["mode"], "draw only");
+    EXPECT_EQ(drawn["state_hash"], simulated["state_hash"]);
+    ASSERT_EQ(drawn["phases"].size(), simulated["phases"].size());
+    for (size_t i = 0; i < 4; ++i) {
+        const auto &a = drawn["phases"][i], &b = simulated["phases"][i];
+        EXPECT_EQ(a["frames"], b["frames"]);
+        EXPECT_EQ(a["fragments"], b["fragments"]);
+        EXPECT_EQ(a["sim_ms"], 0);
+        EXPECT_GT(a["draw_ms"].get<double>(), 0);
+        EXPECT_EQ(b["draw_ms"], 0);
+        EXPECT_EQ(b["triangles"], 0);
+    }
+    EXPECT_GE(drawn["phases"][0]["triangles"].get<int>(), 12);
+    EXPECT_GT(drawn["phases"][1]["triangles"].get<int>(), drawn["phases"][0]["triangles"].get<int>())
+        << "broken faces are drawn";
+}
+
+TEST_F(Bench, StepTransferAndDrawAreInTheFrame) {
+    const ProgramRun run = bench({});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto json = read();
+    EXPECT_EQ(json["width"], 160);
+    EXPECT_EQ(json["transfer"], "host");
+    const auto& all = json["phases"][3];
+    for (const char* stage : {"sim_ms", "transfer_ms", "draw_ms"}) {
+        EXPECT_GT(all[stage].get<double>(), 0) << stage;
+        EXPECT_LT(all[stage].get<double>(), all["frame_ms_worst"].get<double>()) << stage;
+    }
+    EXPECT_GE(all["frame_ms_worst"].get<double>(), all["frame_ms_p99"].get<double>());
+    EXPECT_GE(all["frame_ms_p99"].get<double>(), all["frame_ms_median"].get<double>());
+}
+
+TEST_F(Bench, WaysThatExcludeEachOtherAreRefused) {
+    const ProgramRun run = bench({"--no-draw", "--draw-only"});
+    EXPECT_EQ(run.exit_code, 2);
+    EXPECT_THAT(run.err, HasSubstr("exclude each other"));
+}
+
+}  // namespace
+}  // namespace demolish::test
