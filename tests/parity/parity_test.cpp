@@ -2,6 +2,8 @@
 // particle.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <cstdlib>
 
@@ -70,6 +72,24 @@ TEST_F(Parity, FramesShotsSnapshotsAndSettlingAgree) {
         EXPECT_EQ(gpu->stats().bonds_broken, cpu->stats().bonds_broken);
         EXPECT_EQ(gpu->stats().fragments, cpu->stats().fragments);
     }
+}
+
+TEST_F(Parity, HandedOverAndSleepingFragmentsMoveAlike) {
+    SceneSetup setup = breakingScene();
+    setup.params.hand_over = setup.params.sleeping = true;
+    auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
+    uint32_t most_rigid = 0, most_asleep = 0;
+    for (int frame = 0; frame < 90; ++frame) {
+        if (frame == 20) gpu->restore(cpu->save());
+        ASSERT_EQ(cpu->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(gpu->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(gpu->stateHash(), cpu->stateHash()) << "frame " << frame;
+        ASSERT_EQ(gpu->stats().bonded_particles, cpu->stats().bonded_particles) << "frame " << frame;
+        most_rigid = std::max(most_rigid, cpu->stats().rigid_fragments);
+        most_asleep = std::max(most_asleep, cpu->stats().sleeping_fragments);
+    }
+    EXPECT_GT(most_rigid, 50u);
+    EXPECT_GT(most_asleep, 5u);
 }
 
 TEST_F(Parity, SumsAgreeToRoundOff) {

@@ -7,6 +7,7 @@
 
 #include "tests/physics/solver/breaking_scene.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 namespace {
@@ -20,6 +21,10 @@ SceneSetup with(SceneSetup setup, Regimes regimes) {
     setup.params.sleeping = regimes.sleeping;
     return setup;
 }
+
+class Sleeping : public OnEitherDevice {};
+class RigidMotion : public OnEitherDevice {};
+class HandOver : public OnEitherDevice {};
 
 double lengthOf(const Double3& a) {
     return std::sqrt(a.x * a.x + a.y * a.y + a.z * a.z);
@@ -42,9 +47,9 @@ SceneSetup brickHitInMidFrame() {
     return setup;
 }
 
-TEST(Sleeping, ABodyHitInMidFrameBreaksExactlyAsIfItHadNeverSlept) {
-    auto sleeper = makeCpuSolver(with(brickHitInMidFrame(), {false, true}));
-    auto awake = makeCpuSolver(with(brickHitInMidFrame(), {false, false}));
+TEST_F(Sleeping, ABodyHitInMidFrameBreaksExactlyAsIfItHadNeverSlept) {
+    auto sleeper = makeSolver(with(brickHitInMidFrame(), {false, true}));
+    auto awake = makeSolver(with(brickHitInMidFrame(), {false, false}));
     bool slept = false;
     for (int frame = 0; frame < 40; ++frame) {
         ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
@@ -65,8 +70,8 @@ SceneSetup flyingBrick() {
     return setup;
 }
 
-TEST(RigidMotion, AFlyingBodyKeepsMomentaAndEnergyAndCostsNoBonds) {
-    auto solver = makeCpuSolver(with(flyingBrick(), {true, true}));
+TEST_F(RigidMotion, AFlyingBodyKeepsMomentaAndEnergyAndCostsNoBonds) {
+    auto solver = makeSolver(with(flyingBrick(), {true, true}));
     // The bonds swing when the spin sets in, and must come to rest first.
     for (int frame = 0; frame < 60; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
     ASSERT_EQ(solver->stats().bonded_particles, 0u);
@@ -84,9 +89,10 @@ TEST(RigidMotion, AFlyingBodyKeepsMomentaAndEnergyAndCostsNoBonds) {
     EXPECT_EQ(after.bonds_broken, 0u);
 }
 
-TEST(RigidMotion, TheWayIsThatOfTheBonds) {
-    auto rigid = makeCpuSolver(with(flyingBrick(), {true, false}));
-    auto bonded = makeCpuSolver(with(flyingBrick(), {false, false}));
+TEST_F(RigidMotion, TheWayIsThatOfTheBonds) {
+    if (asksForGpu()) GTEST_SKIP() << "frames are written into host memory here";
+    auto rigid = makeSolver(with(flyingBrick(), {true, false}));
+    auto bonded = makeSolver(with(flyingBrick(), {false, false}));
     for (int frame = 0; frame < 90; ++frame) {
         ASSERT_EQ(rigid->advanceFrame(), StepStatus::kOk);
         ASSERT_EQ(bonded->advanceFrame(), StepStatus::kOk);
@@ -113,7 +119,7 @@ struct Outcome {
 
 Outcome runBreaking(Regimes regimes, int frames) {
     SceneSetup setup = with(breakingScene(), regimes);
-    auto solver = makeCpuSolver(setup);
+    auto solver = makeSolver(setup);
     Outcome outcome{};
     for (int frame = 0; frame < frames; ++frame) {
         EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
@@ -130,9 +136,9 @@ double energySum(const EnergyLedger& e) {
     return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
 }
 
-TEST(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
+TEST_F(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
     SceneSetup setup = breakingScene();
-    auto start = makeCpuSolver(setup);
+    auto start = makeSolver(setup);
     start->measure();
     const double initial = energySum(start->stats().energy);
     const Outcome off = runBreaking({false, false}, 90), on = runBreaking({true, true}, 90);
@@ -149,7 +155,7 @@ TEST(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
                 b.potential, b.damping, b.friction, b.fracture, b.external, energySum(b));
 }
 
-TEST(HandOver, TwoRunsAndAnyThreadsGiveTheSameBits) {
+TEST_F(HandOver, TwoRunsAndAnyThreadsGiveTheSameBits) {
     EXPECT_EQ(runBreaking({true, true}, 30).hash, runBreaking({true, true}, 30).hash);
 }
 
