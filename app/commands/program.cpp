@@ -8,6 +8,7 @@
 #include <cstdio>
 
 #include "app/commands/bench_command.h"
+#include "app/commands/breakage_command.h"
 #include "app/commands/capture_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/view_command.h"
@@ -24,6 +25,7 @@ constexpr const char* kFooter =
     "  demolish view --model statue.obj --height 2 --impact-velocity 20\n"
     "  demolish capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4\n"
     "  demolish bench block --particles 1000000 --no-draw --json block.json\n"
+    "  demolish breakage --out out/breakage\n"
     "Exit codes: 0 done, 2 usage, 3 input file, 4 device or OpenGL, 5 numerical failure, 6 output not "
     "written.";
 
@@ -74,9 +76,11 @@ int runProgram(int argument_count, char** arguments) {
     ViewOptions view;
     CaptureOptions capture;
     BenchOptions bench;
+    BreakageOptions breakage;
     addViewCommand(app, view);
     addCaptureCommand(app, capture);
     addBenchCommand(app, bench);
+    addBreakageCommand(app, breakage);
     addInfoCommand(app);
     return parseAndRun(app, argument_count, arguments);
 }

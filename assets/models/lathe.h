@@ -18,7 +18,10 @@ struct Turned {
 Turned turnVessel(const VesselRecipe& recipe, std::size_t triangles);
 
 /// 2 * sectors * rings triangles, plus 2 for each triangle of the bottom cap that is cut into three (one per
-/// sector at most). Throws std::runtime_error when `triangles` is not of that kind.
+/// sector at most); or a finer column of the same outlines, with round flutes and mouldings: a multiple of
+/// 4 * sectors triangles. Throws std::runtime_error when `triangles` is not of either kind.
 Turned turnColumn(const ColumnRecipe& recipe, std::size_t triangles);
+/// True for counts that only a finer column can have.
+bool isDivided(const ColumnRecipe& recipe, std::size_t triangles);
 
 }  // namespace demolish::sculptor

@@ -59,6 +59,8 @@ struct Ring {
 struct ColumnRecipe {
     std::vector<Ring> rings;
     int sectors = 0;
+    double fine_crease_degrees =
+        0;  ///< in place of the recipe's where the column is made finer than its rings
 };
 
 struct Recipe {

@@ -40,6 +40,7 @@ VesselRecipe readVessel(const toml::table& table) {
 ColumnRecipe readColumn(const toml::table& table) {
     ColumnRecipe recipe;
     recipe.sectors = readSectors(table);
+    recipe.fine_crease_degrees = readNumber(table, "fine_crease_degrees");
     const toml::array* rings = table["rings"].as_array();
     if (!rings || rings->size() < 2) refuse("rings", "must be a list of two rings at least");
     for (const auto& node : *rings) {

@@ -48,18 +48,22 @@ void standOnGround(Surface& surface, double unit_m) {
 
 Model sculpt(const Recipe& recipe, std::size_t triangles) {
     Model model;
-    if (const auto* field = std::get_if<FieldRecipe>(&recipe.body))
+    double crease_degrees = recipe.crease_degrees;
+    if (const auto* field = std::get_if<FieldRecipe>(&recipe.body)) {
         model = sculptField(*field, triangles);
-    else if (const auto* vessel = std::get_if<VesselRecipe>(&recipe.body))
+    } else if (const auto* vessel = std::get_if<VesselRecipe>(&recipe.body)) {
         model = fromTurned(turnVessel(*vessel, triangles));
-    else
-        model = fromTurned(turnColumn(std::get<ColumnRecipe>(recipe.body), triangles));
+    } else {
+        const auto& column = std::get<ColumnRecipe>(recipe.body);
+        model = fromTurned(turnColumn(column, triangles));
+        if (isDivided(column, triangles)) crease_degrees = column.fine_crease_degrees;
+    }
     standOnGround(model.surface, recipe.unit_m);
     const Topology topology = topologyOf(model.surface);
     if (!topology.closed || topology.euler != 2 || topology.parts != 1)
         throw std::runtime_error("the recipe's body has a hole, a handle or several parts (Euler number " +
                                  std::to_string(topology.euler) + ")");
-    model.normals = cornerNormals(model.surface, recipe.crease_degrees);
+    model.normals = cornerNormals(model.surface, crease_degrees);
     return model;
 }
 

@@ -115,7 +115,7 @@ RabbitState wholeState(const BreakableBody& body) {
 
 const std::shared_ptr<const BreakableBody>& rabbitBody() {
     static const std::shared_ptr<const BreakableBody> body = [] {
-        const auto file = std::filesystem::path(DEMOLISH_SOURCE_DIR) / "assets/models/rabbit_592.obj";
+        const auto file = std::filesystem::path(DEMOLISH_SOURCE_DIR) / "assets/models/rabbit_paper.obj";
         return fillWithParticles(*loadSolidMesh(file, {.height = kRabbitHeight}),
                                  {.particles = kRabbitParticles});
     }();

@@ -145,12 +145,14 @@ TEST(CutTest, SeesACut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, CommittedMesh,
-                         testing::Values(Expected{"rabbit_592.obj", 592, 4.994e-3, 0.01, 0.345},
+                         testing::Values(Expected{"rabbit_paper.obj", 592, 4.994e-3, 0.01, 0.345},
                                          Expected{"rabbit.obj", 20000, 4.994e-3, 0.03, 0.345},
-                                         Expected{"vase.obj", 3000, 5.950e-3, 0.01, 0.504},
-                                         Expected{"vase_fine.obj", 12200, 5.950e-3, 0.05, 0.504},
-                                         Expected{"column.obj", 674, 0.319, 0.002, 2.3},
-                                         Expected{"wolf.obj", 18724, 0.106, 0.01, 1.05}),
+                                         Expected{"vase_paper.obj", 3000, 5.950e-3, 0.01, 0.504},
+                                         Expected{"vase.obj", 19872, 5.950e-3, 0.05, 0.504},
+                                         Expected{"column_paper.obj", 674, 0.319, 0.002, 2.3},
+                                         Expected{"column.obj", 20160, 0.319, 0.01, 2.3},
+                                         Expected{"wolf_paper.obj", 18724, 0.106, 0.01, 1.05},
+                                         Expected{"wolf.obj", 60000, 0.106, 0.01, 1.05}),
                          [](const auto& test) {
                              return std::filesystem::path(test.param.name).stem().string();
                          });

@@ -29,7 +29,7 @@ void expectClosed(const Turned& turned, std::size_t triangles) {
 
 TEST(Lathe, VaseHasTheRecipesCountsAndFinerOnes) {
     const auto& vase = std::get<VesselRecipe>(kVase.body);
-    for (const std::size_t triangles : {3000u, 12200u, 27600u})
+    for (const std::size_t triangles : {3000u, 12200u, 19872u, 27600u})
         expectClosed(turnVessel(vase, triangles), triangles);
     EXPECT_THROW(turnVessel(vase, 3001), std::runtime_error);
     EXPECT_THROW(turnVessel(vase, 40), std::runtime_error);
@@ -58,9 +58,9 @@ TEST(Lathe, VaseIsThinWalledOutsideAndIn) {
 
 TEST(Lathe, ColumnHasTheModelsCount) {
     const auto& column = std::get<ColumnRecipe>(kColumn.body);
-    for (const std::size_t triangles : {672u, 674u, 720u})
+    for (const std::size_t triangles : {672u, 674u, 720u, 1440u, 20160u})
         expectClosed(turnColumn(column, triangles), triangles);
-    for (const std::size_t triangles : {670u, 673u, 722u})
+    for (const std::size_t triangles : {670u, 673u, 722u, 20162u})
         EXPECT_THROW(turnColumn(column, triangles), std::runtime_error);
 }
 
@@ -80,6 +80,31 @@ TEST(Lathe, ColumnHasSquareEndsAndTwelveFlutes) {
         return std::abs(p.y - 1.1) < 1e-9 && std::hypot(p.x, p.z) < 0.9 * 0.205;
     });
     EXPECT_EQ(drawn_in, 12);
+}
+
+/// Smallest and largest distance from the axis among the vertices within 5 mm of a height.
+std::pair<double, double> radiiAt(const Turned& turned, double y) {
+    double least = 1e9, most = 0;
+    for (const Vec3 p : turned.surface.positions) {
+        if (std::abs(p.y - y) > 0.005) continue;
+        least = std::min(least, std::hypot(p.x, p.z));
+        most = std::max(most, std::hypot(p.x, p.z));
+    }
+    return {least, most};
+}
+
+TEST(Lathe, FineColumnKeepsTheOutlinesOfItsRings) {
+    const Turned column = turnColumn(std::get<ColumnRecipe>(kColumn.body), 20160);
+    // The shaft of the rings at 0.28 and 1.10 m, which swells a little over the straight line between them.
+    const auto [flute, edge] = radiiAt(column, 1.10);
+    EXPECT_NEAR(edge, 0.205, 0.0005);
+    EXPECT_NEAR(flute, 0.86 * 0.205, 0.0005);
+    const double halfway = radiiAt(column, 0.69).second;
+    EXPECT_GT(halfway, 0.210);
+    EXPECT_LT(halfway, 0.215);
+    EXPECT_NEAR(radiiAt(column, 0.15).second, 0.300, 0.0005) << "torus";
+    EXPECT_NEAR(radiiAt(column, 2.30).second, 0.26 * std::sqrt(2.0), 1e-9) << "corner of the abacus";
+    EXPECT_NEAR(volumeOf(column.surface), 0.319, 0.003);
 }
 
 }  // namespace

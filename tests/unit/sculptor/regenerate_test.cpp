@@ -37,10 +37,11 @@ TEST_P(Regenerate, GivesTheCommittedBytes) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, Regenerate,
-    testing::Values(Made{"rabbit", "rabbit_592.obj", 592, 1}, Made{"rabbit", "rabbit_592.obj", 592, 7},
-                    Made{"rabbit", "rabbit.obj", 20000, 2}, Made{"vase", "vase.obj", 3000, 1},
-                    Made{"vase", "vase_fine.obj", 12200, 1}, Made{"column", "column.obj", 674, 1},
-                    Made{"wolf", "wolf.obj", 18724, 2}));
+    testing::Values(Made{"rabbit", "rabbit_paper.obj", 592, 1}, Made{"rabbit", "rabbit_paper.obj", 592, 7},
+                    Made{"rabbit", "rabbit.obj", 20000, 2}, Made{"vase", "vase_paper.obj", 3000, 1},
+                    Made{"vase", "vase.obj", 19872, 1}, Made{"column", "column_paper.obj", 674, 1},
+                    Made{"column", "column.obj", 20160, 1}, Made{"wolf", "wolf_paper.obj", 18724, 2},
+                    Made{"wolf", "wolf.obj", 60000, 2}));
 
 }  // namespace
 }  // namespace demolish::sculptor

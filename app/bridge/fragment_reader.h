@@ -1,0 +1,13 @@
+// Which fragment each particle belongs to, brought to the host from wherever the solver keeps it.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+/// One slot a particle of the bodies (see RenderStreams). Waits for the solver. Throws DeviceError.
+std::vector<uint32_t> readFragments(Solver& solver);
+
+}  // namespace demolish
