@@ -85,11 +85,15 @@ SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const B
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
     setup.params.settle_time = dropped ? 0 : shot.settle_time;
     for (const Placement& place : placementsOf(shot)) {
+        double lowest_threshold = 1e300;
         BodyInstance instance;
         instance.body = variants.at(place.variant);
         instance.material = shot.material;
         instance.position = fromGlm(shot.height * toGlm(place.position));
         instance.rotation = fromGlm(turnOf(place));
+        for (const double known : {shot.impact.threshold_ball, shot.impact.threshold_drop})
+            if (known > 0) lowest_threshold = std::min(lowest_threshold, known);
+        if (lowest_threshold < 1e300) instance.threshold_share = lowest_threshold;
         if (dropped) drop(shot, *instance.body, place, instance);
         setup.bodies.push_back(std::move(instance));
     }

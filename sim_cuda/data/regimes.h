@@ -43,6 +43,6 @@ struct RigidWork {
 };
 
 inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kAsleepCount = 3,
-                          kAwakeBodies = 4, kWorkWords = 5;
+                          kAwakeBodies = 4, kAwakeCount = 5, kMustBondCount = 6, kWorkWords = 7;
 
 }  // namespace demolish

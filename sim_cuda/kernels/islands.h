@@ -10,6 +10,7 @@
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
 #include "sim_cuda/kernels/predicted_path.h"
+#include "sim_cuda/physics/hand_over.h"
 
 namespace demolish {
 
@@ -150,7 +151,8 @@ struct AdvanceClocks {
 /// What a decision goes by.
 struct RegimeRules {
     bool hand_over = false, sleeping = false;
-    bool may_calm = false;  ///< a frame starts: bonds may come to rest; else they may only be woken
+    bool may_calm = false;    ///< a frame starts: bonds may come to rest; else they may only be woken
+    bool all_bonded = false;  ///< so much must be moved with its bonds that all that is awake goes with it
     uint32_t calm_substeps = 0, rest_substeps = 0;
 };
 
@@ -160,7 +162,7 @@ struct FlagIslands {
     FragmentRows rows;
     Span<const uint32_t> island, regime;
     Span<const CalmClock> clock;
-    Span<const Real> wake_speed;  ///< per owner, m/s; infinite for a projectile
+    Span<const WakeLaw<Real>> wake;  ///< per owner; a projectile leaves it to the other
     PlaneSet<Real> planes;
     Vec3<Real> gravity;
     RegimeRules rules;
@@ -186,28 +188,52 @@ struct FlagIslands {
         return rules.may_calm && (calm || rested) ? restless : restless | kMustBond;
     }
 
+    /// Particles of the fragment; a projectile is as heavy as any.
+    DEM_FN Real sizeOf(uint32_t slot) const {
+        return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
+    }
+
     DEM_FN bool isHitHard(uint32_t i, uint32_t slot) const {
-        const Vec3<Real> velocity = xyz(meetings.state.velocity[i]);
-        const Real wake = wake_speed[meetings.owner[i]];
-        if (hasBonds(slot) && hitsPlane(i, velocity, wake)) return true;
+        const WakeLaw<Real> own = wake[meetings.owner[i]];
+        const Real size = sizeOf(slot);
+        if (hasBonds(slot) &&
+            hitsPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6))))
+            return true;
         bool hard = false;
         meetings.visitMeetings(i, false, [&](uint32_t j) {
-            if (!hasBonds(slot) && !hasBonds(meetings.label[j])) return;
-            hard = hard || meetings.meetHard(i, j, minOf(wake, wake_speed[meetings.owner[j]]));
+            const uint32_t other = meetings.label[j];
+            if (hard || (!hasBonds(slot) && !hasBonds(other))) return;
+            hard = meetings.meetHard(i, j, wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other)));
         });
         return hard;
     }
-    DEM_FN bool hitsPlane(uint32_t i, const Vec3<Real>& velocity, Real wake) const {
+    DEM_FN bool hitsPlane(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
         const Vec3<Real> position = positionOf(meetings.state, i);
         const Real soon = meetings.soon;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
             const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
-            if (closing > wake && madd(soon, closing, Real(0.5) * soon * soon * falling) > gap) return true;
+            if (closing > limit && madd(soon, closing, Real(0.5) * soon * soon * falling) > gap) return true;
         }
         return false;
     }
+};
+
+/// Raises the word when a particle that is awake may meet one that sleeps.
+template <class Real>
+struct SeeSleepers {
+    MeetingsIn<Real> meetings;
+    Span<const uint32_t> regime;
+    Span<uint32_t> word;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!meetings.takesPart(i) || sleeps(i)) return;
+        meetings.visitMeetings(i, false, [&](uint32_t j) {
+            if (sleeps(j)) atomicOrU32(&word[0], 1u);
+        });
+    }
+    DEM_FN bool sleeps(uint32_t i) const { return regime[meetings.label[i]] == wordOf(Regime::kAsleep); }
 };
 
 /// One thread a slot. `former` keeps what it was.
@@ -225,14 +251,15 @@ struct ChooseRegimes {
         const Regime chosen = choose(slot);
         former[slot] = before;
         regime[slot] = wordOf(chosen);
-        if (chosen == Regime::kBonded && before != wordOf(Regime::kBonded)) clock[slot] = {};
+        const bool woken = before != wordOf(Regime::kBonded) && (flags[island[slot]] & kMustBond) != 0;
+        if (chosen == Regime::kBonded && woken) clock[slot] = {};
     }
     DEM_FN Regime choose(uint32_t slot) const {
         if (!(constants[slot].x > Real(0))) return Regime::kAsleep;
         const uint32_t seen = flags[island[slot]];
         if ((seen & kMustBond) != 0) return Regime::kBonded;
         if (rules.sleeping && (seen & kRestless) == 0) return Regime::kAsleep;
-        return rules.hand_over ? Regime::kRigid : Regime::kBonded;
+        return rules.hand_over && !rules.all_bonded ? Regime::kRigid : Regime::kBonded;
     }
 };
 

@@ -101,18 +101,23 @@ struct TellWork {
     }
 };
 
-/// One thread a particle of a body: sleeping fragments and bodies that do not all sleep, counted.
-struct CountAsleep {
-    Span<const uint32_t> label, regime, owner;
+/// One thread a particle of a body: what sleeps and what does not, counted a fragment at a time.
+struct CountAwake {
+    FragmentRows rows;
+    Span<const uint32_t> label, regime, owner, island, flags;
     Span<uint32_t> body_awake;  ///< per body, 0 before
     Span<uint32_t> words;
 
     DEM_FN void operator()(uint32_t i) const {
-        const bool asleep = regime[label[i]] == wordOf(Regime::kAsleep);
-        if (asleep && label[i] == i) atomicAddU32(&words[kAsleepCount], 1);
+        if (label[i] != i) return;
+        if (regime[i] == wordOf(Regime::kAsleep)) {
+            atomicAddU32(&words[kAsleepCount], 1);
+            return;
+        }
+        atomicAddU32(&words[kAwakeCount], rows.size[i]);
+        if ((flags[island[i]] & kMustBond) != 0) atomicAddU32(&words[kMustBondCount], rows.size[i]);
         uint32_t& awake = body_awake[owner[i]];
-        if (!asleep && atomicLoadU32(&awake) == 0 && atomicMaxU32(&awake, 1) == 0)
-            atomicAddU32(&words[kAwakeBodies], 1);
+        if (atomicLoadU32(&awake) == 0 && atomicMaxU32(&awake, 1) == 0) atomicAddU32(&words[kAwakeBodies], 1);
     }
 };
 

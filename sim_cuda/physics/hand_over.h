@@ -11,9 +11,17 @@ namespace demolish {
 /// slow swing.
 inline constexpr double kCalmShare = 0.15, kCalmSeconds = 0.03;
 
-/// A meeting at this share of v_c or more brings the bonds back before the two touch. The lowest threshold of
-/// the four models is 0.21 v_c (thin-walled vase, models E.2).
-inline constexpr double kWakeShare = 0.15;
+/// A meeting at this share of the body's threshold velocity or more brings the bonds back before the two
+/// touch.
+inline constexpr double kWakeShare = 0.5;
+
+/// Above all of these speeds (m/s) a meeting is hard: `heavy` however heavy the two are; `light` over the
+/// root of the reduced number of particles, since a crumb of one particle loads the bonds where it hits by v
+/// / (beta v_c) of their strength at most.
+template <class Real>
+struct WakeLaw {
+    Real heavy{}, light{};
+};
 
 /// At rest: no particle faster than kRestSpeed (m/s) for kRestSeconds (models E.4).
 inline constexpr double kRestSpeed = 0.02, kRestSeconds = 0.25;
@@ -22,8 +30,15 @@ inline constexpr double kRestSpeed = 0.02, kRestSeconds = 0.25;
 inline double calmSpeed(double beta, double critical_velocity) {
     return kCalmShare * beta * critical_velocity;
 }
-inline double wakeSpeed(double critical_velocity) {
-    return kWakeShare * critical_velocity;
+inline WakeLaw<double> wakeLaw(double beta, double critical_velocity, double threshold_share) {
+    return {kWakeShare * threshold_share * critical_velocity, beta * critical_velocity};
+}
+
+/// m/s, between pieces of n_i and n_j particles.
+template <class Real>
+DEM_FN Real wakeSpeed(const WakeLaw<Real>& a, const WakeLaw<Real>& b, Real n_i, Real n_j) {
+    const Real light = minOf(a.light, b.light) * inverseSqrt(n_i * n_j / (n_i + n_j));
+    return maxOf(minOf(a.heavy, b.heavy), light);
 }
 
 }  // namespace demolish

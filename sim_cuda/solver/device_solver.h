@@ -57,6 +57,7 @@ class DeviceSolver final : public Solver {
     uint32_t lookInterval() const;
     void look(uint32_t lookahead);
     void buildLists();
+    bool mustReassign();
     void assignRegimes(bool frame_starts, uint32_t remaining);
     void countAwake();
     void settle(double seconds, const ProgressCallback& progress);
@@ -86,6 +87,8 @@ class DeviceSolver final : public Solver {
         uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
         uint32_t last_frame = 0;                ///< substeps in the last frame
         uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
+        uint32_t shot_started = 0;              ///< 1: a projectile has started since then
+        RegimeMemory regimes;
         uint32_t moves_bonds = 1;  ///< 0: since the last decision nothing is moved with its bonds
         uint32_t projectiles = 0;  ///< known so far
         uint32_t started = 0;      ///< bits of projectile slots

@@ -40,6 +40,7 @@ void DeviceSolver<Backend, Real>::startProjectiles() {
         placeProjectile(p);
         progress_.started |= 1u << p;
         progress_.rebuild = 1;
+        progress_.shot_started = 1;
         if (progress_.substeps == 0) continue;
         const Double3 v = shot.velocity, x = shot.position;
         progress_.energy.external += projectileMass(shot) * (0.5 * (v.x * v.x + v.y * v.y + v.z * v.z) -

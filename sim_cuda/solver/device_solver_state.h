@@ -127,6 +127,7 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
         const auto counts = in.readValue<ParticleCounts>();
         if (counts.total != tables_.counts.total) throw std::out_of_range("snapshot of another scene");
         progress_ = in.readValue<Progress>();
+        regimes_.remember(progress_.regimes);
         projectiles_ = in.readVector<Projectile>();
         const auto used = in.readValue<uint32_t>();
         lists_.adopt(used, in.readValue<double>());

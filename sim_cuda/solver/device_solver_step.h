@@ -106,6 +106,7 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     if (status != StepStatus::kOk) {
         frame_start_.putBack(backend_, data_, lists_, regimes_);
         progress_ = before;
+        regimes_.remember(progress_.regimes);
         return status;
     }
     progress_.last_frame = n;
@@ -127,7 +128,7 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
         startProjectiles();
         if (progress_.rebuild != 0) {
             buildLists();
-            if (regimes_.on() && progress_.last_assigned != progress_.substeps) assignRegimes(false, n);
+            if (mustReassign()) assignRegimes(false, n);
         }
         if (nothingMoves()) {
             const uint32_t quiet = substepsUntilNextStart(n);
@@ -144,6 +145,14 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
     if (!moved) return StepStatus::kOk;
     look(0);
     return static_cast<StepStatus>(reader_.wait()[kLookStatus]);
+}
+
+/// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and what
+/// comes near a sleeper wakes it.
+template <class Backend, class Real>
+bool DeviceSolver<Backend, Real>::mustReassign() {
+    if (!regimes_.on() || progress_.last_assigned == progress_.substeps) return false;
+    return progress_.shot_started != 0 || regimes_.movesRigid() || regimes_.stirs(data_, lists_, clusters_);
 }
 
 /// n substeps of what is moved with its bonds, and the same time of what is rigid.
@@ -204,6 +213,8 @@ void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t rema
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
                     remaining * tables_.time_step);
     progress_.last_assigned = progress_.substeps;
+    progress_.shot_started = 0;
+    progress_.regimes = regimes_.memory();
     progress_.moves_bonds = regimes_.movesBonds() ? 1 : 0;
     countAwake();
 }

@@ -19,6 +19,16 @@
 
 namespace demolish {
 
+/// What a decision leaves to the next; part of a snapshot.
+struct RegimeMemory {
+    uint32_t awake = 0, must_bond = 0;  ///< particles: that do not sleep; of islands that need their bonds
+    uint32_t all_bonded = 0;            ///< 1: this frame all that is awake is moved with its bonds
+};
+
+/// From this share of awake particles on that need their bonds, all are moved with them: two ways of moving
+/// side by side cost more than they save.
+inline constexpr double kAllBondedShare = 0.3;
+
 template <class Backend, class Real>
 class Regimes {
   public:
@@ -36,10 +46,17 @@ class Regimes {
     void assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                 const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
                 const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
+    /// Contact lists were made within a frame, and nothing is rigid: does something that is awake come near
+    /// something asleep, so that all must be decided anew? Waits.
+    bool stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+               const Clustering<Backend>& clusters);
     /// All particles of rigid fragments put where those are. Does not wait.
     void place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// The bodies have stood still for long: they may sleep at once.
     void markRested();
+
+    const RegimeMemory& memory() const { return memory_; }
+    void remember(const RegimeMemory& memory) { memory_ = memory; }
 
     const RigidWork& rigid() const { return rigid_; }
     Span<Vec4<Real>> rigidConstants() { return rigid_constants_.span(); }
@@ -60,6 +77,8 @@ class Regimes {
     Span<const uint32_t> regime() const { return regime_.view(); }
 
   private:
+    MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                const Clustering<Backend>& clusters, double soon);
     void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters, uint32_t substeps);
     void chooseRegimes(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                        const StepParams<Real>& params, bool frame_starts);
@@ -67,7 +86,7 @@ class Regimes {
                      const FragmentRows& rows, const FragmentMotion<Backend, Real>& motion,
                      bool frame_starts);
     void listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,
-                  const StepParams<Real>& params);
+                  const StepParams<Real>& params, bool frame_starts);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
 
     Backend& backend_;
@@ -75,7 +94,7 @@ class Regimes {
     bool hand_over_, sleeping_;
     uint32_t calm_substeps_, rest_substeps_;
     Buffer<float> calm_speed2_;
-    Buffer<Real> wake_speed_;
+    Buffer<WakeLaw<Real>> wake_;
     Buffer<uint32_t> regime_, former_, island_, flags_, speeds_;
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
@@ -87,6 +106,7 @@ class Regimes {
     Span<const RigidMotion> fits_;  ///< of the frame's start
     RigidWork rigid_;
     uint32_t counts_[kWorkWords] = {};
+    RegimeMemory memory_;
     bool bonded_shots_ = false;
 };
 
@@ -102,15 +122,17 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     if (!on()) return;
     const uint32_t total = counts_of_.total;
     std::vector<float> calm(tables.owners(), 0.0f);
-    std::vector<Real> wake(tables.owners(), Real(1e30));
+    std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30)});
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         const Material& material = setup.bodies[b].material;
         const double speed = calmSpeed(material.beta, material.critical_velocity);
         calm[b] = static_cast<float>(speed * speed);
-        wake[b] = static_cast<Real>(wakeSpeed(material.critical_velocity));
+        const WakeLaw<double> law =
+            wakeLaw(material.beta, material.critical_velocity, setup.bodies[b].threshold_share);
+        wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light)};
     }
     calm_speed2_ = backend.uploaded(calm);
-    wake_speed_ = backend.uploaded(wake);
+    wake_ = backend.uploaded(wake);
     for (Buffer<uint32_t>* words :
          {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_})
         *words = backend.template allocate<uint32_t>(total);
@@ -140,20 +162,40 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
         fits_ = motion.fitMotions(rows, state, constants);
         watchClocks(data, clusters, substeps);
     }
-    const MeetingsIn<Real> meetings{state,
-                                    lists.contacts().paths(),
-                                    constants,
-                                    clusters.fragment(),
-                                    data.particles.owner.view(),
-                                    data.bonds.in(),
-                                    lists.contacts().in(),
-                                    counts_of_.in_bodies,
-                                    static_cast<Real>(lists.horizon()),
-                                    static_cast<Real>(soon)};
+    const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     chooseRegimes(meetings, rows, params, frame_starts);
     startBodies(data, meetings, rows, motion, frame_starts);
-    listWork(data, meetings, rows, params);
+    listWork(data, meetings, rows, params, frame_starts);
     if constexpr (!Backend::kOnGpu) listBondsOnHost(data, clusters);
+}
+
+template <class Backend, class Real>
+MeetingsIn<Real> Regimes<Backend, Real>::meetingsOf(SolverData<Backend, Real>& data,
+                                                    NeighbourLists<Backend, Real>& lists,
+                                                    const Clustering<Backend>& clusters, double soon) {
+    return {data.particles.in(data.current),
+            lists.contacts().paths(),
+            data.particles.constants.view(),
+            clusters.fragment(),
+            data.particles.owner.view(),
+            data.bonds.in(),
+            lists.contacts().in(),
+            counts_of_.in_bodies,
+            static_cast<Real>(lists.horizon()),
+            static_cast<Real>(soon)};
+}
+
+template <class Backend, class Real>
+bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                   const Clustering<Backend>& clusters) {
+    if (counts_[kAsleepCount] == 0) return false;
+    const Span<uint32_t> word = flags_.span().part(0, 1);
+    backend_.fill(word, 0u);
+    backend_.forEach(counts_of_.total,
+                     SeeSleepers<Real>{meetingsOf(data, lists, clusters, 0), regime_.view(), word},
+                     "see sleepers");
+    reader_.start(backend_, word);
+    return reader_.wait()[0] != 0;
 }
 
 template <class Backend, class Real>
@@ -177,15 +219,16 @@ template <class Backend, class Real>
 void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                                            const StepParams<Real>& params, bool frame_starts) {
     const uint32_t total = counts_of_.total;
-    const RegimeRules rules{hand_over_, sleeping_, frame_starts, calm_substeps_, rest_substeps_};
+    if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
+    const RegimeRules rules{hand_over_,     sleeping_,     frame_starts, memory_.all_bonded != 0,
+                            calm_substeps_, rest_substeps_};
     backend_.forEach(total, StartIslands{island_.span(), flags_.span()}, "start islands");
     backend_.forEach(total, JoinIslands<Real>{meetings, island_.span()}, "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-    backend_.forEach(
-        total,
-        FlagIslands<Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(), wake_speed_.view(),
-                          params.planes, params.gravity, rules, flags_.span()},
-        "flag islands");
+    backend_.forEach(total,
+                     FlagIslands<Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(),
+                                       wake_.view(), params.planes, params.gravity, rules, flags_.span()},
+                     "flag islands");
     backend_.forEach(total,
                      ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants,
                                          rules, regime_.span(), former_.span(), clock_.span()},
@@ -214,7 +257,8 @@ void Regimes<Backend, Real>::startBodies(SolverData<Backend, Real>& data, const 
 
 template <class Backend, class Real>
 void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
-                                      const FragmentRows& rows, const StepParams<Real>& params) {
+                                      const FragmentRows& rows, const StepParams<Real>& params,
+                                      bool frame_starts) {
     const uint32_t total = counts_of_.total;
     const PlacesIn places{rows, counts_of_.in_bodies, total};
     const Span<uint32_t> marks = marks_.span();
@@ -230,14 +274,18 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                      "write work");
     backend_.fill(words_.span(), 0u);
     backend_.fill(body_awake_.span(), 0u);
-    backend_.forEach(
-        counts_of_.in_bodies,
-        CountAsleep{meetings.label, regime_.view(), meetings.owner, body_awake_.span(), words_.span()},
-        "count asleep");
+    backend_.forEach(counts_of_.in_bodies,
+                     CountAwake{rows, meetings.label, regime_.view(), meetings.owner, island_.view(),
+                                flags_.view(), body_awake_.span(), words_.span()},
+                     "count awake");
     backend_.forEach(1, TellWork{marks_.view(), total, words_.span()}, "tell work");
     reader_.start(backend_, words_.view());
     const std::vector<uint32_t>& told = reader_.wait();
     std::copy(told.begin(), told.end(), counts_);
+    if (frame_starts) {
+        memory_.awake = counts_[kAwakeCount];
+        memory_.must_bond = counts_[kMustBondCount];
+    }
     bonded_shots_ = !hand_over_;
     rigid_ = {fragment_.view(),      first_.view(),          last_.view(), active_.view(),
               words_.view(),         body_.span(),           arm_.view(),  meetings.label,
