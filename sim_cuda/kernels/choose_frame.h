@@ -13,14 +13,14 @@ namespace demolish {
 inline constexpr uint32_t kHorizonWords = 2;
 
 /// One thread. The horizon is as long as the grid's cells allow: travel_share of the reach for the fastest
-/// particle, seen from the middle of all velocities, and four reaches for the fastest projectile.
+/// particle, seen from the middle of all velocities, and shot_travel reaches for the fastest projectile.
 template <class Real>
 struct ChooseFrame {
     Span<const VelocityRanges<Real>> ranges;  ///< one
     Span<GridFrame<Real>> frame;              ///< one
     Span<uint32_t> told;                      ///< kHorizonWords
     double reach = 0;                         ///< m, of two particles of the largest radius
-    double travel_share = 0, longest_horizon = 0;
+    double travel_share = 0, longest_horizon = 0, shot_travel = 4;
 
     DEM_FN void operator()(uint32_t) const {
         GridFrame<Real> chosen;
@@ -29,7 +29,7 @@ struct ChooseFrame {
         const double shot_speed = largestSpeed(ranges[0].projectiles, chosen.common_velocity);
         double horizon = longest_horizon;
         if (spread * horizon > travel_share * reach) horizon = travel_share * reach / spread;
-        if (shot_speed * horizon > 4 * reach) horizon = 4 * reach / shot_speed;
+        if (shot_speed * horizon > shot_travel * reach) horizon = shot_travel * reach / shot_speed;
         chosen.horizon = static_cast<Real>(horizon);
         horizon = static_cast<double>(chosen.horizon);
         // 2 %: round-off of positions far from the origin (up to 5e4 cells in float).

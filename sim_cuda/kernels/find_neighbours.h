@@ -40,8 +40,11 @@ struct NeighbourSearch {
     GridMembersIn<Real> member;
     Span<const uint32_t> bond_row;  ///< total + 1
     Span<const BondLink> link;      ///< sorted by id in each row
+    Span<const uint32_t> enclosed;  ///< per particle of a body
     uint32_t mask = 0, in_bodies = 0, total = 0;
 
+    /// Members of all buckets: the particles of bodies that are not enclosed.
+    DEM_FN uint32_t members() const { return bucket_start[mask + 1]; }
     DEM_FN bool takesPart(uint32_t i) const { return paths.velocity[i].w >= Real(0); }
     DEM_FN bool meets(uint32_t i, uint32_t j) const {
         return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j],

@@ -40,6 +40,7 @@ struct FindPairs {
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t at = k / kThreads, part = k % kThreads;
         if (at >= search.in_bodies) return meetProjectiles(at, part, nullptr);
+        if (at >= search.members()) return;
         const GridMember<Real> own = search.member[at];
         uint32_t count = 0;
         Append append{drafts, own.id, &count};

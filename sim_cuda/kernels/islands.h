@@ -91,32 +91,20 @@ struct JoinIslands {
     }
 };
 
-/// Fastest particle of each fragment, and fastest against its rigid motion: squared speeds as words, which
-/// keep their order.
+/// Fastest particle of each fragment: squared speeds as words, which keep their order.
 template <class Real>
 struct MeasureMotion {
     StateIn<Real> state;
     Span<const Vec4<Real>> constants;
     Span<const uint32_t> label;
-    Span<const RigidMotion> motion;
-    Span<uint32_t> fastest, inner;  ///< per slot, 0 before; float bits of m^2/s^2
-    uint32_t in_bodies = 0;
+    Span<uint32_t> fastest;  ///< per slot, 0 before; float bits of m^2/s^2
 
     DEM_FN void operator()(uint32_t i) const {
         if (!(constants[i].x > Real(0))) return;
-        const uint32_t slot = label[i];
-        const Vec3<double> v = asDouble(xyz(state.velocity[i])), w = asDouble(xyz(state.spin[i]));
-        const double radius = double(constants[i].z), rim = radius * radius * length2(w);
-        raise(fastest[slot], length2(v) + rim);
-        if (i >= in_bodies) return;
-        const RigidMotion fit = motion[slot];
-        const Vec3<double> stray = v - velocityAt(fit, exactPosition(state, i));
-        raise(inner[slot], length2(stray) + radius * radius * length2(w - fit.spin));
-    }
-
-  private:
-    DEM_FN static void raise(uint32_t& word, double value) {
-        const uint32_t bits = std::bit_cast<uint32_t>(float(value));
+        const Real radius = constants[i].z;
+        const Real speed2 = length2(xyz(state.velocity[i])) + radius * radius * length2(xyz(state.spin[i]));
+        const uint32_t bits = std::bit_cast<uint32_t>(float(speed2));
+        uint32_t& word = fastest[label[i]];
         if (bits > atomicLoadU32(&word)) atomicMaxU32(&word, bits);
     }
 };
@@ -129,21 +117,30 @@ struct CalmClock {
 /// One thread a slot, once a frame.
 template <class Real>
 struct AdvanceClocks {
-    Span<const uint32_t> label, owner, fastest, inner;
+    FragmentRows rows;
+    Span<const uint32_t> label, owner, fastest;
     Span<const Vec4<Real>> constants;
-    Span<const float> calm_speed2;  ///< per owner, m^2/s^2
+    Span<const RigidMotion> motion;  ///< per slot of a body's fragment
+    Span<const PoseSums> pose;       ///< by place
+    Span<const SpinSums> spin;       ///< by place
+    Span<const double> calm_speed2;  ///< per owner, m^2/s^2
     Span<CalmClock> clock;
     float rest_speed2 = 0;
+    uint32_t in_bodies = 0;
     uint32_t substeps = 0;  ///< since the last time
 
     DEM_FN void operator()(uint32_t slot) const {
         if (label[slot] != slot || !(constants[slot].x > Real(0))) return;
         CalmClock next = clock[slot];
-        const bool calm = std::bit_cast<float>(inner[slot]) <= calm_speed2[owner[slot]];
         const bool rests = std::bit_cast<float>(fastest[slot]) <= rest_speed2;
-        next.calm = calm ? grown(next.calm) : 0;
+        next.calm = isCalm(slot) ? grown(next.calm) : 0;
         next.rest = rests ? grown(next.rest) : 0;
         clock[slot] = next;
+    }
+    DEM_FN bool isCalm(uint32_t slot) const {
+        if (slot >= in_bodies) return true;
+        const uint32_t place = rows.first[slot];
+        return 2 * innerEnergy(spin[place], motion[slot]) <= calm_speed2[owner[slot]] * pose[place].now.mass;
     }
     DEM_FN uint32_t grown(uint32_t before) const { return before > 0x7fffffffu ? before : before + substeps; }
 };

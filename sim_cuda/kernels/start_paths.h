@@ -1,6 +1,7 @@
-// First stage of a list build: where every particle is and goes now, how far it reaches, and the box of all
-// velocities.
+// First stage of a list build: where every particle is and goes now, how far it reaches, whether anything can
+// reach it, and the box of all velocities.
 #pragma once
+#include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/kernels/velocity_range.h"
@@ -12,9 +13,13 @@ template <class Real>
 struct StartPaths {
     StateIn<Real> state;
     Span<const Vec4<Real>> constants;
+    Span<const uint32_t> bond_row;
+    Span<const BondLink> link;
+    Span<const uint32_t> buried;  ///< per particle of a body: 1 while its bonds hold
     Span<Vec4<Real>> built_position, built_velocity;
-    Real skin_share{};    ///< skin of a body's particle over its R_c
-    Real largest_skin{};  ///< m, no skin is wider (projectiles)
+    Span<uint32_t> enclosed;  ///< per particle of a body: 1: between solid bonds, has no contacts
+    Real skin_share{};        ///< skin of a body's particle over its R_c
+    Real largest_skin{};      ///< m, no skin is wider (projectiles)
     uint32_t in_bodies = 0;
 
     DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
@@ -25,10 +30,17 @@ struct StartPaths {
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
         built_velocity[i] = withW(velocity, active ? skin : Real(-1));
         VelocityRanges<Real> ranges;
+        if (i < in_bodies) enclosed[i] = isEnclosed(i) ? 1 : 0;
         if (!active) return ranges;
         VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
         range.low = range.high = velocity;
         return ranges;
+    }
+    DEM_FN bool isEnclosed(uint32_t i) const {
+        if (buried[i] == 0) return false;
+        for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot)
+            if (!isBonded(link[slot])) return false;
+        return true;
     }
 };
 

@@ -6,10 +6,13 @@
 
 namespace demolish {
 
-/// Inner vibration has died when no particle moves against its fragment's rigid motion faster than this share
-/// of beta v_c, for kCalmSeconds: its energy is below 2 % of what breaks it, and it is no turning point of a
-/// slow swing.
-inline constexpr double kCalmShare = 0.15, kCalmSeconds = 0.03;
+/// Inner vibration has died when the mean square of the particles' speeds against their fragment's rigid
+/// motion is below the square of this share of beta v_c, for kCalmSeconds: half a per cent of the energy at
+/// which the material breaks, and no turning point of a slow swing.
+inline constexpr double kCalmShare = 0.07, kCalmSeconds = 0.03;
+
+/// Pieces of so many particles or fewer are crumbs: whatever swings in them may stop.
+inline constexpr uint32_t kCrumbParticles = 8;
 
 /// A meeting at this share of the body's threshold velocity or more brings the bonds back before the two
 /// touch.

@@ -36,6 +36,7 @@ DEM_FN Vec3<double> meanVelocity(const MassSums& sums) {
 struct SpinSums {
     Sym3 inertia;          ///< sum m (r.r 1 - r r^T) + I 1, kg m^2
     Vec3<double> angular;  ///< sum m r x v + I w = L, kg m^2/s
+    double kinetic = 0;    ///< sum (m v^2 + I w^2)/2 relative to the mass centre, J
 };
 /// One particle's part: r = x - X_c (m), v relative to V (m/s; this keeps digits), own inertia I (kg m^2) and
 /// spin w (rad/s).
@@ -45,12 +46,14 @@ DEM_FN SpinSums spinOf(double mass, double inertia, const Vec3<double>& r, const
     const double r2 = dot(r, r);
     return {{mass * (r2 - r.x * r.x) + inertia, mass * (r2 - r.y * r.y) + inertia,
              mass * (r2 - r.z * r.z) + inertia, -mass * r.x * r.y, -mass * r.y * r.z, -mass * r.z * r.x},
-            mass * cross(r, v) + inertia * w};
+            mass * cross(r, v) + inertia * w,
+            0.5 * (mass * length2(v) + inertia * length2(w))};
 }
 DEM_FN SpinSums operator+(const SpinSums& a, const SpinSums& b) {
     return {{a.inertia.xx + b.inertia.xx, a.inertia.yy + b.inertia.yy, a.inertia.zz + b.inertia.zz,
              a.inertia.xy + b.inertia.xy, a.inertia.yz + b.inertia.yz, a.inertia.zx + b.inertia.zx},
-            a.angular + b.angular};
+            a.angular + b.angular,
+            a.kinetic + b.kinetic};
 }
 
 /// A b for symmetric A.
@@ -82,6 +85,10 @@ struct RigidMotion {
 };
 DEM_FN RigidMotion rigidMotion(const MassSums& sums, const SpinSums& spins) {
     return {massCentre(sums), meanVelocity(sums), solveSymmetric(spins.inertia, spins.angular)};
+}
+/// What the rigid motion leaves of the kinetic energy, J: inner vibration. Never negative but for round-off.
+DEM_FN double innerEnergy(const SpinSums& spins, const RigidMotion& motion) {
+    return spins.kinetic - 0.5 * dot(motion.spin, spins.angular);
 }
 /// (16) as corrected: velocity (m/s) of the fragment's point x.
 DEM_FN Vec3<double> velocityAt(const RigidMotion& motion, const Vec3<double>& x) {

@@ -8,6 +8,9 @@
 #include "sim_cuda/solver/scene_tables.h"
 
 namespace demolish {
+
+/// Area vectors of a closed surface add up to nothing; faces too small for a bond are missing in the sum.
+constexpr double kClosedShare = 0.1;
 namespace {
 
 /// Seeds sorted into cubes of edge h, for the search of the nearest.
@@ -110,6 +113,26 @@ std::vector<double> floorRadii(const BreakableBody& body, bool standing) {
         if (standing && p.lowest <= lowest + 0.2 * body.spacing) radii[i] = p.seed.y - lowest;
     }
     return radii;
+}
+
+std::vector<uint32_t> buriedParticles(const BreakableBody& body) {
+    const size_t count = body.particles.size();
+    std::vector<Vec3<double>> open(count);
+    std::vector<double> area(count, 0.0);
+    for (const BondGeometry& bond : body.bonds) {
+        const Vec3<double> face = bond.area * Vec3<double>{bond.normal.x, bond.normal.y, bond.normal.z};
+        open[bond.i] = open[bond.i] + face;
+        open[bond.j] = open[bond.j] - face;
+        area[bond.i] += bond.area;
+        area[bond.j] += bond.area;
+    }
+    std::vector<uint32_t> buried(count);
+    for (size_t i = 0; i < count; ++i) {
+        const Particle& p = body.particles[i];
+        const bool deep = p.depth > body.spacing && !(p.contact_radius > 0);
+        buried[i] = deep && length(open[i]) < kClosedShare * area[i] ? 1 : 0;
+    }
+    return buried;
 }
 
 }  // namespace demolish

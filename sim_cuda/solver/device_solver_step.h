@@ -66,6 +66,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       params_(makeStepParams<Real>(setup.params, tables_)),
       projectiles_(setup.projectiles) {
     data_.uploadLaws(backend_, buildLawTables(setup_, tables_, projectiles_));
+    lists_.setBuried(tables_.buried);
     stats_.time_step = tables_.time_step;
     stats_.particles = tables_.counts.in_bodies;
     stats_.bonds = data_.bonds.count;

@@ -24,10 +24,11 @@ struct NeighbourSettings {
     double skin_share = 0.5;     ///< skin of a particle over its R_c, 0.1..1: wider lists, fewer builds
     double travel_share = 1;     ///< largest travel within a horizon over the largest reach of two particles
     double longest_horizon = 1;  ///< s, at rest
+    double shot_travel = 4;      ///< largest travel of a projectile over that reach
 };
 
 /// While nothing is moved with its bonds: candidates cost little, builds as much as ever.
-inline constexpr NeighbourSettings kRigidNeighbours{1.5, 3, 1};
+inline constexpr NeighbourSettings kRigidNeighbours{1.5, 3, 1, 40};
 
 template <class Backend, class Real>
 class NeighbourLists {
@@ -39,6 +40,12 @@ class NeighbourLists {
     NeighbourLists(Backend& backend, ParticleCounts counts, double largest_radius,
                    const NeighbourSettings& settings = {});
 
+    /// Of each particle of a body: 1 if nothing can touch it while its bonds hold (buriedParticles). Without
+    /// this everything is searched for.
+    void setBuried(const std::vector<uint32_t>& buried) {
+        buried_ = backend_.uploaded(buried);
+        backend_.synchronize();  // the host copy goes out of scope
+    }
     /// For the builds to come.
     void use(const NeighbourSettings& settings) { settings_ = settings; }
 
@@ -63,7 +70,8 @@ class NeighbourLists {
     const ContactArrays<Backend, Real>& contacts() const { return contacts_; }
 
   private:
-    void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
+    void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
+                    const BondRowsIn<Real>& bonds);
     void fillGrid();
     void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
@@ -99,6 +107,7 @@ class NeighbourLists {
     Buffer<uint64_t> key_, member_key_;
     Buffer<uint32_t> zeroed_, place_, member_, draft_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
+    Buffer<uint32_t> buried_, enclosed_;
     Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
 };
@@ -121,6 +130,8 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
       draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
+      buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      enclosed_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
@@ -140,7 +151,7 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
     std::swap(contacts_.row_start, former_.row_start);
     std::swap(contacts_.neighbour, former_.neighbour);
     std::swap(contacts_.spring, former_.spring);
-    startPaths(state, constants);
+    startPaths(state, constants, bonds);
     fillGrid();
     const NeighbourSearch<Real> search = searchOf(bonds);
     findPairs(search);
@@ -156,26 +167,29 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
 }
 
 template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
+void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
+                                               const BondRowsIn<Real>& bonds) {
     backend_.fill(zeroed_.span(), 0u);
     backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
-                        StartPaths<Real>{state, constants, contacts_.built_position.span(),
-                                         contacts_.built_velocity.span(), Real(settings_.skin_share),
+                        StartPaths<Real>{state, constants, bonds.row_start, bonds.link, buried_.view(),
+                                         contacts_.built_position.span(), contacts_.built_velocity.span(),
+                                         enclosed_.span(), Real(settings_.skin_share),
                                          Real(settings_.skin_share * largest_radius_), counts_.in_bodies},
                         WidenRanges<Real>{}, "start paths");
-    backend_.forEach(1,
-                     ChooseFrame<Real>{ranges_.view(), frame_.span(),
-                                       sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
-                                       2 * largest_radius_ * (1 + settings_.skin_share),
-                                       settings_.travel_share, settings_.longest_horizon},
-                     "choose frame");
+    backend_.forEach(
+        1,
+        ChooseFrame<Real>{ranges_.view(), frame_.span(),
+                          sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
+                          2 * largest_radius_ * (1 + settings_.skin_share), settings_.travel_share,
+                          settings_.longest_horizon, settings_.shot_travel},
+        "choose frame");
 }
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::fillGrid() {
     backend_.forEach(counts_.in_bodies,
-                     CountInBuckets<Real>{contacts_.paths(), frame_.view(), mask_, key_.span(),
-                                          bucketCounters(), place_.span()},
+                     CountInBuckets<Real>{contacts_.paths(), frame_.view(), mask_, enclosed_.view(),
+                                          key_.span(), bucketCounters(), place_.span()},
                      "count in buckets");
     backend_.exclusiveScan(bucketCounters(), bucketStarts());
     backend_.forEach(counts_.in_bodies,
@@ -184,6 +198,7 @@ void NeighbourLists<Backend, Real>::fillGrid() {
                                        key_.view(),
                                        bucketStarts(),
                                        place_.view(),
+                                       enclosed_.view(),
                                        mask_,
                                        {member_.span(), member_key_.span(), member_ball_.span(),
                                         member_position_.span(), member_velocity_.span()}},
@@ -200,6 +215,7 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
              member_velocity_.view()},
             bonds.row_start,
             bonds.link,
+            enclosed_.view(),
             mask_,
             counts_.in_bodies,
             counts_.total};

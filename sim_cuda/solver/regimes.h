@@ -79,7 +79,8 @@ class Regimes {
   private:
     MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                                 const Clustering<Backend>& clusters, double soon);
-    void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters, uint32_t substeps);
+    void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
+                     const FragmentMotion<Backend, Real>& motion, uint32_t substeps);
     void chooseRegimes(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                        const StepParams<Real>& params, bool frame_starts);
     void startBodies(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
@@ -93,7 +94,7 @@ class Regimes {
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
     uint32_t calm_substeps_, rest_substeps_;
-    Buffer<float> calm_speed2_;
+    Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
     Buffer<uint32_t> regime_, former_, island_, flags_, speeds_;
     Buffer<CalmClock> clock_;
@@ -121,12 +122,12 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       reader_(backend) {
     if (!on()) return;
     const uint32_t total = counts_of_.total;
-    std::vector<float> calm(tables.owners(), 0.0f);
+    std::vector<double> calm(tables.owners(), 0.0);
     std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30)});
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         const Material& material = setup.bodies[b].material;
         const double speed = calmSpeed(material.beta, material.critical_velocity);
-        calm[b] = static_cast<float>(speed * speed);
+        calm[b] = speed * speed;
         const WakeLaw<double> law =
             wakeLaw(material.beta, material.critical_velocity, setup.bodies[b].threshold_share);
         wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light)};
@@ -136,7 +137,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     for (Buffer<uint32_t>* words :
          {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_})
         *words = backend.template allocate<uint32_t>(total);
-    speeds_ = backend.template allocate<uint32_t>(2 * size_t{total});
+    speeds_ = backend.template allocate<uint32_t>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
@@ -160,7 +161,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     const Span<const Vec4<Real>> constants = data.particles.constants.view();
     if (frame_starts) {
         fits_ = motion.fitMotions(rows, state, constants);
-        watchClocks(data, clusters, substeps);
+        watchClocks(data, clusters, motion, substeps);
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     chooseRegimes(meetings, rows, params, frame_starts);
@@ -200,18 +201,19 @@ bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLis
 
 template <class Backend, class Real>
 void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
-                                         uint32_t substeps) {
+                                         const FragmentMotion<Backend, Real>& motion, uint32_t substeps) {
     const uint32_t total = counts_of_.total;
-    const Span<uint32_t> fastest = speeds_.span().part(0, total), inner = speeds_.span().part(total, total);
+    const Span<const Vec4<Real>> constants = data.particles.constants.view();
     backend_.fill(speeds_.span(), 0u);
+    backend_.forEach(
+        total,
+        MeasureMotion<Real>{data.particles.in(data.current), constants, clusters.fragment(), speeds_.span()},
+        "measure motion");
     backend_.forEach(total,
-                     MeasureMotion<Real>{data.particles.in(data.current), data.particles.constants.view(),
-                                         clusters.fragment(), fits_, fastest, inner, counts_of_.in_bodies},
-                     "measure motion");
-    backend_.forEach(total,
-                     AdvanceClocks<Real>{clusters.fragment(), data.particles.owner.view(), fastest, inner,
-                                         data.particles.constants.view(), calm_speed2_.view(), clock_.span(),
-                                         static_cast<float>(kRestSpeed * kRestSpeed), substeps},
+                     AdvanceClocks<Real>{
+                         clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
+                         constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(), clock_.span(),
+                         static_cast<float>(kRestSpeed * kRestSpeed), counts_of_.in_bodies, substeps},
                      "advance clocks");
 }
 

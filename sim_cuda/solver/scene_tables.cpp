@@ -37,6 +37,8 @@ void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables&
     const Quat<double> q = normalized(
         Quat<double>{instance.rotation.x, instance.rotation.y, instance.rotation.z, instance.rotation.w});
     const std::vector<double> contact = contactRadii(body), floor = floorRadii(body, standsUpright(instance));
+    const std::vector<uint32_t> buried = buriedParticles(body);
+    tables.buried.insert(tables.buried.end(), buried.begin(), buried.end());
     double mass = 0;
     Vec3<double> centre;
     const size_t first = tables.mass.size();

@@ -35,7 +35,7 @@ struct SceneTables {
     uint32_t owners() const { return bodies + kMaxProjectiles; }
     // per particle (in bodies)
     std::vector<double> mass, inertia, contact_radius, floor_radius;
-    std::vector<uint32_t> owner;
+    std::vector<uint32_t> owner, buried;
     std::vector<Vec3<double>> position, velocity, spin;  ///< world frame
     std::vector<Quat<double>> rotation;
     // bonds of all bodies
@@ -63,6 +63,10 @@ std::vector<double> contactRadii(const BreakableBody& body);
 /// Depth of the seed but at most the sphere of equal volume, m; with `standing`, cells of the sole get the
 /// seed's height above the body's lowest point (models E.4).
 std::vector<double> floorRadii(const BreakableBody& body, bool standing);
+
+/// 1 for a particle whose whole cell lies between bonded neighbours, deeper than the spacing: nothing from
+/// outside can touch it while these bonds hold.
+std::vector<uint32_t> buriedParticles(const BreakableBody& body);
 
 /// Highest frequency of M^-1 K, rad/s, by power iteration over a body's rows (models E.1); `first` is the
 /// body's first particle. The same for any number of threads.
