@@ -175,7 +175,9 @@ struct FlagIslands {
 
   private:
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
-    DEM_FN bool hasBonds(uint32_t slot) const { return !isProjectile(slot) && rows.size[slot] > 1; }
+    DEM_FN bool isCrumb(uint32_t slot) const {
+        return isProjectile(slot) || rows.size[slot] <= (rules.hand_over ? kCrumbParticles : 1u);
+    }
 
     DEM_FN uint32_t ownFlags(uint32_t slot) const {
         const bool rested = clock[slot].rest >= rules.rest_substeps;
@@ -193,13 +195,13 @@ struct FlagIslands {
     DEM_FN bool isHitHard(uint32_t i, uint32_t slot) const {
         const WakeLaw<Real> own = wake[meetings.owner[i]];
         const Real size = sizeOf(slot);
-        if (hasBonds(slot) &&
+        if (!isCrumb(slot) &&
             hitsPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6))))
             return true;
         bool hard = false;
         meetings.visitMeetings(i, false, [&](uint32_t j) {
             const uint32_t other = meetings.label[j];
-            if (hard || (!hasBonds(slot) && !hasBonds(other))) return;
+            if (hard || (isCrumb(slot) && isCrumb(other))) return;
             hard = meetings.meetHard(i, j, wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other)));
         });
         return hard;

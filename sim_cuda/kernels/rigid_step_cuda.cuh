@@ -46,14 +46,16 @@ __global__ void __launch_bounds__(kRigidLanes) rigidStepKernel(const StepRigid<k
     auto& body = *reinterpret_cast<RigidBody*>(body_memory);
     const uint32_t entry = blockIdx.x, lane = threadIdx.x;
     if (entry >= step.work.counts[kFragmentCount]) return;
-    if (lane == 0) body = step.work.body[step.work.fragment[entry]];
-    __syncthreads();
-    lanes[lane] = step.gather(body, entry, lane);
+    const RigidBody before = step.work.body[step.work.fragment[entry]];
+    lanes[lane] = step.gather(before, entry, lane);
     for (uint32_t width = kRigidLanes / 2; width > 0; width /= 2) {
         __syncthreads();
         if (lane < width) add(lanes[lane], lanes[lane + width]);
     }
-    if (lane == 0) step.move(body, entry, lanes[0]);
+    if (lane == 0) {
+        body = before;
+        step.move(body, entry, lanes[0]);
+    }
     __syncthreads();
     step.place(body, entry, lane);
 }

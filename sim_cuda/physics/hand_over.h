@@ -9,9 +9,10 @@ namespace demolish {
 /// Inner vibration has died when the mean square of the particles' speeds against their fragment's rigid
 /// motion is below the square of this share of beta v_c, for kCalmSeconds: half a per cent of the energy at
 /// which the material breaks, and no turning point of a slow swing.
-inline constexpr double kCalmShare = 0.07, kCalmSeconds = 0.03;
+inline constexpr double kCalmShare = 0.12, kCalmSeconds = 0.03;
 
-/// Pieces of so many particles or fewer are crumbs: whatever swings in them may stop.
+/// Pieces of so many particles or fewer are crumbs: whatever swings in them may stop, and once they are rigid
+/// they stay whole.
 inline constexpr uint32_t kCrumbParticles = 8;
 
 /// A meeting at this share of the body's threshold velocity or more brings the bonds back before the two

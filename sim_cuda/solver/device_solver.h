@@ -89,7 +89,7 @@ class DeviceSolver final : public Solver {
         uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
         uint32_t shot_started = 0;              ///< 1: a projectile has started since then
         RegimeMemory regimes;
-        uint32_t moves_bonds = 1;  ///< 0: since the last decision nothing is moved with its bonds
+        uint32_t moves_rigid = 0;  ///< 1: something is moved as a rigid body since the last decision
         uint32_t projectiles = 0;  ///< known so far
         uint32_t started = 0;      ///< bits of projectile slots
         uint32_t broken = 0;       ///< bonds

@@ -202,7 +202,7 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
-    lists_.use(progress_.moves_bonds != 0 ? NeighbourSettings{} : kRigidNeighbours);
+    lists_.use(progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{});
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;
     progress_.rebuild = 0;
@@ -216,7 +216,7 @@ void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t rema
     progress_.last_assigned = progress_.substeps;
     progress_.shot_started = 0;
     progress_.regimes = regimes_.memory();
-    progress_.moves_bonds = regimes_.movesBonds() ? 1 : 0;
+    progress_.moves_rigid = regimes_.movesRigid() ? 1 : 0;
     countAwake();
 }
 

@@ -27,8 +27,9 @@ struct NeighbourSettings {
     double shot_travel = 4;      ///< largest travel of a projectile over that reach
 };
 
-/// While nothing is moved with its bonds: candidates cost little, builds as much as ever.
-inline constexpr NeighbourSettings kRigidNeighbours{1.5, 3, 1, 40};
+/// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
+/// longer.
+inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 1, 40};
 
 template <class Backend, class Real>
 class NeighbourLists {

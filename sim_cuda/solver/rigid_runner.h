@@ -9,7 +9,7 @@ namespace demolish {
 
 /// Substeps of bonds in one contact step of rigid fragments: their contacts are as soft as heavy, and need no
 /// stress waves.
-inline constexpr uint32_t kRigidStride = 5;
+inline constexpr uint32_t kRigidStride = 10;
 
 /// What a contact step of `stride` substeps changes in the constants of a substep.
 template <class Real>
