@@ -41,7 +41,7 @@ BenchPlan planFor(const BenchOptions& options, const Shot& shot) {
 
 /// The timed frames go without the ledger, as a viewer would; a report gets it from the same frames once
 /// more. Throws NumericalError if booking changed the run, which it must not.
-EnergyLedger energyOfTheSameFrames(Session& timed, uint64_t frames) {
+EnergyBalance energyOfTheSameFrames(Session& timed, uint64_t frames) {
     BuildOptions options{.draw_geometry = timed.built().has_draw_geometry, .reuse = &timed.built()};
     Session session(buildShot(timed.built().shot, options, {}), {.draw = false});
     for (uint64_t frame = 0; frame < frames; ++frame) requireOk(session.advance());
@@ -49,7 +49,7 @@ EnergyLedger energyOfTheSameFrames(Session& timed, uint64_t frames) {
         throw NumericalError(
             "the run with the energy ledger ended in another state than the timed one; report this");
     session.solver().measure();
-    return session.solver().stats().energy;
+    return session.energy();
 }
 
 RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& session,
