@@ -4,6 +4,7 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -107,6 +108,8 @@ void runKernelBench(const BenchOptions& options) {
     std::vector<uint32_t> sizes(kernelSizes(cuda).begin(), kernelSizes(cuda).end());
     if (options.shot.particles) {
         requireInRange("--particles", *options.shot.particles, {8, kMaxParticles}, "");
+        if (*options.shot.particles != std::floor(*options.shot.particles))
+            throw UsageError("--particles must be a whole number");
         sizes = {static_cast<uint32_t>(*options.shot.particles)};
     } else if (!cuda) {
         spdlog::info("on the CPU only sizes up to {} are timed; --particles N asks for another",

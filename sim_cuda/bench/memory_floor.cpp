@@ -13,7 +13,7 @@
 namespace demolish {
 namespace {
 
-constexpr size_t kCopyBytes = size_t{128} << 20;  // well beyond the caches
+constexpr size_t kCopyBytes = size_t{64} << 20;  // well beyond the caches
 constexpr size_t kChunk = size_t{1} << 20;
 constexpr int kRepeats = 5;
 
