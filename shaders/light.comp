@@ -1,106 +1,11 @@
 #version 450 core
-// Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel; maps each to display range,
-// averages, encodes sRGB.
-// Mapping before averaging keeps edges between bright and dark smooth.
+// The lit picture, computed (common/lit_pixel.glsl).
 layout(local_size_x = 8, local_size_y = 8) in;
-#include "common/frame.glsl"
-#include "common/shade.glsl"
-#include "common/floor.glsl"
-#include "common/tone.glsl"
-#if SAMPLES > 1
-layout(binding = 3) uniform sampler2DMS material_buffer;
-layout(binding = 4) uniform sampler2DMS normal_buffer;
-layout(binding = 5) uniform sampler2DMS depth_buffer;
-#else
-layout(binding = 3) uniform sampler2D material_buffer;
-layout(binding = 4) uniform sampler2D normal_buffer;
-layout(binding = 5) uniform sampler2D depth_buffer;
-#endif
-layout(binding = 6) uniform sampler2D occlusion;  // half size; r: visibility, g: linear depth
+#include "common/lit_pixel.glsl"
 layout(rgba8, binding = 0) writeonly uniform image2D result;
-layout(location = 0) uniform vec4 curve;
-layout(location = 1) uniform int has_occlusion;
-layout(location = 2) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
-
-// Four half-size neighbours, weighted by distance and by how well their depth agrees.
-float visibilityAt(ivec2 pixel, float depth) {
-    vec2 half_position = (vec2(pixel) + 0.5) * 0.5 - 0.5;
-    ivec2 base = ivec2(floor(half_position));
-    vec2 f = half_position - vec2(base);
-    ivec2 last = textureSize(occlusion, 0) - 1;
-    float sum = 0.0, weights = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        vec2 t = texelFetch(occlusion, clamp(base + corner, ivec2(0), last), 0).rg;
-        vec2 bilinear = mix(1.0 - f, f, vec2(corner));
-        float agree = 1.0 / (0.002 + abs(t.g - depth) / depth);
-        float weight = (bilinear.x * bilinear.y + 0.01) * agree;
-        sum += weight * t.r;
-        weights += weight;
-    }
-    return sum / weights;
-}
-
-vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position[i]); }
-
-vec3 litSurface(Surface s, float along, ivec2 pixel) {
-    float visibility = has_occlusion != 0 ? visibilityAt(pixel, along) : 1.0;
-    return throughAir(shade(s, visibility, vec2(pixel)), s.position);
-}
-
-// What a sample shows: kSky and kFloor were not drawn, they follow from the ray.
-const int kSky = 0, kFloor = 1, kDrawn = 2;
-
-int kindOf(ivec2 pixel, int i, out float along) {
-    float depth = texelFetch(depth_buffer, pixel, i).r;
-    float drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
-    along = min(drawn, floorAlong(rayOf(pixel, i)));
-    return along == kNoFloor ? kSky : along < drawn ? kFloor : kDrawn;
-}
-
-vec3 lit(ivec2 pixel, int i) {
-    float along;
-    int kind = kindOf(pixel, i, along);
-    vec3 ray = rayOf(pixel, i);
-    vec3 position = frame.eye.xyz + ray * along;
-    if (kind == kSky) return skyRadiance(normalize(ray));
-    Surface s;
-    if (kind == kFloor) {
-        s = floorSurface(position, ray);
-    } else {
-        s = unpackSurface(texelFetch(material_buffer, pixel, i), texelFetch(normal_buffer, pixel, i), position);
-    }
-    return litSurface(s, along, pixel);
-}
-
-// Samples that one triangle covers hold the same values, and so do those of the floor and of the sky: 4 bits of count for
-// each distinct one, at the place of the first like it.
-uint distinctSamples(ivec2 pixel) {
-    vec4 materials[SAMPLES], normals[SAMPLES];
-    uint counts = 0u;
-    for (int i = 0; i < SAMPLES; ++i) {
-        float along;
-        int kind = kindOf(pixel, i, along);
-        materials[i] = kind == kDrawn ? texelFetch(material_buffer, pixel, i) : vec4(-1.0 - float(kind));
-        normals[i] = kind == kDrawn ? texelFetch(normal_buffer, pixel, i) : vec4(-1.0);
-        int first = i;
-        for (int j = i - 1; j >= 0; --j) {
-            if (materials[i] == materials[j] && normals[i] == normals[j]) first = j;
-        }
-        counts += 1u << (4 * first);
-    }
-    return counts;
-}
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    vec3 sum = vec3(0.0);
-    // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
-    for (uint left = distinctSamples(pixel); left != 0u;) {
-        int i = findLSB(left) / 4;
-        sum += float((left >> (4 * i)) & 15u) * toneMap(lit(pixel, i), curve);
-        left &= ~(15u << (4 * i));
-    }
-    imageStore(result, pixel, vec4(encodeSrgb(sum / float(SAMPLES)), 1.0));
+    imageStore(result, pixel, vec4(pixelColour(pixel), 1.0));
 }

@@ -18,16 +18,23 @@ constexpr const char* kDefault = "breakage";
 constexpr int kDeepest = 4;  ///< files that stand on each other by `like`
 
 constexpr const char* kGrains[2] = {"same", "scaled"};
-constexpr const char* kRules[2] = {"largest", "crack"};
+constexpr const char* kRules[3] = {"largest", "crack", "flaps"};
 
-/// One of two words for a value that is one of two.
-template <class Value>
-void readWord(TomlReader& reader, const char* key, const char* const (&words)[2], Value& value) {
-    std::string word = words[static_cast<size_t>(value)];
+/// A value that stands for one of some words, by its place among them; false when it is none of them.
+template <class Value, size_t kCount>
+bool setByWord(const std::string& word, const char* const (&words)[kCount], Value& value) {
+    const auto* found = std::find(std::begin(words), std::end(words), word);
+    if (found == std::end(words)) return false;
+    value = static_cast<Value>(found - std::begin(words));
+    return true;
+}
+
+template <class Value, size_t kCount>
+void readWord(TomlReader& reader, const char* key, const char* const (&words)[kCount], Value& value) {
+    std::string word = words[static_cast<size_t>(value)], listed;
     reader.read(key, word);
-    if (word != words[0] && word != words[1])
-        reader.fail(key, std::string("must be \"") + words[0] + "\" or \"" + words[1] + "\"");
-    value = static_cast<Value>(word == words[1]);
+    for (const char* one : words) listed += std::string(listed.empty() ? "" : ", ") + '"' + one + '"';
+    if (!setByWord(word, words, value)) reader.fail(key, "must be one of " + listed);
 }
 
 /// "there/name.toml" beside `file`.
@@ -134,8 +141,10 @@ BreakageExperiment experimentFromJson(const std::string& text) {
         e.name = json.at("name").get<std::string>();
         e.title = json.at("title").get<std::string>();
         e.why = json.at("why").get<std::string>();
-        e.scaled_grains = json.at("specimen.large_grains") == kGrains[1];
-        e.rule = json.at("broken.rule") == kRules[1] ? BreakRule::kMeridional : BreakRule::kLargest;
+        const auto word = [&](const char* key) { return json.at(key).get<std::string>(); };
+        if (!setByWord(word("specimen.large_grains"), kGrains, e.scaled_grains) ||
+            !setByWord(word("broken.rule"), kRules, e.rule))
+            throw InputFileError("this is no record of an experiment: it has a word that is unknown");
         visitValues(e, [&](const char* key, auto& value, const Range&) { json.at(key).get_to(value); });
         return e;
     } catch (const Json::exception& error) {

@@ -71,6 +71,7 @@ void visitValues(Experiment& e, Visit&& visit) {
     visit("impact.step_safety", e.step_safety, Range{0.05, 0.7});
     visit("broken.intact_share", e.criteria.intact_share, Range{0.1, 1});
     visit("broken.child_share", e.criteria.child_share, Range{1e-4, 0.5});
+    visit("broken.flaps", e.criteria.flaps, Range{2, 7});
     visit("broken.slabs", e.criteria.slabs, Range{2, 50});
 }
 

@@ -64,6 +64,19 @@ ChartSeries probabilityLine(const BreakageExperiment& experiment, const Breakage
     return series;
 }
 
+std::string ruleInWords(const BreakageExperiment& experiment) {
+    switch (experiment.rule) {
+        case BreakRule::kMeridional:
+            return "Broken: a crack runs through the whole specimen.";
+        case BreakRule::kFlaps:
+            return format("Broken: at least %g children.", experiment.criteria.flaps);
+        case BreakRule::kLargest:
+            break;
+    }
+    return "Broken: largest fragment below " + format("%g %%", 100 * experiment.criteria.intact_share) +
+           " of the volume.";
+}
+
 bool isThePapersSize(const BreakageExperiment& experiment, uint32_t size) {
     return std::fabs(experiment.diameters[size] - (size == 0 ? 24e-6 : 36e-6)) < 1e-9;
 }
@@ -99,10 +112,7 @@ std::string probabilityFigure(const BreakagePlan& plan, const std::vector<Breaka
     addStatedPoints(plan.experiments[0], chart);
     const BreakageExperiment& first = plan.experiments[0];
     chart.note = format("%g random packings a point; bars: 95 %% Wilson intervals. ", first.packings) +
-                 (first.rule == BreakRule::kLargest
-                      ? "Broken: largest fragment below " +
-                            format("%g %%", 100 * first.criteria.intact_share) + " of the volume."
-                      : "Broken: a crack runs through the whole specimen.");
+                 ruleInWords(first);
     return chartSvg(chart);
 }
 

@@ -74,6 +74,18 @@ bool crackGoesThrough(const BreakableBody& body, const std::vector<uint32_t>& ch
 
 }  // namespace
 
+bool isBroken(const Outcome& outcome, BreakRule rule, const Criteria& criteria) {
+    switch (rule) {
+        case BreakRule::kMeridional:
+            return outcome.meridional;
+        case BreakRule::kFlaps:
+            return outcome.children >= criteria.flaps;
+        case BreakRule::kLargest:
+            break;
+    }
+    return outcome.split;
+}
+
 Outcome judge(const BreakableBody& body, std::span<const uint32_t> fragment, const Criteria& criteria) {
     const auto volumes = fragmentVolumes(body, fragment);
     double whole = 0, largest = 0;

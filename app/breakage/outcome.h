@@ -11,11 +11,13 @@ namespace demolish {
 enum class BreakRule {
     kLargest,     ///< the largest fragment has less than Criteria::intact_share of the volume
     kMeridional,  ///< a crack runs through the whole specimen along the line of impact (the paper's words)
+    kFlaps,       ///< at least Criteria::flaps children: the paper's Fig 2 counts "between 3 and 5"
 };
 
 struct Criteria {
     double child_share = 0.03;   ///< of the specimen's volume: smaller fragments are not counted (paper 4.1)
     double intact_share = 0.80;  ///< of the volume
+    uint32_t flaps = 3;
     uint32_t slabs = 6;  ///< a crack goes through when it is seen in each of these slices of the height
 };
 
@@ -24,9 +26,9 @@ struct Outcome {
     uint32_t children = 1;    ///< fragments of at least child_share
     bool split = false;       ///< BreakRule::kLargest
     bool meridional = false;  ///< BreakRule::kMeridional
-
-    bool broken(BreakRule rule) const { return rule == BreakRule::kLargest ? split : meridional; }
 };
+
+bool isBroken(const Outcome& outcome, BreakRule rule, const Criteria& criteria);
 
 /// `fragment`: a number for every particle, equal within a fragment. The line of impact is the body's y axis.
 ///

@@ -8,12 +8,12 @@
 namespace demolish {
 namespace {
 
-void count(const Outcome& outcome, BreakRule rule, BreakageCell& cell) {
+void count(const Outcome& outcome, const BreakageExperiment& experiment, BreakageCell& cell) {
     ++cell.specimens;
     cell.split += outcome.split ? 1 : 0;
     cell.meridional += outcome.meridional ? 1 : 0;
     cell.both += outcome.split && outcome.meridional ? 1 : 0;
-    if (!outcome.broken(rule)) return;
+    if (!isBroken(outcome, experiment.rule, experiment.criteria)) return;
     ++cell.broken;
     cell.children_in_all += outcome.children;
     ++cell.children[std::min(outcome.children, kMostChildren)];
@@ -53,7 +53,7 @@ std::vector<BreakageStatistics> summarise(const BreakagePlan& plan, std::span<co
         BreakageStatistics& statistics = all[k];
         for (size_t s = 0; s < items[item].size(); ++s) {
             const BreakageRun& run = items[item][s];
-            count(results[item].outcomes[s], plan.experiments[k].rule, statistics.cells[run.size][run.speed]);
+            count(results[item].outcomes[s], plan.experiments[k], statistics.cells[run.size][run.speed]);
         }
         addEnergies(results[item], statistics, impact[k]);
         statistics.particles += results[item].particles;

@@ -1,16 +1,21 @@
 // From options to a timed run and its reports.
 #include "app/commands/bench_command.h"
 
+#include <spdlog/spdlog.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/commands/bench_run.h"
 #include "app/commands/frame_curve.h"
+#include "app/commands/kernel_bench.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
 #include "app/commands/run_report.h"
 #include "app/session/output_file.h"
+#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -37,7 +42,7 @@ BenchPlan planFor(const BenchOptions& options, const Shot& shot) {
 
 /// The timed frames go without the ledger, as a viewer would; a report gets it from the same frames once
 /// more. Throws NumericalError if booking changed the run, which it must not.
-EnergyLedger energyOfTheSameFrames(Session& timed, uint64_t frames) {
+EnergyBalance energyOfTheSameFrames(Session& timed, uint64_t frames) {
     BuildOptions options{.draw_geometry = timed.built().has_draw_geometry, .reuse = &timed.built()};
     Session session(buildShot(timed.built().shot, options, {}), {.draw = false});
     for (uint64_t frame = 0; frame < frames; ++frame) requireOk(session.advance());
@@ -45,7 +50,7 @@ EnergyLedger energyOfTheSameFrames(Session& timed, uint64_t frames) {
         throw NumericalError(
             "the run with the energy ledger ended in another state than the timed one; report this");
     session.solver().measure();
-    return session.solver().stats().energy;
+    return session.energy();
 }
 
 RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& session,
@@ -82,7 +87,50 @@ void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& b
     writeTextFile(file, frameCurveSvg(run.samples, built.shot.phases, title, subtitle));
 }
 
+/// The substep's options are the device, one size, and where to write.
+void refuseForKernel(const BenchOptions& options) {
+    const ShotOptions& shot = options.shot;
+    const bool of_a_shot = !shot.scene.empty() || !shot.model.empty() || options.no_draw ||
+                           options.draw_only || !options.curve.empty() || options.frames ||
+                           shot.particle_size;
+    if (of_a_shot)
+        throw UsageError(
+            "--kernel times the substep of a block and no scene; give it --device, --particles, --json or "
+            "--csv "
+            "only");
+}
+
+void runKernelBench(const BenchOptions& options) {
+    refuseForKernel(options);
+    Shot shot;
+    shot.device = deviceChoice(options.shot);
+    const bool cuda = choosesCuda(shot);
+    std::vector<uint32_t> sizes(kernelSizes(cuda).begin(), kernelSizes(cuda).end());
+    if (options.shot.particles) {
+        requireInRange("--particles", *options.shot.particles, {8, kMaxParticles}, "");
+        if (*options.shot.particles != std::floor(*options.shot.particles))
+            throw UsageError("--particles must be a whole number");
+        sizes = {static_cast<uint32_t>(*options.shot.particles)};
+    } else if (!cuda) {
+        spdlog::info("on the CPU only sizes up to {} are timed; --particles N asks for another",
+                     sizes.back());
+    }
+    std::vector<KernelRow> rows;
+    ProgressBar bar;
+    for (const uint32_t size : sizes) {
+        bar.show(static_cast<double>(rows.size()) / static_cast<double>(sizes.size()), "timing substeps");
+        rows.push_back(timeKernel(cuda, size));
+    }
+    bar.finish();
+    const KernelPlace place{cuda ? findCudaDevice().name : "CPU", gpuDriver(), machineName(),
+                            DEMOLISH_VERSION, threadsInUse()};
+    if (!options.json.empty()) writeTextFile(options.json, kernelJson(rows, place));
+    if (!options.csv.empty()) writeTextFile(options.csv, kernelCsv(rows, place));
+    std::fputs(kernelTable(rows, place).c_str(), stdout);
+}
+
 void runBench(const BenchOptions& options) {
+    if (options.kernel) return runKernelBench(options);
     const Shot shot = makeShot(options.shot, "paper");
     const BenchPlan plan = planFor(options, shot);
     const bool draws = plan.mode != BenchMode::kSimulateOnly;
@@ -129,6 +177,9 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->type_name("FILE");
     command->add_flag("--no-draw", options.no_draw, "Simulate only; needs no OpenGL");
     command->add_flag("--draw-only", options.draw_only, "Time the drawing alone, of a recording of the shot");
+    command->add_flag(
+        "--kernel", options.kernel,
+        "Time the substep alone, of blocks of 2,000 to 1,000,000 particles, beside the machine's floors");
     command->callback([&options] { runBench(options); });
 }
 

@@ -101,6 +101,7 @@ void runCapture(const CaptureOptions& options) {
     report.frames = capture.samples.size() + 1;
     report.wall_seconds = watch.milliseconds() / 1000;
     report.times = summarise(capture.samples);
+    report.energy = session.energy();
     if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
     requireOk(capture.status);

@@ -11,11 +11,11 @@
 namespace demolish {
 namespace {
 
-constexpr double kWidth = 1200, kHeight = 660;
+constexpr double kWidth = 1200, kHeight = 680;
 constexpr double kLeft = 84, kRight = 1136;
-constexpr double kTop = 118, kBottom = 430;            // of the frame times
-constexpr double kLowerTop = 486, kLowerBottom = 606;  // of the particles
-constexpr const char *kFaint = "#e4e4e4", *kGrey = "#666", *kBreakColour = "#c0202a";
+constexpr double kTop = 134, kBottom = 440;            // of the frame times
+constexpr double kLowerTop = 502, kLowerBottom = 622;  // of the particles
+constexpr const char *kFaint = "#dcdcdc", *kShade = "#f2f5fa", *kGrey = "#666", *kBreakColour = "#c0202a";
 constexpr double kGuideRates[] = {60, 240, 600};  // FPS
 
 using Value = std::function<double(const FrameSample&)>;
@@ -102,16 +102,27 @@ void drawTimeAxis(SvgWriter& svg, const Frame& frame) {
     svg.line({kLeft, frame.bottom}, {kRight, frame.bottom}, kGrey);
 }
 
-void drawPhases(SvgWriter& svg, const Frame& frame, std::span<const PhaseSummary> rows) {
+/// Behind everything else, so that frames between phases stand out.
+void shadePhases(SvgWriter& svg, const Frame& frame, std::span<const PhaseSummary> rows) {
+    for (const auto& row : rows) {
+        if (row.times.frames == 0) continue;
+        const double from = frame.x(row.phase.from), width = frame.x(row.phase.to) - from;
+        svg.rectangle({from, kTop - 48}, width, kBottom - kTop + 48, kShade);
+        svg.rectangle({from, kLowerTop}, width, kLowerBottom - kLowerTop, kShade);
+    }
+}
+
+void namePhases(SvgWriter& svg, const Frame& frame, std::span<const PhaseSummary> rows) {
     for (const auto& row : rows) {
         if (row.times.frames == 0) continue;
         const double from = frame.x(row.phase.from), to = frame.x(row.phase.to), middle = 0.5 * (from + to);
-        for (const double edge : {from, to})
-            svg.line({edge, kTop - 40}, {edge, kLowerBottom}, "#999", 1, "4 3");
-        svg.text({middle, kTop - 26}, row.phase.name, {.anchor = "middle", .bold = true});
-        std::string speed = label("%.1f FPS", row.times.fps_median);
-        if (row.phase.paper_fps > 0) speed += label(" (paper %.0f)", row.phase.paper_fps);
-        svg.text({middle, kTop - 10}, speed, {.size = 12, .anchor = "middle", .colour = kGrey});
+        for (const double edge : {from, to}) svg.line({edge, kTop - 48}, {edge, kBottom}, "#999", 1, "4 3");
+        svg.text({middle, kTop - 34}, row.phase.name, {.anchor = "middle", .bold = true});
+        svg.text({middle, kTop - 20}, label("%.1f FPS", row.times.fps_median),
+                 {.size = 12, .anchor = "middle"});
+        if (row.phase.paper_fps > 0)
+            svg.text({middle, kTop - 6}, label("paper %.0f", row.phase.paper_fps),
+                     {.size = 12, .anchor = "middle", .colour = kGrey});
     }
 }
 
@@ -183,6 +194,8 @@ std::string frameCurveSvg(std::span<const FrameSample> samples, std::span<const 
     const double awake = highest(samples, particleKinds());
     const Frame particles{first, last, axisEnd(awake, 4), kLowerTop, kLowerBottom};
 
+    const auto rows = summarisePhases(samples, phases);
+    shadePhases(svg, times, std::span(rows).first(phases.size()));
     drawValueAxis(svg, times, 6, "ms per frame");
     drawLayers(svg, times, samples, stages());
     drawGuides(svg, times);
@@ -191,8 +204,7 @@ std::string frameCurveSvg(std::span<const FrameSample> samples, std::span<const 
     drawValueAxis(svg, particles, 4, "particles");
     drawLayers(svg, particles, samples, particleKinds());
     drawTimeAxis(svg, particles);
-    const auto rows = summarisePhases(samples, phases);
-    drawPhases(svg, times, std::span(rows).first(phases.size()));
+    namePhases(svg, times, std::span(rows).first(phases.size()));
     svg.text({0.5 * (kLeft + kRight), kLowerBottom + 42}, "simulated time, s", {.anchor = "middle"});
     drawLegend(svg, kLeft, 70, stages());
     drawLegend(svg, kLeft, kLowerTop - 8, particleKinds());

@@ -1,24 +1,14 @@
 // One list of columns serves JSON and CSV, so that they cannot drift apart.
 #include "app/commands/phase_report.h"
 
-#include <cstdarg>
-#include <cstdio>
 #include <nlohmann/json.hpp>
+
+#include "app/commands/text_table.h"
 
 namespace demolish {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string format(const char* pattern, ...) __attribute__((format(printf, 1, 2)));
-std::string format(const char* pattern, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, pattern);
-    std::vsnprintf(text, sizeof text, pattern, arguments);
-    va_end(arguments);
-    return text;
-}
 
 /// Numbers of a row in the order of the columns; null where there is none.
 Json rowJson(const PhaseSummary& row, size_t bodies) {
@@ -55,60 +45,43 @@ Json rowJson(const PhaseSummary& row, size_t bodies) {
 std::string speedLine(const PhaseSummary& row) {
     const FrameSummary& t = row.times;
     const bool in_paper = row.phase.paper_fps > 0;
-    const std::string paper = in_paper ? format("%.0f", row.phase.paper_fps) : "-";
-    const std::string name = format("  %-16s", row.phase.name.c_str());
+    const std::string paper = in_paper ? formatted("%.0f", row.phase.paper_fps) : "-";
+    const std::string name = formatted("  %-16s", row.phase.name.c_str());
     if (t.frames == 0)
-        return name + format(" %6d %9s %8s %7s %8s %8s %8s\n", 0, "-", paper.c_str(), "-", "-", "-", "-");
-    const std::string ratio = in_paper ? format("%.2f", row.ratio()) : "-";
-    return name + format(" %6zu %9.1f %8s %7s %8.1f %8.2f %8.2f\n", t.frames, t.fps_median, paper.c_str(),
-                         ratio.c_str(), t.fps_p1, t.frame_ms_p99, t.frame_ms_worst);
+        return name + formatted(" %6d %9s %8s %7s %8s %8s %8s\n", 0, "-", paper.c_str(), "-", "-", "-", "-");
+    const std::string ratio = in_paper ? formatted("%.2f", row.ratio()) : "-";
+    return name + formatted(" %6zu %9.1f %8s %7s %8.1f %8.2f %8.2f\n", t.frames, t.fps_median, paper.c_str(),
+                            ratio.c_str(), t.fps_p1, t.frame_ms_p99, t.frame_ms_worst);
 }
 
 std::string stageLine(const PhaseSummary& row, size_t bodies) {
     const FrameSummary& t = row.times;
     if (t.frames == 0) return "";
-    const std::string awake = format("%.0f / %u", t.awake_particles, t.particles);
-    const std::string awake_bodies = format("%.0f / %zu", t.awake_bodies, bodies);
-    return format("  %-16s %7.2f %8.3f %6.2f %6.2f %8.0f  %17s %8s %9u %9llu\n", row.phase.name.c_str(),
-                  t.sim_ms, t.transfer_ms, t.draw_ms, t.rest_ms, t.substeps, awake.c_str(),
-                  awake_bodies.c_str(), t.fragments, static_cast<unsigned long long>(t.triangles));
+    const std::string awake = formatted("%.0f / %u", t.awake_particles, t.particles);
+    const std::string awake_bodies = formatted("%.0f / %zu", t.awake_bodies, bodies);
+    return formatted("  %-16s %7.2f %8.3f %6.2f %6.2f %8.0f  %17s %8s %9u %9llu\n", row.phase.name.c_str(),
+                     t.sim_ms, t.transfer_ms, t.draw_ms, t.rest_ms, t.substeps, awake.c_str(),
+                     awake_bodies.c_str(), t.fragments, static_cast<unsigned long long>(t.triangles));
 }
 
 /// Six digits are more than a timing holds.
 std::string numberText(const Json& value) {
     if (value.is_null()) return "";
-    return value.is_number_float() ? format("%.6g", value.get<double>()) : value.dump();
-}
-
-/// RFC 4180: a field with a comma, quote or line end stands in quotes.
-std::string csvField(const std::string& text) {
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string quoted = "\"";
-    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + "\"";
-}
-
-std::string csvLine(const std::vector<std::string>& fields) {
-    std::string line;
-    for (size_t i = 0; i < fields.size(); ++i) {
-        if (i > 0) line += ',';
-        line += csvField(fields[i]);
-    }
-    return line + "\n";
+    return value.is_number_float() ? formatted("%.6g", value.get<double>()) : value.dump();
 }
 
 }  // namespace
 
 std::string phaseTable(std::span<const PhaseSummary> rows, size_t bodies) {
-    std::string table =
-        format("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "", "", "FPS", "paper's", "", "p1", "p99", "worst") +
-        format("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "phase", "frames", "median", "FPS", "ratio", "FPS",
-               "ms", "ms");
+    std::string table = formatted("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "", "", "FPS", "paper's", "", "p1",
+                                  "p99", "worst") +
+                        formatted("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "phase", "frames", "median", "FPS",
+                                  "ratio", "FPS", "ms", "ms");
     for (const auto& row : rows) table += speedLine(row);
-    table += format("\n  %-16s %7s %8s %6s %6s %8s  %17s %8s %9s %9s\n", "", "sim", "transfer", "draw",
-                    "rest", "", "awake", "awake", "", "") +
-             format("  %-16s %7s %8s %6s %6s %8s  %17s %8s %9s %9s\n", "phase", "ms", "ms", "ms", "ms",
-                    "substeps", "particles", "bodies", "fragments", "triangles");
+    table += formatted("\n  %-16s %7s %8s %6s %6s %8s  %17s %8s %9s %9s\n", "", "sim", "transfer", "draw",
+                       "rest", "", "awake", "awake", "", "") +
+             formatted("  %-16s %7s %8s %6s %6s %8s  %17s %8s %9s %9s\n", "phase", "ms", "ms", "ms", "ms",
+                       "substeps", "particles", "bodies", "fragments", "triangles");
     for (const auto& row : rows) table += stageLine(row, bodies);
     return table +
            "  Medians of the row's frames; fragments and triangles: the most. A particle is awake that costs "

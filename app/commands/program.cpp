@@ -24,7 +24,8 @@ constexpr const char* kFooter =
     "  demolish view bunny\n"
     "  demolish view --model statue.obj --height 2 --impact-velocity 20\n"
     "  demolish capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4\n"
-    "  demolish bench block --particles 1000000 --no-draw --json block.json\n"
+    "  demolish bench vase --json vase.json --curve vase.svg\n"
+    "  demolish bench --kernel --device cuda\n"
     "  demolish breakage --out out/breakage\n"
     "Exit codes: 0 done, 2 usage, 3 input file, 4 device or OpenGL, 5 numerical failure, 6 output not "
     "written.";

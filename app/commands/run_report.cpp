@@ -28,6 +28,16 @@ Json energyJson(const EnergyLedger& energy) {
             {"external", energy.external}};
 }
 
+Json balanceJson(const EnergyBalance& balance) {
+    Json json = energyJson(balance.now);
+    json["initial"] = {{"kinetic", balance.start.kinetic},
+                       {"elastic", balance.start.elastic},
+                       {"potential", balance.start.potential}};
+    json["brought_in"] = balance.broughtIn();
+    json["closure"] = balance.closure();
+    return json;
+}
+
 Json softeningJson(const SofteningReport& softening, const SceneSetup& setup) {
     return {{"in_force", setup.params.soften},
             {"bond_modulus", softening.bond_modulus},
@@ -114,6 +124,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["particle_size"] = built.body->spacing;
     json["bonds"] = stats.bonds;
     json["bonds_broken"] = stats.bonds_broken;
+    json["bonds_parted"] = stats.bonds_parted;
     json["fragments"] = stats.fragments;
     json["largest_fragment_fraction"] = stats.largest_fragment_fraction;
     json["mass"] = stats.mass;
@@ -122,7 +133,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["open_cells"] = built.body->open_cells;
     json["linear_momentum"] = vectorJson(stats.linear_momentum);
     json["angular_momentum"] = vectorJson(stats.angular_momentum);
-    json["energy"] = energyJson(report.energy.value_or(stats.energy));
+    if (report.energy) json["energy"] = balanceJson(*report.energy);
     json["softening"] = softeningJson(built.solver->softening(), built.setup);
     json["state_hash"] = hexadecimal(built.solver->stateHash());
     json["status"] = describe(stats.status);
@@ -181,11 +192,17 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
            std::to_string(stats.particles) + " of " + number(1000 * built.body->spacing, "%.3g") + " mm in " +
                std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"));
     addRow(table, "in force", softeningText(built.solver->softening(), built.setup));
-    addRow(table, "bonds", std::to_string(stats.bonds) + ", broken " + std::to_string(stats.bonds_broken));
+    addRow(table, "bonds",
+           std::to_string(stats.bonds) + ", broken " + std::to_string(stats.bonds_broken) +
+               ", of these parted " + std::to_string(stats.bonds_parted));
     addRow(table, "fragments",
            std::to_string(stats.fragments) + ", largest " +
                number(100 * stats.largest_fragment_fraction, "%.1f %%") + " of the mass");
     addRow(table, "momentum", momentumText(stats));
+    if (report.energy)
+        addRow(table, "energy found again",
+               number(report.energy->closure(), "%.4f") + " of " +
+                   number(report.energy->broughtIn(), "%.4g") + " J brought in");
     addRow(table, "state hash", hexadecimal(built.solver->stateHash()));
     addRow(table, "status", describe(stats.status));
     if (report.phases.empty()) return table;

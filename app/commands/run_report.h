@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/session/built_shot.h"
+#include "app/session/energy_balance.h"
 #include "app/session/frame_times.h"
 
 namespace demolish {
@@ -20,8 +21,8 @@ struct RunReport {
     double wall_seconds = 0;
     double frame_seconds = 0;  ///< the least that a frame simulated, s; 0: not looked at
     FrameSummary times;
-    std::vector<PhaseSummary> phases;    ///< rows of a benchmark; none in other reports
-    std::optional<EnergyLedger> energy;  ///< in place of the solver's, where that kept no ledger
+    std::vector<PhaseSummary> phases;                         ///< rows of a benchmark; none in other reports
+    std::optional<EnergyBalance> energy;                      ///< none where no ledger was kept
     std::vector<std::pair<std::string, double>> draw_passes;  ///< median GPU time of each pass, ms
 };
 

@@ -14,6 +14,7 @@ std::string sessionJson(const Session& session) {
     json["particle_size"] = status.particle_size;
     json["particles"] = status.stats.particles;
     json["bonds_broken"] = status.stats.bonds_broken;
+    json["bonds_parted"] = status.stats.bonds_parted;
     json["fragments"] = status.stats.fragments;
     json["time"] = status.stats.time;
     json["playing"] = status.playing;

@@ -154,10 +154,14 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     if (options.fps) shot.fps = inRange("--fps", *options.fps, kFpsRange, "frames/s");
     if (options.slow_motion)
         shot.time_scale = inRange("--slow-motion", *options.slow_motion, kTimeScaleRange, "");
-    shot.device = options.device == "cpu"    ? DeviceChoice::kCpu
-                  : options.device == "cuda" ? DeviceChoice::kCuda
-                                             : DeviceChoice::kAuto;
+    shot.device = deviceChoice(options);
     return shot;
+}
+
+DeviceChoice deviceChoice(const ShotOptions& options) {
+    return options.device == "cpu"    ? DeviceChoice::kCpu
+           : options.device == "cuda" ? DeviceChoice::kCuda
+                                      : DeviceChoice::kAuto;
 }
 
 PictureSize pictureSize(const ShotOptions& options, PictureSize fallback) {

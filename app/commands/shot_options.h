@@ -32,6 +32,9 @@ void addShotOptions(CLI::App& command, ShotOptions& options);
 /// options that exclude each other) and the errors of scene files.
 Shot makeShot(const ShotOptions& options, const std::string& mesh = "fine");
 
+/// --device.
+DeviceChoice deviceChoice(const ShotOptions& options);
+
 /// "1280x720". Throws UsageError; `fallback` if the option was not given.
 PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
 

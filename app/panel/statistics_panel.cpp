@@ -83,7 +83,11 @@ void showStatisticsPanel(PanelContext& context) {
     const FrameStats& stats = context.status.stats;
     valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
     valueRow("Mass", "%.4g kg", stats.mass);
-    valueRow("Bonds", "%u, broken %u", stats.bonds, stats.bonds_broken);
+    valueRow("Bonds", "%u, broken %u, parted %u", stats.bonds, stats.bonds_broken, stats.bonds_parted);
+    tooltipOnHover(
+        "Broken: the bond has failed. Parted, of these: its two ends have left each other; between the "
+        "others "
+        "the faces of the crack still touch.");
     valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
     valueRow("Time", "%.3f s, step %.2f us", stats.time, 1e6 * stats.time_step);
     valueRow("Device", "%s, transfer: %s", context.status.device.c_str(), context.status.transfer.c_str());

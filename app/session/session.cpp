@@ -70,6 +70,8 @@ void Session::restart() {
     recording_.clear();
     message_.clear();
     startDueBalls();
+    built_.solver->measure();
+    start_energy_ = built_.solver->stats().energy;
     bringFrame(true);
 }
 

@@ -9,6 +9,7 @@
 #include "app/session/built_shot.h"
 #include "app/session/commands.h"
 #include "app/session/debounce.h"
+#include "app/session/energy_balance.h"
 #include "app/session/frame_output.h"
 #include "app/session/rebuild_worker.h"
 #include "app/session/recording.h"
@@ -62,6 +63,8 @@ class Session {
     const std::vector<engine::SphereDraw>& spheres() const { return spheres_; }
     const char* transfer() const;
     SessionStatus status() const;
+    /// Since the shot's start, as of the last Solver::measure().
+    EnergyBalance energy() const { return {start_energy_, built_.solver->stats().energy}; }
     double lastSimMs() const { return last_sim_ms_; }
     /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
     double lastTransferMs() const { return last_transfer_ms_; }
@@ -95,6 +98,7 @@ class Session {
     Debounce<Shot> debounce_{0.25};
     ParticleColour colour_ = ParticleColour::kFragment;
     FrameStats shown_;
+    EnergyLedger start_energy_;
     std::string message_;
     uint32_t projectiles_ = 0;
     size_t balls_started_ = 0;  ///< by themselves, of ballsOf(shotOfBalls())

@@ -4,14 +4,18 @@
 
 namespace demolish::engine::gl {
 
-Texture::Texture(GLenum target, int width, int height) : width_(width), height_(height) {
+namespace {
+
+GLuint newTexture(GLenum target) {
     GLuint id = 0;
     glCreateTextures(target, 1, &id);
-    object_ = Object<TextureTraits>(id);
+    return id;
 }
 
+}  // namespace
+
 Texture Texture::make2d(GLenum format, int width, int height, int levels) {
-    Texture texture(GL_TEXTURE_2D, width, height);
+    Texture texture(newTexture(GL_TEXTURE_2D), width, height);
     glTextureStorage2D(texture.id(), levels, format, width, height);
     texture.setFilter(GL_NEAREST, GL_NEAREST);
     texture.setWrap(GL_CLAMP_TO_EDGE);
@@ -20,13 +24,23 @@ Texture Texture::make2d(GLenum format, int width, int height, int levels) {
 
 Texture Texture::makeTarget(GLenum format, int width, int height, int samples) {
     if (samples <= 1) return make2d(format, width, height);
-    Texture texture(GL_TEXTURE_2D_MULTISAMPLE, width, height);
+    Texture texture(newTexture(GL_TEXTURE_2D_MULTISAMPLE), width, height);
     glTextureStorage2DMultisample(texture.id(), samples, format, width, height, GL_TRUE);
     return texture;
 }
 
+Texture Texture::viewTarget(const Texture& target, GLenum format, int samples) {
+    GLuint id = 0;
+    glGenTextures(1, &id);  // a view gets its target from glTextureView
+    Texture view(id, target.width(), target.height());
+    glTextureView(id, samples > 1 ? GL_TEXTURE_2D_MULTISAMPLE : GL_TEXTURE_2D, target.id(), format, 0, 1, 0,
+                  1);
+    if (samples <= 1) view.setFilter(GL_NEAREST, GL_NEAREST);  // not inherited, and integers know no other
+    return view;
+}
+
 Texture Texture::make3d(GLenum format, int size, int levels) {
-    Texture texture(GL_TEXTURE_3D, size, size);
+    Texture texture(newTexture(GL_TEXTURE_3D), size, size);
     glTextureStorage3D(texture.id(), levels, format, size, size, size);
     texture.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     texture.setWrap(GL_REPEAT);

@@ -17,6 +17,8 @@ class Texture {
     static Texture make2d(GLenum format, int width, int height, int levels = 1);
     /// `samples` > 1: a multisample texture, else a plain one.
     static Texture makeTarget(GLenum format, int width, int height, int samples);
+    /// The texels of a makeTarget() texture, read as another format of the same size. Shares the memory.
+    static Texture viewTarget(const Texture& target, GLenum format, int samples);
     static Texture make3d(GLenum format, int size, int levels);
 
     void setFilter(GLenum minify, GLenum magnify);
@@ -29,7 +31,7 @@ class Texture {
     explicit operator bool() const { return static_cast<bool>(object_); }
 
   private:
-    Texture(GLenum target, int width, int height);
+    Texture(GLuint id, int width, int height) : object_(id), width_(width), height_(height) {}
     Object<TextureTraits> object_;
     int width_ = 0, height_ = 0;
 };
@@ -38,9 +40,6 @@ class Sampler {
   public:
     Sampler();
     void set(GLenum parameter, GLint value) { glSamplerParameteri(object_.id(), parameter, value); }
-    void setBorder(const float (&colour)[4]) {
-        glSamplerParameterfv(object_.id(), GL_TEXTURE_BORDER_COLOR, colour);
-    }
     void bind(GLuint unit) const { glBindSampler(unit, object_.id()); }
 
   private:

@@ -8,7 +8,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kCurve = 0, kHasOcclusion = 1, kSamplePosition = 2;
+constexpr GLint kCurve = 0, kSamplePosition = 1;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
 
 /// y = x^a, then y / (y^d b + c): contrast a in the middle, shoulder d towards white; b and c follow from
@@ -32,6 +32,12 @@ void setSamplePositions(gl::Program& program, int samples) {
     }
 }
 
+void bindInputs(const RenderTargets& targets) {
+    targets.material_bits.bind(kMaterialUnit);
+    targets.normal_bits.bind(kNormalUnit);
+    targets.depth.bind(kDepthUnit);
+}
+
 }  // namespace
 
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
@@ -39,28 +45,33 @@ LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {
 gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality quality) {
     gl::Program& program = programs_[{targets.samples, quality}];
     if (program.id() != 0) return program;
-    std::string defines = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
-    if (quality == RenderQuality::kDraft) defines += "#define SHADOW_DRAFT\n";
-    program = gl::Program(shaders_, {"light.comp"}, defines);
+    const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    program = quality == RenderQuality::kFull ? gl::Program(shaders_, {"light.comp"}, samples)
+                                              : gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
+                                                            samples + "#define SHADOW_DRAFT\n");
     program.set(kCurve, toneCurve());
     targets.scene.bind();
     setSamplePositions(program, targets.samples);
     return program;
 }
 
-void LightPass::run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality,
-                    GLuint picture) {
-    gl::Program& program = programFor(targets, quality);
-    program.set(kHasOcclusion, occlusion != nullptr ? 1 : 0);
-    program.use();
-    targets.material.bind(kMaterialUnit);
-    targets.normals.bind(kNormalUnit);
-    targets.depth.bind(kDepthUnit);
-    if (occlusion != nullptr) occlusion->bind(kOcclusionUnit);
+void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
+    programFor(targets, RenderQuality::kFull).use();
+    bindInputs(targets);
+    occlusion.bind(kOcclusionUnit);
     glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
     glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
     glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
                     GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {
+    programFor(targets, RenderQuality::kDraft).use();
+    bindInputs(targets);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, targets.width, targets.height);
+    no_attributes_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 }  // namespace demolish::engine

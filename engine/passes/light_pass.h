@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/gl/program.h"
+#include "engine/gl/vertex_array.h"
 #include "engine/render/render_targets.h"
 #include "engine/render/renderer.h"
 
@@ -13,16 +14,18 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
-    /// The shadow map and the noise volume are bound. `occlusion` may be null. Writes the RGBA8 texture
-    /// `picture`.
-    void run(const RenderTargets& targets, const gl::Texture* occlusion, RenderQuality quality,
-             GLuint picture);
+    /// The shadow map and the noise volume are bound, here and in draw(). Writes the RGBA8 texture `picture`.
+    void compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
+    /// The same for drafts, which have no occlusion, into `framebuffer` (0: the window), drawn: llvmpipe
+    /// takes longer to store a pixel from a compute shader than to light it.
+    void draw(const RenderTargets& targets, GLuint framebuffer);
 
   private:
     gl::Program& programFor(const RenderTargets& targets, RenderQuality quality);
     std::filesystem::path shaders_;
     std::map<std::pair<int, RenderQuality>, gl::Program>
         programs_;  ///< by samples and quality, made when first needed
+    gl::VertexArray no_attributes_;
 };
 
 }  // namespace demolish::engine

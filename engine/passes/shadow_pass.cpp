@@ -1,21 +1,19 @@
-// Orthographic, fitted to the scene's sphere; depth clamp lets things between sun and sphere cast shadows
-// too.
+// Orthographic, two regions side by side; depth clamp lets things between sun and region cast shadows too.
 #include "engine/passes/shadow_pass.h"
 
 namespace demolish::engine {
 namespace {
 
+constexpr GLint kRegion = 0;
 constexpr float kEmptyDepth = 1.0f;
 
 }  // namespace
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
     : body_(shaders, {"shadow.vert", "shadow.frag"}), eraser_(shaders, kEmptyDepth) {
-    const float lit[4] = {1, 1, 1, 1};
     for (gl::Sampler* sampler : {&compare_, &plain_}) {
-        sampler->set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_BORDER);
-        sampler->set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_BORDER);
-        sampler->setBorder(lit);
+        sampler->set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);  // no tap leaves its region
+        sampler->set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     }
     compare_.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     compare_.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
@@ -26,8 +24,8 @@ ShadowPass::ShadowPass(const std::filesystem::path& shaders)
 }
 
 void ShadowPass::begin(int size, bool erase_tiles) {
-    if (map_.width() != size) {
-        map_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, size, size);
+    if (map_.height() != size) {
+        map_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, kShadowRegions * size, size);
         framebuffer_ = gl::Framebuffer({}, &map_);
         eraser_.forget();
     }
@@ -37,6 +35,11 @@ void ShadowPass::begin(int size, bool erase_tiles) {
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(1.1f, 2.0f);
+}
+
+void ShadowPass::enter(int region) {
+    glViewport(region * map_.height(), 0, map_.height(), map_.height());
+    body_.set(kRegion, region);
 }
 
 void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh) {

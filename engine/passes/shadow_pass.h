@@ -10,12 +10,17 @@
 
 namespace demolish::engine {
 
+inline constexpr int kShadowRegions = 2;
+
 class ShadowPass {
   public:
     explicit ShadowPass(const std::filesystem::path& shaders);
-    /// Binds and clears the map of `size` x `size` texels; passes that cast shadows draw next. Then finish().
+    /// Binds and clears the map of two regions of `size` x `size` texels. Then, for each region: enter(), and
+    /// the passes that cast shadows draw. Then finish().
     /// `erase_tiles`: only where something was drawn last time (DepthEraser).
     void begin(int size, bool erase_tiles);
+    /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
+    void enter(int region);
     void drawBody(BodyGeometry& body, const FractureMesh& mesh);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.

@@ -10,7 +10,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kColourMap = 0;
+constexpr GLint kColourMap = 0, kRegion = 0;
 constexpr int kMetal = 4;  // beyond the values of ColourMap
 
 /// As the particle stream: 32 bytes.
@@ -59,7 +59,8 @@ void SpherePass::drawSpheres() {
     drawInstances(shaded_, spheres_, sphere_count_);
 }
 
-void SpherePass::drawSphereShadows() {
+void SpherePass::drawSphereShadows(int region) {
+    shadows_.set(kRegion, region);
     drawInstances(shadows_, spheres_, sphere_count_);
 }
 void SpherePass::drawSphereIds() {
@@ -71,7 +72,8 @@ void SpherePass::drawParticles(const FractureMesh& mesh, ColourMap colours) {
     drawInstances(shaded_, mesh.stream(StreamId::kParticles), mesh.particleCount());
 }
 
-void SpherePass::drawParticleShadows(const FractureMesh& mesh) {
+void SpherePass::drawParticleShadows(const FractureMesh& mesh, int region) {
+    shadows_.set(kRegion, region);
     drawInstances(shadows_, mesh.stream(StreamId::kParticles), mesh.particleCount());
 }
 

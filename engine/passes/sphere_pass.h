@@ -17,11 +17,12 @@ class SpherePass {
     /// Projectiles of the coming frame.
     void setSpheres(std::span<const SphereDraw> spheres);
     void drawSpheres();
-    void drawSphereShadows();
+    /// `region` of the shadow map, as ShadowPass::enter().
+    void drawSphereShadows(int region);
     void drawSphereIds();
     /// Particles of the body, from the mesh's particle stream.
     void drawParticles(const FractureMesh& mesh, ColourMap colours);
-    void drawParticleShadows(const FractureMesh& mesh);
+    void drawParticleShadows(const FractureMesh& mesh, int region);
     void drawParticleIds(const FractureMesh& mesh);
 
   private:

@@ -23,22 +23,51 @@ float tileSize(float scene_radius) {
     return power * (digit < 1.5f ? 1.0f : digit < 3.5f ? 2.0f : digit < 7.5f ? 5.0f : 10.0f);
 }
 
-/// World to shadow map: u, v in 0..1 over the scene's sphere, depth in 0..1 along the light.
-glm::mat4 lightMatrix(glm::vec3 centre, float radius, glm::vec3 to_sun) {
+/// A square of the shadow map, with the sun above it.
+struct ShadowRegion {
+    glm::vec3 centre;
+    float radius;  // m, half the width
+    float depth;   // m, range along the light, centred
+};
+
+/// Across the light, and towards the sun.
+glm::mat3 sunAxes(glm::vec3 to_sun) {
     const glm::vec3 up = std::abs(to_sun.y) > 0.98f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    const glm::mat4 look = glm::lookAt(centre + to_sun * radius, centre, up);
-    const float scale = 0.5f / radius;
-    glm::mat4 map(1.0f);
-    map[0][0] = scale;
-    map[1][1] = scale;
-    map[2][2] = -scale;  // lookAt looks along -z
-    map[3] = glm::vec4(0.5f, 0.5f, 0.0f, 1.0f);
-    return map * look;
+    const glm::vec3 right = glm::normalize(glm::cross(up, to_sun));
+    return {right, glm::cross(to_sun, right), to_sun};
+}
+
+/// Round what the camera looks at, wide enough for what lies about there. It grows by doubling and moves by
+/// whole texels, or the edges of shadows would crawl while the camera moves.
+ShadowRegion farRegion(const FrameView& view, const glm::mat3& axes, int texels) {
+    constexpr float kLeastScenes = 4, kCameraDistances = 3;
+    const float scene = std::max(view.scene_radius, 1e-4f);
+    const float distance = glm::length(view.camera.target - view.camera.eye);
+    const float wanted = std::max(kLeastScenes, kCameraDistances * distance / scene);
+    const float radius = scene * std::exp2(std::ceil(std::log2(wanted)));
+    const float texel = 2 * radius / static_cast<float>(texels);
+    const glm::vec3 whole = glm::round(glm::transpose(axes) * view.camera.target / texel) * texel;
+    // Twice as deep as wide: the floor leaves a low sun's cube early.
+    return {axes * whole, radius, 4 * radius};
+}
+
+/// World to region: u, v in 0..1, depth in 0..1 along the light.
+glm::mat4 lightMatrix(const ShadowRegion& region, const glm::mat3& axes) {
+    const glm::vec3 scale(0.5f / region.radius, 0.5f / region.radius, -1 / region.depth);
+    const glm::mat3 turn = glm::mat3(glm::scale(glm::mat4(1), scale)) * glm::transpose(axes);
+    glm::mat4 map(turn);
+    map[3] = glm::vec4(glm::vec3(0.5f) - turn * region.centre, 1);
+    return map;
+}
+
+glm::vec4 shadowSizes(const ShadowRegion& region, int texels) {
+    const auto count = static_cast<float>(texels);
+    return {2 * region.radius / count, 1 / count, 2 * region.radius, region.depth};
 }
 
 }  // namespace
 
-FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_map_size) {
+FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     const Camera& camera = view.camera;
     const Lighting& light = view.lighting;
     const float aspect = static_cast<float>(view.width) / static_cast<float>(view.height);
@@ -49,7 +78,19 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_map_size) {
     FrameUniforms frame;
     frame.view = camera.view();
     frame.view_projection = camera.projection(aspect) * frame.view;
-    frame.light_matrix = lightMatrix(centre, view.scene_radius, to_sun);
+    const glm::mat3 sun_axes = sunAxes(to_sun);
+    const float near_radius = std::max(view.scene_radius, 1e-4f);
+    const ShadowRegion regions[] = {{centre, near_radius, 2 * near_radius},
+                                    farRegion(view, sun_axes, shadow_texels)};
+    // The regions share their axes.
+    frame.to_far_scale =
+        glm::vec4(regions[0].radius / regions[1].radius, regions[0].radius / regions[1].radius,
+                  regions[0].depth / regions[1].depth, 0);
+    for (int i = 0; i < 2; ++i) {
+        frame.light_matrix[i] = lightMatrix(regions[i], sun_axes);
+        frame.shadow[i] = shadowSizes(regions[i], shadow_texels);
+    }
+    frame.to_far_shift = frame.light_matrix[1][3] - frame.to_far_scale * frame.light_matrix[0][3];
     const glm::mat4 axes = glm::transpose(frame.view);
     frame.eye = glm::vec4(camera.eye, tileSize(view.scene_radius));
     frame.ray_right = glm::vec4(glm::vec3(axes[0]) * slope * aspect, 0);
@@ -61,10 +102,7 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_map_size) {
     frame.sky_horizon = glm::vec4(light.sky_horizon, 0);
     frame.floor_colour = glm::vec4(light.floor_colour, view.show_floor ? 1.0f : 0.0f);
     const auto width = static_cast<float>(view.width), height = static_cast<float>(view.height);
-    const float extent = 2.0f * view.scene_radius;
-    const auto texels = static_cast<float>(shadow_map_size);
     frame.viewport = {width, height, 1.0f / width, 1.0f / height};
-    frame.shadow = {extent / texels, 1.0f / texels, extent, extent};
     frame.depth_range = {camera.near_plane, camera.far_plane, slope, aspect};
     frame.scene = glm::vec4(centre, view.scene_radius);
     return frame;

@@ -9,6 +9,8 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
       samples(sample_count),
       material(gl::Texture::makeTarget(GL_RGBA8, width, height, samples)),
       normals(gl::Texture::makeTarget(GL_RGBA16, width, height, samples)),
+      material_bits(gl::Texture::viewTarget(material, GL_R32UI, samples)),
+      normal_bits(gl::Texture::viewTarget(normals, GL_RG32UI, samples)),
       depth(gl::Texture::makeTarget(GL_DEPTH_COMPONENT32F, width, height, samples)),
       display(gl::Texture::make2d(GL_RGBA8, width, height)),
       scene({&material, &normals}, &depth),

@@ -14,10 +14,11 @@ struct RenderTargets {
     }
 
     int width, height, samples;
-    gl::Texture material;  ///< RGBA8, as shaders/common/gbuffer.glsl packs it
-    gl::Texture normals;   ///< RGBA16, likewise
-    gl::Texture depth;     ///< 32 bit float, reversed
-    gl::Texture display;   ///< RGBA8, sRGB encoded, single sample
+    gl::Texture material;                    ///< RGBA8, as shaders/common/gbuffer.glsl packs it
+    gl::Texture normals;                     ///< RGBA16, likewise
+    gl::Texture material_bits, normal_bits;  ///< the same memory as unsigned integers, R32UI and RG32UI
+    gl::Texture depth;                       ///< 32 bit float, reversed
+    gl::Texture display;                     ///< RGBA8, sRGB encoded, single sample
     gl::Framebuffer scene, depth_only, resolved;
 };
 

@@ -47,6 +47,8 @@ struct Renderer::Passes {
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
         glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+        draft_noise.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+        draft_noise.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     }
 
     void prepareTargets(const FrameView& view) {
@@ -69,7 +71,8 @@ struct Renderer::Passes {
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
-    void computeLight(const FrameView& view, GLuint picture);
+    void computeLight(const FrameView& view, GLuint framebuffer);
+    void drawLight(GLuint framebuffer);
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     BodyGeometry body;
@@ -83,6 +86,7 @@ struct Renderer::Passes {
     IdPass ids;
     DepthEraser eraser;
     gl::Texture noise;
+    gl::Sampler draft_noise;  ///< half the texels: software renderers feel it in every pixel
     gl::Buffer frame_block;
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
@@ -91,9 +95,12 @@ struct Renderer::Passes {
 
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
-    if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
-    if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh);
-    spheres.drawSphereShadows();
+    for (int region = 0; region < kShadowRegions; ++region) {
+        shadow.enter(region);
+        if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
+        if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
+        spheres.drawSphereShadows(region);
+    }
     shadow.finish(erasesTiles(view));
     clock.mark("shadow");
 }
@@ -114,14 +121,25 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("cracks");
 }
 
-void Renderer::Passes::computeLight(const FrameView& view, GLuint picture) {
-    if (erasesTiles(view)) eraser.remember(targets->depth, targets->samples);
+void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer) {
+    eraser.remember(targets->depth, targets->samples);
     clock.mark("touched");
-    const bool with_occlusion = view.quality == RenderQuality::kFull;
-    const gl::Texture* visibility = with_occlusion ? &occlusion.run(*targets, view.scene_radius) : nullptr;
+    const gl::Texture& visibility = occlusion.run(*targets, view.scene_radius);
     clock.mark("occlusion");
+    const GLuint picture = gl::writableTexture(framebuffer, view.width, view.height);
     shadow.bindMap();
-    light.run(*targets, visibility, view.quality, picture);
+    light.compute(*targets, visibility, picture != 0 ? picture : targets->display.id());
+    ShadowPass::unbindMap();
+    clock.mark("light");
+    if (picture != 0) return;
+    glBlitNamedFramebuffer(targets->resolved.id(), framebuffer, 0, 0, view.width, view.height, 0, 0,
+                           view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    clock.mark("present");
+}
+
+void Renderer::Passes::drawLight(GLuint framebuffer) {
+    shadow.bindMap();
+    light.draw(*targets, framebuffer);
     ShadowPass::unbindMap();
     clock.mark("light");
 }
@@ -149,6 +167,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.uploadFrame(view);
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);
+    if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
 
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
@@ -163,15 +182,13 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
 
-    const GLuint picture = gl::writableTexture(target_framebuffer, view.width, view.height);
-    p.computeLight(view, picture != 0 ? picture : p.targets->display.id());
-    if (picture == 0) {
-        glBlitNamedFramebuffer(p.targets->resolved.id(), target_framebuffer, 0, 0, view.width, view.height, 0,
-                               0, view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-        p.clock.mark("present");
-    }
+    if (view.quality == RenderQuality::kFull)
+        p.computeLight(view, target_framebuffer);
+    else
+        p.drawLight(target_framebuffer);
     p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
+    glBindSampler(kNoiseUnit, 0);
     glBindVertexArray(0);
     glUseProgram(0);
     gl::throwIfError("Drawing a frame");

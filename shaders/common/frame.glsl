@@ -2,7 +2,7 @@
 layout(std140, binding = 0) uniform Frame {
     mat4 view_projection;  // world to clip, reversed depth in 0..1
     mat4 view;             // world to view
-    mat4 light_matrix;     // world to shadow map: u, v, depth in 0..1
+    mat4 light_matrix[2];  // world to the near and the far region of the shadow map: u, v, depth in 0..1
     vec4 eye;              // xyz: camera, w: edge of a floor tile, m
     vec4 ray_right;        // rays through the picture: forward + x * right + y * up, x and y in -1..1
     vec4 ray_up;
@@ -13,7 +13,9 @@ layout(std140, binding = 0) uniform Frame {
     vec4 sky_horizon;
     vec4 floor_colour;     // rgb; w: 1 when the floor is drawn
     vec4 viewport;         // width, height, 1/width, 1/height, px
-    vec4 shadow;           // x: m per texel, y: 1/texels, z: width of the map in m, w: depth range in m
+    vec4 shadow[2];        // of a region; x: m per texel, y: 1/texels, z: width in m, w: depth range in m
+    vec4 to_far_scale;     // from near to far region: u, v, depth times scale, plus shift
+    vec4 to_far_shift;
     vec4 depth_range;      // x: near, y: far, m; z: tan(fov_y / 2); w: aspect
     vec4 scene;            // xyz: centre, w: radius, m
 } frame;

@@ -33,7 +33,10 @@ vec4 packNormals(Surface s) {
     return 0.5 + 0.5 * vec4(encodeOctahedral(s.normal), encodeOctahedral(s.geometric_normal));
 }
 
-Surface unpackSurface(vec4 material, vec4 normals, vec3 position) {
+// `packed_material`, `packed_normals`: the texels' bits.
+Surface unpackSurface(uint packed_material, uvec2 packed_normals, vec3 position) {
+    vec4 material = unpackUnorm4x8(packed_material);
+    vec4 normals = vec4(unpackUnorm2x16(packed_normals.x), unpackUnorm2x16(packed_normals.y));
     Surface s;
     s.position = position;
     s.normal = decodeOctahedral(2.0 * normals.xy - 1.0);

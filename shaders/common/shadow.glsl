@@ -14,61 +14,101 @@ vec2 discPoint(int k, int n, float angle) {
     return radius * vec2(cos(theta), sin(theta));
 }
 
-// Depth of the receiver's own plane changes under the disc; the slope keeps wide discs free of self-shadowing.
-vec2 receiverSlope(vec3 normal) {
-    vec3 n = mat3(frame.light_matrix) * normal;
-    // light_matrix scales u, v by 1/width and depth by 1/range; a plane n.p = c in metres has dz/dx = -nx/nz.
-    vec3 metres = n * vec3(frame.shadow.z, frame.shadow.z, frame.shadow.w);
-    float away = min(metres.z, -0.15);  // the plane faces the light, so its normal points against the depth axis
-    return clamp(-metres.xy / away, -4.0, 4.0) * frame.shadow.z / frame.shadow.w;
+// The map holds two square regions side by side: the near one fine, round the scene; the far one coarse, for pieces that
+// flew off (engine/render/frame_uniforms.cpp).
+struct Region {
+    float texel;  // m
+    float shift;  // to the region's place in the map
+    float width;  // m
+    float depth;  // m, range
+};
+
+// `p`: u, v in the region, 0..1.
+vec2 inMap(Region region, vec2 p) { return vec2(0.5 * (p.x + region.shift), p.y); }
+
+// Widest penumbra, in texels.
+#ifdef SHADOW_DRAFT
+const float kWidest = 2.0;
+#else
+const float kWidest = 40.0;
+#endif
+
+// Is a point (u, v, depth) in a region, and so far inside that no tap leaves it?
+bool isHeld(vec3 p) {
+    float margin = (kWidest + 2.0) * frame.shadow[0].y;
+    return all(lessThan(abs(p - 0.5), vec3(0.5 - margin, 0.5 - margin, 0.5)));
 }
 
-// Nothing drawn lies beyond the map's far end, where receivers may: they stay just before it.
+// Depth of the receiver's own plane changes under the disc; the slope keeps wide discs free of self-shadowing.
+// `normal`: along u, v and depth.
+vec2 receiverSlope(Region region, vec3 normal) {
+    float away = min(normal.z, -0.15);  // the plane faces the light, so its normal points against the depth axis
+    return clamp(-normal.xy / away, -4.0, 4.0) * region.width / region.depth;
+}
+
+// Nothing drawn lies beyond a region's far end, where receivers may: they stay just before it.
 const float kFarEnd = 0.9999;
 
 float receiverDepth(float depth, vec2 slope, vec2 offset) { return min(depth + dot(slope, offset), kFarEnd); }
 
-// 1 in the sun, 0 in full shadow. `normal` is the geometric one.
-float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
-    float facing = dot(normal, frame.to_sun.xyz);
-    if (facing <= 0.0) return 0.0;
-    float texel = frame.shadow.x;
-    vec3 shifted = position + normal * texel * (0.8 + 1.6 * (1.0 - facing));
-    vec3 p = (frame.light_matrix * vec4(shifted, 1.0)).xyz;
-    if (any(lessThan(p.xy, vec2(0.0))) || any(greaterThan(p.xy, vec2(1.0)))) return 1.0;
-    p.z = clamp(p.z, 0.0, kFarEnd) - 0.5 * texel / frame.shadow.w;
 #ifdef SHADOW_DRAFT
+float litShare(Region region, vec3 p) {
     float lit = 0.0;
     for (int k = 0; k < 4; ++k) {
-        vec2 offset = (vec2(k & 1, k >> 1) - 0.5) * 1.5 * frame.shadow.y;
-        lit += texture(shadow_compare, vec3(p.xy + offset, p.z));
+        vec2 offset = (vec2(k & 1, k >> 1) - 0.5) * 1.5 * region.texel / region.width;
+        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), p.z));
     }
     return 0.25 * lit;
+}
 #else
-    vec2 slope = receiverSlope(normal);
-    float angle = 6.2831853 * pixelNoise(pixel);
-    float search = clamp(0.8 * frame.scene.w * frame.to_sun.w, 3.0 * texel, 40.0 * texel) / frame.shadow.z;
-    float blocker_sum = 0.0, blockers = 0.0;
+float litShare(Region region, vec3 p, vec2 slope, float angle) {
+    float texel = region.texel;
+    float search = clamp(0.8 * frame.scene.w * frame.to_sun.w, 3.0 * texel, kWidest * texel) / region.width;
+    float blocker_sum = 0.0, blockers = 0.0, hidden = 0.0;
     for (int k = 0; k < kBlockerTaps; ++k) {
         // Closer together near the middle, where the blockers of small things on the floor are.
         float share = (float(k) + 0.5) / float(kBlockerTaps);
         vec2 offset = search * sqrt(share) * discPoint(k, kBlockerTaps, angle);
-        float depth = texture(shadow_depth, p.xy + offset).r;
+        float depth = texture(shadow_depth, inMap(region, p.xy + offset)).r;
+        float gap = receiverDepth(p.z, slope, offset) - depth;
         // A blocker counts where it covers part of the sun: the nearer it is, the closer it must stand.
-        float reach = max((receiverDepth(p.z, slope, offset) - depth) * frame.shadow.w * frame.to_sun.w, 2.0 * texel);
-        if (depth < receiverDepth(p.z, slope, offset) && length(offset) * frame.shadow.z <= reach) {
+        float reach = max(gap * region.depth * frame.to_sun.w, 2.0 * texel);
+        hidden += float(gap > 0.0);
+        if (gap > 0.0 && length(offset) * region.width <= reach) {
             blocker_sum += depth;
             blockers += 1.0;
         }
     }
     if (blockers == 0.0) return 1.0;
-    float gap = (p.z - blocker_sum / blockers) * frame.shadow.w;  // m
-    float radius = clamp(gap * frame.to_sun.w, 1.2 * texel, 40.0 * texel) / frame.shadow.z;
+    float gap = (p.z - blocker_sum / blockers) * region.depth;  // m
+    float radius = clamp(gap * frame.to_sun.w, 1.2 * texel, kWidest * texel) / region.width;
+    if (hidden == float(kBlockerTaps) && radius <= search) return 0.0;  // deep in the shadow
     float lit = 0.0;
     for (int k = 0; k < SHADOW_TAPS; ++k) {
         vec2 offset = radius * discPoint(k, SHADOW_TAPS, angle);
-        lit += texture(shadow_compare, vec3(p.xy + offset, receiverDepth(p.z, slope, offset)));
+        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), receiverDepth(p.z, slope, offset)));
     }
     return lit / float(SHADOW_TAPS);
+}
 #endif
+
+// 1 in the sun, 0 in full shadow. `normal` is the geometric one.
+float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
+    float facing = dot(normal, frame.to_sun.xyz);
+    if (facing <= 0.0) return 0.0;
+    vec3 p = (frame.light_matrix[0] * vec4(position, 1.0)).xyz;
+    bool near = isHeld(p);
+    if (!near) p = p * frame.to_far_scale.xyz + frame.to_far_shift.xyz;
+    vec4 sizes = near ? frame.shadow[0] : frame.shadow[1];
+    Region region = Region(sizes.x, near ? 0.0 : 1.0, sizes.z, sizes.w);
+    vec3 metres = vec3(region.width, region.width, region.depth);
+    vec3 across = mat3(frame.light_matrix[0]) * normal * vec3(frame.shadow[0].zz, frame.shadow[0].w);  // unit again
+    p += across * region.texel * (0.8 + 1.6 * (1.0 - facing)) / metres;
+    p.z = min(p.z, kFarEnd) - 0.5 * region.texel / region.depth;
+#ifdef SHADOW_DRAFT
+    float lit = litShare(region, p);
+#else
+    float lit = litShare(region, p, receiverSlope(region, across), 6.2831853 * pixelNoise(pixel));
+#endif
+    return near || isHeld(p) ? lit : 1.0;
 }

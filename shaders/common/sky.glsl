@@ -4,11 +4,14 @@ vec3 skyGradient(vec3 direction) {
     return mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, 1.0 - exp(-4.5 * height));
 }
 
-vec3 skyRadiance(vec3 direction) {
-    float cosine = clamp(dot(direction, frame.to_sun.xyz), 0.0, 1.0);
-    float glow = 0.16 * pow(cosine, 6.0) + 0.35 * pow(cosine, 60.0);
-    return skyGradient(direction) + glow * 0.35 * frame.sun_colour.rgb;
+// Round the sun: the 6th and the 60th power of the cosine, by products.
+vec3 sunGlow(vec3 direction) {
+    float c = clamp(dot(direction, frame.to_sun.xyz), 0.0, 1.0);
+    float c2 = c * c, c4 = c2 * c2, c6 = c4 * c2, c12 = c6 * c6, c24 = c12 * c12;
+    return (0.056 * c6 + 0.1225 * c24 * c24 * c12) * frame.sun_colour.rgb;
 }
+
+vec3 skyRadiance(vec3 direction) { return skyGradient(direction) + sunGlow(direction); }
 
 // Light of the sunlit floor seen from below, as a diffuse reflector.
 vec3 floorBounce() {
@@ -39,5 +42,6 @@ vec3 throughAir(vec3 colour, vec3 position) {
     vec3 ray = position - frame.eye.xyz;
     float reach = 9.0 * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
     float haze = 1.0 - exp(-pow(length(ray) / reach, 1.6));
-    return mix(colour, skyRadiance(normalize(vec3(ray.x, 0.0, ray.z) + vec3(1e-6, 0.0, 0.0))), haze);
+    vec3 level = normalize(vec3(ray.x + 1e-6, 0.0, ray.z));
+    return mix(colour, frame.sky_horizon.rgb + sunGlow(level), haze);
 }

@@ -7,8 +7,8 @@ vec3 toneMap(vec3 c, vec4 curve) {
     c *= frame.sun_colour.w;
     float mean = (c.r + c.g + c.b) / 3.0;
     c = max(mix(c, vec3(mean), kMix), 1e-5);
-    vec3 x = pow(c, vec3(curve.x));
-    c = x / (pow(x, vec3(curve.y)) * curve.z + curve.w);
+    vec3 x = curve.x * log2(c);  // exponents of two: one logarithm serves both powers
+    c = exp2(x) / (exp2(curve.y * x) * curve.z + curve.w);
     mean = (c.r + c.g + c.b) / 3.0;
     return clamp(mean + (c - mean) / (1.0 - 0.75 * kMix), 0.0, 1.0);
 }

@@ -36,6 +36,8 @@ struct FrameStats {
     double time_step = 0;   ///< s, one substep
     uint32_t substeps = 0;  ///< in the last frame
     uint32_t particles = 0, bonds = 0, bonds_broken = 0;
+    /// Of the broken ones: the two ends have left each other, and no faces of the crack touch any more.
+    uint32_t bonds_parted = 0;
     uint32_t fragments = 0;
     double largest_fragment_fraction = 1;  ///< of the mass
     uint32_t awake_particles = 0;   ///< that cost anything in the last frame: bonded_particles and rigid ones

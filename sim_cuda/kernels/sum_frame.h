@@ -8,6 +8,7 @@ struct FrameSums {
     double damping = 0, friction = 0, fracture = 0;  ///< J since the ledger was cleared
     double stress = 0;                               ///< highest bond stress over strength
     uint32_t broken = 0;                             ///< bonds, each counted at its lower id
+    uint32_t parted = 0;                             ///< of these, those whose record has retired (A.6)
 
     DEM_FN void operator+=(const FrameSums& other) {
         damping += other.damping;
@@ -15,6 +16,7 @@ struct FrameSums {
         fracture += other.fracture;
         stress = maxOf(stress, other.stress);
         broken += other.broken;
+        parted += other.parted;
     }
 };
 
@@ -30,7 +32,10 @@ struct SumFrame {
         if (i >= in_bodies) return sums;
         sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i)));
         for (uint32_t slot = arrays.bond_row[i]; slot < arrays.bond_row[i + 1]; ++slot)
-            if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) ++sums.broken;
+            if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) {
+                ++sums.broken;
+                if (pairState(arrays.link[slot]) == PairState::kContact) ++sums.parted;
+            }
         return sums;
     }
 };

@@ -93,6 +93,7 @@ class DeviceSolver final : public Solver {
         uint32_t projectiles = 0;  ///< known so far
         uint32_t started = 0;      ///< bits of projectile slots
         uint32_t broken = 0;       ///< bonds
+        uint32_t parted = 0;       ///< of these, with a retired record
         EnergyLedger energy;
     };
 

@@ -27,6 +27,7 @@ void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
     stats_.substeps = substeps;
     stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
     stats_.bonds_broken = sums.broken;
+    stats_.bonds_parted = progress_.parted = sums.parted;
     const double kinetic = stats_.energy.kinetic, elastic = stats_.energy.elastic,
                  potential = stats_.energy.potential;
     stats_.energy = progress_.energy;
@@ -145,6 +146,7 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
     stats_.frame = progress_.frames;
     stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
     stats_.bonds_broken = progress_.broken;
+    stats_.bonds_parted = progress_.parted;
     stats_.energy = progress_.energy;
     summarizeFragments();
 }

@@ -25,6 +25,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"sim_cuda/kernels", {"sim_cuda/physics", "sim_cuda/data", "sim_cuda/backend", "sim_cuda/api"}},
     {"sim_cuda/solver",
      {"sim_cuda/api", "sim_cuda/physics", "sim_cuda/data", "sim_cuda/kernels", "sim_cuda/backend"}},
+    {"sim_cuda/bench", {"sim_cuda/api", "sim_cuda/physics", "sim_cuda/data", "sim_cuda/backend"}},
     {"engine/gl", {"engine"}},
     {"engine/platform", {"engine"}},
     {"engine/scene", {"engine"}},
@@ -47,7 +48,7 @@ struct GuardedHeader {
 const std::vector<GuardedHeader> kGuarded = {
     {std::regex(R"(cuda_gl_interop\.h)"), {"app/bridge"}},
     {std::regex(R"(^(cuda|cub/|thrust/|cooperative_groups|device_launch))"),
-     {"sim_cuda/backend", "sim_cuda/kernels", "sim_cuda/solver", "app/bridge"}},
+     {"sim_cuda/backend", "sim_cuda/kernels", "sim_cuda/solver", "sim_cuda/bench", "app/bridge"}},
     {std::regex(R"(^(GL|EGL|glad|GLFW)/)"), {"engine", "app/bridge", "app/commands", "app/panel"}},
     {std::regex(R"(imgui)"), {"app/panel", "app/commands"}},
     {std::regex(R"(^assimp/)"), {"sim_cuda/authoring"}},

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/render/frame_uniforms.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -34,9 +35,17 @@ bool onlyFloorAround(const std::vector<uint32_t>& ids, const FrameView& view, in
     return true;
 }
 
-void checkShadow(Renderer& renderer, RenderQuality quality) {
+/// The block and the camera stand `away` from the middle of the scene.
+void checkShadow(Renderer& renderer, RenderQuality quality, glm::vec3 away = {0, 0, 0}) {
     Scene scene = wholeBlock(), empty = makeScene("empty_floor");
-    scene.view.quality = empty.view.quality = quality;
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [&](uint32_t) { return Motion{.translation = away}; },
+        [](uint32_t, uint32_t) { return false; });
+    for (Scene* s : {&scene, &empty}) {
+        s->view.quality = quality;
+        s->view.camera.eye += away;
+        s->view.camera.target += away;
+    }
     const Image picture = drawPicture(renderer, scene), reference = drawPicture(renderer, empty);
     const std::vector<uint32_t> ids = renderer.fragmentIds(scene.mesh.get(), {}, scene.view);
     size_t dark = 0, dark_wrong = 0, lit = 0, lit_wrong = 0;
@@ -45,7 +54,7 @@ void checkShadow(Renderer& renderer, RenderQuality quality) {
             if (!onlyFloorAround(ids, scene.view, x, y)) continue;
             const Ray ray = pixelRay(scene.view.camera, scene.view.width, scene.view.height,
                                      static_cast<float>(x), static_cast<float>(y));
-            const glm::vec3 p = ray.origin - ray.direction * (ray.origin.y / ray.direction.y);
+            const glm::vec3 p = ray.origin - ray.direction * (ray.origin.y / ray.direction.y) - away;
             if (std::max(std::abs(p.x), std::abs(p.z)) > 5.0f) continue;
             const int loss = brightness(reference, x, y) - brightness(picture, x, y);
             if (blockHidesSun(scene.view.lighting, p, -0.08f)) {
@@ -68,6 +77,42 @@ TEST_F(LightTest, ShadowFallsWhereTheSunIsHidden) {
 }
 TEST_F(LightTest, DraftShadowFallsThereToo) {
     checkShadow(renderer(), RenderQuality::kDraft);
+}
+
+TEST_F(LightTest, ShadowFallsFarFromTheSceneToo) {
+    for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kDraft})
+        checkShadow(renderer(), quality, {6, 0, -9});
+}
+
+TEST(ShadowRegions, MoveByWholeTexelsWithTheCamera) {
+    constexpr int kTexels = 1024;
+    FrameView view = makeScene("empty_floor").view;
+    const glm::vec4 point(2.3f, 0.1f, -4.7f, 1);
+    const FrameUniforms first = makeFrameUniforms(view, kTexels);
+    for (int k = 1; k <= 20; ++k) {
+        const glm::vec3 step = 0.137f * static_cast<float>(k) * glm::vec3(1, 0.2f, -0.6f);
+        view.camera.eye = glm::vec3(1.75f, 1.2f, 2.35f) + step;
+        view.camera.target = glm::vec3(0, 0.42f, 0) + step;
+        const FrameUniforms moved = makeFrameUniforms(view, kTexels);
+        EXPECT_EQ(moved.light_matrix[0], first.light_matrix[0]) << "the near region stays with the scene";
+        EXPECT_EQ(moved.shadow[1], first.shadow[1]);
+        const glm::vec4 shift = (moved.light_matrix[1] - first.light_matrix[1]) * point * float(kTexels);
+        EXPECT_NEAR(shift.x, std::round(shift.x), 0.01f);
+        EXPECT_NEAR(shift.y, std::round(shift.y), 0.01f);
+    }
+}
+
+TEST(ShadowRegions, FarOneHoldsWhatTheCameraLooksAt) {
+    FrameView view = makeScene("empty_floor").view;
+    for (const float away : {0.0f, 10.0f, 300.0f}) {
+        view.camera.target = {away, 0, -away};
+        const FrameUniforms frame = makeFrameUniforms(view, 1024);
+        const glm::vec4 p = frame.light_matrix[1] * glm::vec4(view.camera.target, 1);
+        for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(p[axis], 0.5f, 0.01f);
+        // Round the target it reaches at least as far as the camera stands off.
+        EXPECT_GE(0.5f * frame.shadow[1].z, glm::length(view.camera.target - view.camera.eye));
+        EXPECT_GE(frame.shadow[1].z, 4 * frame.shadow[0].z);
+    }
 }
 
 TEST_F(LightTest, NothingCastsNoShadow) {

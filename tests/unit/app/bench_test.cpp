@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/unit/app/run_program.h"
@@ -119,6 +120,38 @@ TEST_F(Bench, StepTransferAndDrawAreInTheFrame) {
     }
     EXPECT_GE(all["frame_ms_worst"].get<double>(), all["frame_ms_p99"].get<double>());
     EXPECT_GE(all["frame_ms_p99"].get<double>(), all["frame_ms_median"].get<double>());
+}
+
+TEST_F(Bench, TheSubstepAloneIsTimedBesideTheMachinesFloor) {
+    const auto csv = folder_.path() / "kernel.csv";
+    const ProgramRun run = runProgram(
+        {"bench", "--kernel", "--device", "cpu", "--particles", "216", "--json", report(), "--csv", csv});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    const auto json = read();
+    EXPECT_EQ(json["device"], "CPU");
+    ASSERT_EQ(json["rows"].size(), 1u);
+    const auto& row = json["rows"][0];
+    EXPECT_EQ(row["particles"], 216);
+    EXPECT_EQ(row["bonds"], 3 * 180 + 3 * 150);
+    EXPECT_GT(row["shattering_broken"].get<int>(), 0);
+    EXPECT_LT(row["shattering_broken"].get<int>(), row["bonds"].get<int>());
+    EXPECT_EQ(row["broken_broken"], row["bonds"]);
+    for (const char* time : {"intact_us", "shattering_us", "broken_us", "floor_memory_us"})
+        EXPECT_GT(row[time].get<double>(), 0) << time;
+    EXPECT_TRUE(row["floor_bonds_us"].is_null()) << "only a GPU has one";
+    const std::string lines = readText(csv);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 2);
+}
+
+TEST_F(Bench, TheSubstepAloneTakesNoScene) {
+    for (const auto& words : std::vector<std::vector<std::string>>{{"bench", "bunny", "--kernel"},
+                                                                   {"bench", "--kernel", "--draw-only"},
+                                                                   {"bench", "--kernel", "--frames", "3"}}) {
+        const ProgramRun run = runProgram(words);
+        EXPECT_EQ(run.exit_code, 2);
+        EXPECT_THAT(run.err, HasSubstr("--kernel times"));
+    }
+    EXPECT_EQ(runProgram({"bench", "--kernel", "--particles", "3", "--device", "cpu"}).exit_code, 2);
 }
 
 TEST_F(Bench, WaysThatExcludeEachOtherAreRefused) {

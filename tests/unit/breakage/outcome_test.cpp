@@ -84,6 +84,14 @@ TEST(Outcome, TwoCracksThatDoNotMeetAreNoCrackThrough) {
     EXPECT_FALSE(outcome.meridional);
 }
 
+TEST(Outcome, EachRuleLooksAtItsOwnSign) {
+    Outcome two{.largest = 0.5, .children = 2, .split = true, .meridional = false};
+    EXPECT_TRUE(isBroken(two, BreakRule::kLargest, {}));
+    EXPECT_FALSE(isBroken(two, BreakRule::kMeridional, {}));
+    EXPECT_FALSE(isBroken(two, BreakRule::kFlaps, {}));
+    EXPECT_TRUE(isBroken(two, BreakRule::kFlaps, {.flaps = 2}));
+}
+
 TEST(Outcome, ChildrenAreCountedByVolume) {
     const auto labels = cut([](double x, double y, double) { return y < -0.5 ? 2u : x > 0.8 ? 3u : 1u; });
     double volume[4] = {}, whole = 0;

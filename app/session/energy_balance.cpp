@@ -1,0 +1,24 @@
+// Sums over the ledger.
+#include "app/session/energy_balance.h"
+
+#include <algorithm>
+
+namespace demolish {
+namespace {
+
+double booked(const EnergyLedger& e) {
+    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+}
+
+}  // namespace
+
+double EnergyBalance::broughtIn() const {
+    return start.kinetic + (now.external - start.external) + std::max(0.0, start.potential - now.potential);
+}
+
+double EnergyBalance::closure() const {
+    const double in = broughtIn();
+    return in > 0 ? 1 + (booked(now) - booked(start)) / in : 1;
+}
+
+}  // namespace demolish

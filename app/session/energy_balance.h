@@ -1,0 +1,19 @@
+// The ledger of a shot between its start and a later moment: where the energy went, and whether it adds up.
+#pragma once
+#include "sim_cuda/api/stats.h"
+
+namespace demolish {
+
+struct EnergyBalance {
+    EnergyLedger start;  ///< J, when the first ball had been fired and nothing had moved
+    EnergyLedger now;    ///< J
+
+    /// J that came in: motion at the start, shots fired since, height lost.
+    double broughtIn() const;
+    /// What is found again (kinetic, elastic, potential, damping, friction, fracture) less what was there,
+    /// over what came in, plus 1. 1.00 when the books close; a run that steps badly gains energy. 1 when
+    /// nothing came in.
+    double closure() const;
+};
+
+}  // namespace demolish

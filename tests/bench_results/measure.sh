@@ -1,0 +1,27 @@
+#!/usr/bin/env bash
+# Measures everything that is kept in this folder: the four scenes, drawn, not drawn and drawn only, and the substep alone.
+#   tests/bench_results/measure.sh FOLDER [options of `demolish bench` for the scenes]
+# DEMOLISH names the program (default: ./demolish, which builds it first).
+set -euo pipefail
+cd "$(dirname "$0")/../.."
+program=${DEMOLISH:-./demolish}
+folder=tests/bench_results/${1:?the name of a folder for this machine}
+shift
+mkdir -p "$folder"
+
+measure() { # name of the files, scene and options
+    local name=$1
+    shift
+    echo "$program bench $* > $folder/$name.txt"
+    "$program" bench "$@" --csv "$folder/$name.csv" > "$folder/$name.txt"
+}
+
+for scene in bunny wolf vase column; do
+    measure "$scene" "$scene" "$@" --curve "$folder/$scene.svg"
+    measure "${scene}_no_draw" "$scene" "$@" --no-draw
+    measure "${scene}_draw_only" "$scene" "$@" --draw-only
+done
+# The paper's counts read literally: 300 pieces of each vase, 100 of each column.
+measure vase_300 vase "$@" --pieces 300
+measure column_100 column "$@" --pieces 100
+measure kernel --kernel
