@@ -21,8 +21,8 @@ struct BodyInstance {
     Quaternion rotation;
     Double3 velocity;          ///< m/s, of the whole body at the start (a drop)
     Double3 angular_velocity;  ///< rad/s
-    /// Lowest threshold of this body, v_th / v_c (models.md E.2): pieces that meet at less than half of it go on
-    /// as rigid bodies. The default suits a slender body.
+    /// Lowest threshold of this body, v_th / v_c (models.md E.2): pieces that meet at less than half of it go
+    /// on as rigid bodies. The default suits a slender body.
     double threshold_share = 0.3;
 };
 
