@@ -85,7 +85,7 @@ TEST(SolverSetup, WhatCannotBeSimulatedIsRefused) {
     refused([](SceneSetup& s) { s.bodies[0].velocity.x = std::nan(""); });
     refused([](SceneSetup& s) { s.params.substeps = 0; });
     refused([](SceneSetup& s) { s.params.planes.resize(5); });
-    refused([](SceneSetup& s) { s.projectiles.resize(17); });
+    refused([](SceneSetup& s) { s.projectiles.resize(kMaxProjectiles + 1); });
     refused([](SceneSetup& s) { s.projectiles.push_back({{}, {}, -1, 7800, 3, 0}); });
 }
 
