@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim_cuda/authoring/cell_balance.h"
+#include "sim_cuda/authoring/cut_off_parts.h"
 #include "sim_cuda/authoring/hash_random.h"
 #include "sim_cuda/authoring/interior_faces.h"
 
@@ -120,6 +121,7 @@ void dropUnusedVertices(CellComplex& complex) {
 CellComplex ComplexBuilder::assemble(GatheredPieces&& pieces, NumberedVertices&& numbered,
                                      FaceArrays&& faces) const {
     CellComplex complex;
+    complex.seeds = seeds_;
     complex.vertices = std::move(numbered.vertices);
     complex.pieces = std::move(pieces.pieces);
     complex.exterior_loop = std::move(numbered.ids);
@@ -130,6 +132,7 @@ CellComplex ComplexBuilder::assemble(GatheredPieces&& pieces, NumberedVertices&&
     complex.loop_start.insert(complex.loop_start.begin(), 0u);
     complex.loop_vertices = std::move(faces.loop_vertices);
     complex.face_triangles = std::move(faces.triangles);
+    complex.moved_parts = moveCutOffParts(complex);
     dropUnusedVertices(complex);
     return complex;
 }
@@ -141,7 +144,6 @@ CellComplex buildCellComplex(const TriangleMesh& mesh, const MeshQueries& querie
     const MeshEdges edges(mesh);
     for (uint32_t round = 0;; ++round) {
         CellComplex complex = ComplexBuilder(mesh, queries, edges, seeds, spacing).build();
-        complex.seeds = seeds;
         complex.open_cells = findOpenCells(complex);
         complex.rejitter_rounds = round;
         if (complex.open_cells.empty() || round == kMostRejitterRounds) return complex;

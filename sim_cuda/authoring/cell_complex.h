@@ -54,10 +54,13 @@ struct CellComplex {
     std::vector<uint32_t> loop_vertices;    ///< vertex ids
     std::vector<std::array<uint32_t, 3>> face_triangles;  ///< vertex ids
     std::vector<uint32_t> open_cells;                     ///< with an unbalanced edge (only degenerate input)
-    uint32_t rejitter_rounds = 0;                         ///< how often seeds had to be moved by 1e-6 h
+    uint32_t moved_parts = 0;      ///< parts cut off from their seed that now belong to a neighbour
+    uint32_t rejitter_rounds = 0;  ///< how often seeds had to be moved by 1e-6 h
 };
 
-/// Exact and watertight; the same for any number of threads. Degenerate seeds are moved at most 3 times.
+/// Exact and watertight; the same for any number of threads. Degenerate seeds are moved at most 3 times. What
+/// a thin wall or a gap cuts off from its seed belongs to a neighbour (cut_off_parts.h): every cell is in one
+/// piece, and then not convex.
 CellComplex buildCellComplex(const TriangleMesh& mesh, const MeshQueries& queries, std::vector<Double3> seeds,
                              double spacing, uint64_t seed);
 

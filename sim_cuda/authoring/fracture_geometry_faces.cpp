@@ -77,8 +77,13 @@ class FaceTessellator {
 
     /// Every edge of the outer loop turns counter-clockwise round the centroid.
     bool isStarShaped(const ComplexFace& face) const {
-        const Double3 normal = complex_.seeds[face.cell_b] - complex_.seeds[face.cell_a];
+        Double3 normal;  // of the loop itself: a face of a moved part lies on no bisector of its cells
         Double3 from = ring_.back().position - face.centroid;
+        for (const RingVertex& vertex : ring_) {
+            const Double3 to = vertex.position - face.centroid;
+            normal += cross(from, to);
+            from = to;
+        }
         for (const RingVertex& vertex : ring_) {
             const Double3 to = vertex.position - face.centroid;
             const double turn = dot(cross(from, to), normal);

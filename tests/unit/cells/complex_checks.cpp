@@ -75,6 +75,82 @@ size_t countOpenCells(const CellComplex& complex) {
         std::count_if(unbalanced.begin(), unbalanced.end(), [](uint32_t edges) { return edges > 0; }));
 }
 
+namespace {
+
+/// What bounds one cell, outward: vertex ids of each loop, and whether another cell is beyond it.
+struct CellBorder {
+    std::vector<std::vector<uint32_t>> loops;
+    std::vector<char> is_shared;
+};
+
+std::vector<CellBorder> bordersOf(const CellComplex& complex) {
+    std::vector<CellBorder> borders(complex.seeds.size());
+    const auto add = [&](uint32_t cell, const std::vector<uint32_t>& loop, bool is_shared) {
+        borders[cell].loops.push_back(loop);
+        borders[cell].is_shared.push_back(is_shared);
+    };
+    for (const ExteriorPiece& piece : complex.pieces) {
+        const auto first = complex.exterior_loop.begin() + piece.first;
+        add(piece.cell, {first, first + piece.count}, false);
+    }
+    for (const ComplexFace& face : complex.faces) {
+        const auto first = complex.loop_vertices.begin();
+        std::vector<uint32_t> all;  // a hole is reached from the loop round it, there and back again
+        const uint32_t start = first[complex.loop_start[face.first_loop]];
+        for (uint32_t l = face.first_loop; l < face.first_loop + face.loop_count; ++l) {
+            all.insert(all.end(), first + complex.loop_start[l], first + complex.loop_start[l + 1]);
+            all.insert(all.end(), {first[complex.loop_start[l]], start});
+        }
+        add(face.cell_a, all, true);
+        std::reverse(all.begin(), all.end());
+        add(face.cell_b, all, true);
+    }
+    return borders;
+}
+
+size_t countCutOffParts(const CellComplex& complex, const CellBorder& border) {
+    std::map<uint32_t, std::vector<size_t>> loops_at;
+    for (size_t l = 0; l < border.loops.size(); ++l)
+        for (const uint32_t v : border.loops[l]) loops_at[v].push_back(l);
+    std::vector<char> is_reached(border.loops.size(), 0);
+    size_t parts = 0;
+    double largest = 0;
+    bool largest_is_shared = false;
+    for (size_t first = 0; first < border.loops.size(); ++first) {
+        if (is_reached[first] != 0) continue;
+        double six_volumes = 0;
+        bool is_shared = false;
+        std::vector<size_t> front{first};
+        is_reached[first] = 1;
+        while (!front.empty()) {
+            const size_t l = front.back();
+            front.pop_back();
+            is_shared = is_shared || border.is_shared[l] != 0;
+            const auto at = [&](size_t k) { return complex.vertices[border.loops[l][k]].position; };
+            for (size_t k = 2; k < border.loops[l].size(); ++k)
+                six_volumes += dot(at(0), cross(at(k - 1), at(k)));
+            for (const uint32_t v : border.loops[l])
+                for (const size_t next : std::exchange(loops_at[v], {}))
+                    if (!std::exchange(is_reached[next], 1)) front.push_back(next);
+        }
+        if (six_volumes <= 0) continue;
+        parts += is_shared;
+        if (six_volumes > largest) {
+            largest = six_volumes;
+            largest_is_shared = is_shared;
+        }
+    }
+    return parts - (largest_is_shared ? 1 : 0);
+}
+
+}  // namespace
+
+size_t countCutOffParts(const CellComplex& complex) {
+    size_t count = 0;
+    for (const CellBorder& border : bordersOf(complex)) count += countCutOffParts(complex, border);
+    return count;
+}
+
 double excessTriangleArea(const CellComplex& complex) {
     double excess = 0;
     for (const ComplexFace& face : complex.faces) {

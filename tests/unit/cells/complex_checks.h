@@ -24,6 +24,10 @@ std::vector<double> loopVolumes(const CellComplex& complex);
 /// Cells with an edge used not equally often in both directions.
 size_t countOpenCells(const CellComplex& complex);
 
+/// Parts of cells (by shared vertices) besides the largest of each that hold solid and share a face with
+/// another cell.
+size_t countCutOffParts(const CellComplex& complex);
+
 /// m^2, how much more the face triangles cover than the faces: triangles that overlap or are flipped.
 double excessTriangleArea(const CellComplex& complex);
 

@@ -42,6 +42,7 @@ TEST_P(CellComplexOf, IsClosedAndFillsTheMesh) {
     ASSERT_EQ(complex.seeds.size(), count);
     EXPECT_EQ(countOpenCells(complex), 0u);
     EXPECT_TRUE(complex.open_cells.empty());
+    EXPECT_EQ(countCutOffParts(complex), 0u);
     EXPECT_EQ(complex.rejitter_rounds, 0u);
     const double volume = signedVolume(body->mesh), area = meshArea(body->mesh);
     const std::vector<double> volumes = loopVolumes(complex);

@@ -174,6 +174,36 @@ TriangleMesh makeVase(int n, int r) {
     return mesh;
 }
 
+TriangleMesh makeFork(double neck) {
+    const double right = 2 + neck;
+    const std::array<Double3, 10> outline{{{0, 0, 0},
+                                           {right, 0, 0},
+                                           {right, 3, 0},
+                                           {3, 3, 0},
+                                           {3, 6, 0},
+                                           {2, 6, 0},
+                                           {2, 1, 0},
+                                           {1, 1, 0},
+                                           {1, 6, 0},
+                                           {0, 6, 0}}};
+    constexpr std::array<Triangle, 8> kFront{
+        {{0, 1, 6}, {0, 6, 7}, {0, 7, 8}, {0, 8, 9}, {1, 2, 6}, {2, 5, 6}, {2, 3, 5}, {3, 4, 5}}};
+    constexpr uint32_t kCount = 10;
+    TriangleMesh mesh;
+    for (const double z : {0.5, -0.5})
+        for (const Double3& p : outline) mesh.positions.push_back({p.x, p.y, z});
+    for (const auto& [a, b, c] : kFront) {
+        mesh.triangles.push_back({a, b, c});
+        mesh.triangles.push_back({kCount + a, kCount + c, kCount + b});
+    }
+    for (uint32_t k = 0; k < kCount; ++k) {
+        const uint32_t next = (k + 1) % kCount;
+        addQuad(mesh, k, kCount + k, kCount + next, next);
+    }
+    fillCorners(mesh);
+    return mesh;
+}
+
 TriangleMesh turnedInsideOut(TriangleMesh mesh) {
     for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
     fillCorners(mesh);

@@ -20,6 +20,10 @@ TriangleMesh makeSphere(double r, int subdivisions);
 /// bottom pole at the origin, standing upright. n = 50, r = 30 are the recipe's own rings.
 TriangleMesh makeVase(int n, int r);
 
+/// A fork of two prongs: 6 m high, 1 m deep about z = 0, on y = 0. Base to y = 1, prongs of width 1 at x = 0
+/// and x = 2; up to y = 3 the right one is only `neck` (0 to 1 m) wide. Not centred.
+TriangleMesh makeFork(double neck);
+
 /// Same shape with the inside turned out (negative volume), for cavities and refusals.
 TriangleMesh turnedInsideOut(TriangleMesh mesh);
 
