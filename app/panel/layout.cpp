@@ -39,6 +39,7 @@ void showColumn(PanelContext& context) {
     showParticlesPanel(context);
     showMaterialPanel(context);
     showViewPanel(context);
+    showEnergyPanel(context);
     ImGui::Separator();
     checkbox(context, "panel.advanced", "More settings", context.state.advanced,
              "Shows the knobs that are seldom turned");

@@ -51,6 +51,7 @@ void showImpactPanel(PanelContext& context);
 void showMaterialPanel(PanelContext& context);
 void showParticlesPanel(PanelContext& context);
 void showViewPanel(PanelContext& context);
+void showEnergyPanel(PanelContext& context);
 void showStatisticsPanel(PanelContext& context);
 void showTransportBar(PanelContext& context);
 void showStatusBar(PanelContext& context);

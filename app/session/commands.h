@@ -19,11 +19,14 @@ struct ChangeShot {  ///< live values act at once, the others rebuild after a re
     Shot shot;
 };
 struct CancelRebuild {};
+struct MeasureEnergy {  ///< after every simulated frame, or no more
+    bool on = false;
+};
 struct Scrub {  ///< shows a recorded frame and pauses
     size_t frame = 0;
 };
 
-using Any =
-    std::variant<Play, Pause, TogglePlay, Step, Reset, Fire, ShootAt, ChangeShot, CancelRebuild, Scrub>;
+using Any = std::variant<Play, Pause, TogglePlay, Step, Reset, Fire, ShootAt, ChangeShot, CancelRebuild,
+                         MeasureEnergy, Scrub>;
 
 }  // namespace demolish::command

@@ -45,6 +45,10 @@ struct Session::Obey {
         session.debounce_.clear();
         session.wantWhatIsBuilt();
     }
+    void operator()(const command::MeasureEnergy& measure) const {
+        session.measuring_ = measure.on;
+        if (measure.on) session.built_.solver->measure();
+    }
     void operator()(const command::Scrub& scrub) const {
         session.playing_ = false;
         if (scrub.frame < session.recording_.size()) session.showRecorded(scrub.frame);
@@ -162,6 +166,7 @@ StepStatus Session::advance() {
         shown_.status = status;
         return status;
     }
+    if (measuring_) built_.solver->measure();
     bringFrame(false);
     return status;
 }
@@ -243,6 +248,8 @@ SessionStatus Session::status() const {
     status.transfer = transfer();
     if (output_) status.transfer_note = output_->bridge().note();
     status.on_gpu = built_.solver->onGpu();
+    status.measuring = measuring_;
+    if (measuring_ && atEnd()) status.energy = energy();
     status.playing = playing_;
     status.replaying = !atEnd();
     status.cursor = cursor_;

@@ -35,7 +35,9 @@ struct SessionStatus {
     double particle_size = 0;  ///< m, h
     double body_volume = 0;    ///< m^3
     double build_seconds = 0;
-    bool waiting = false;  ///< a change rests before its rebuild starts
+    bool measuring = false;               ///< energies, after every simulated frame
+    std::optional<EnergyBalance> energy;  ///< while measuring; none for a replayed frame
+    bool waiting = false;                 ///< a change rests before its rebuild starts
     bool rebuilding = false;
     RebuildWorker::Progress rebuild;
     std::string message;  ///< last thing that went wrong, or ""
@@ -106,6 +108,7 @@ class Session {
     size_t cursor_ = 0;
     double last_sim_ms_ = 0, last_transfer_ms_ = 0;
     bool playing_ = false;
+    bool measuring_ = false;
 };
 
 }  // namespace demolish
