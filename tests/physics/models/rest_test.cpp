@@ -1,0 +1,156 @@
+// Standing still, coming to rest, and a minute of a pile (models.md E.4, E.5). Slow.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "tests/physics/models/packed_body.h"
+#include "tests/physics/models/shots.h"
+#include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
+
+namespace demolish::tests {
+namespace {
+
+class Rest : public OnEitherDevice {};
+
+std::vector<ParticleInstance> particlesOf(Solver& solver, const SceneSetup& setup) {
+    std::vector<ParticleInstance> particles(streamSizes(setup).particles);
+    RenderStreams streams;
+    streams.particles = {particles.data(), particles.size()};
+    solver.exportFrame(streams);
+    return particles;
+}
+
+struct Standing {
+    double farthest = 0;  ///< m, that a particle moved
+    double stress = 0;    ///< over strength
+    uint32_t broken = 0;
+};
+
+/// Settles, then stands free for a second and a half.
+Standing stand(std::shared_ptr<const BreakableBody> body, double critical_velocity, uint32_t cells,
+               uint32_t substeps, double settle_seconds) {
+    SceneSetup setup = standing(std::move(body), sheetMaterial(critical_velocity, cells), substeps);
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.settle_time = settle_seconds;
+    setup.params.ledger = false;
+    auto solver = makeSolver(setup);
+    const auto before = particlesOf(*solver, setup);
+    for (int frame = 0; frame < 90; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    const auto after = particlesOf(*solver, setup);
+    Standing result;
+    for (size_t i = 0; i < setup.bodies[0].body->particles.size(); ++i) {
+        const Float3 a = before[i].position, b = after[i].position;
+        result.farthest = std::max<double>(result.farthest, std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
+    }
+    result.stress = solver->stats().max_stress_ratio;
+    result.broken = solver->stats().bonds_broken;
+    return result;
+}
+
+TEST_F(Rest, ModelsStandStill) {  // E.4
+    struct Row {
+        const char* model;
+        double height, critical_velocity, settle, most;  ///< m, m/s, s, m
+        uint32_t particles, cells, substeps;
+    };
+    for (const Row& row :
+         {Row{"column", 2.3, 4, 0.8, 1e-4, 1000, 50, 150}, Row{"vase", 0.5, 6, 0.8, 1e-4, 1500, 60, 200},
+          Row{"rabbit", 0.348, 2.5, 0.8, 4e-4, 1000, 35, 200},
+          Row{"wolf", 1.05, 8, 3, 1e-3, 2000, 60, 300}}) {
+        const Standing s = stand(modelBody(row.model, row.height, row.particles, 1), row.critical_velocity,
+                                 row.cells, row.substeps, row.settle);
+        printf("%s: %.3g mm, stress %.2f, broken %u\n", row.model, 1000 * s.farthest, s.stress, s.broken);
+        EXPECT_EQ(s.broken, 0u) << row.model;
+        EXPECT_LT(s.farthest, row.most) << row.model;
+        EXPECT_LT(s.stress, 0.7) << row.model;
+    }
+}
+
+TEST_F(Rest, AHeapOfShardsComesToRest) {  // E.5: mu_r .3, e .1: 1 moving at 2 s, 0 at 3 s
+    Material material = sheetMaterial(2, 60);
+    material.rolling_friction = 0.3;
+    material.restitution = 0.1;
+    SceneSetup setup = dropped(modelBody("vase", 0.5, 800, 1), material, 150, {0.3, 0, 0.4}, 3);
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.ledger = false;
+    auto solver = makeSolver(setup);
+    PieceCounter counter(setup);
+    Pieces pieces;
+    for (int frame = 0; frame < 210; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        if (frame == 203) counter.count(*solver);
+    }
+    pieces = counter.count(*solver, 6.0 / 60);
+    solver->measure();
+    const double speed = std::sqrt(2 * solver->stats().energy.kinetic / solver->stats().mass);
+    printf("%u pieces, %u moving, v_rms %.4f\n", solver->stats().fragments, pieces.moving, speed);
+    EXPECT_GT(solver->stats().fragments, 40u);
+    EXPECT_LE(pieces.moving, solver->stats().fragments / 20);
+    EXPECT_LT(speed, 0.06);
+}
+
+/// A brick thrown to pieces on the floor, as the program would run it.
+SceneSetup pile() {
+    SceneSetup setup = freeBody(latticeBody(5, 5, 5, 0.05, 0.2));
+    setup.bodies[0].position = {0, 0.05, 0};
+    setup.bodies[0].rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
+    setup.bodies[0].velocity = {0, -4, 0};
+    setup.params.planes.push_back(Plane{});
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.substeps = 60;
+    setup.params.sleeping = setup.params.hand_over = true;
+    return setup;
+}
+
+struct Moment {
+    EnergyLedger energy;
+    std::vector<ParticleInstance> particles;
+    double mechanical() const { return energy.kinetic + energy.elastic + energy.potential; }
+    double booked() const { return mechanical() + energy.damping + energy.friction + energy.fracture; }
+};
+Moment momentOf(Solver& solver, const SceneSetup& setup) {
+    solver.measure();
+    return {solver.stats().energy, particlesOf(solver, setup)};
+}
+
+/// After 10, 20 .. 70 s.
+const std::vector<Moment>& minuteOfThePile() {
+    static const std::vector<Moment> kMoments = [] {
+        const SceneSetup setup = pile();
+        auto solver = makeSolver(setup);
+        std::vector<Moment> moments;
+        for (int look = 0; look < 7; ++look) {
+            for (int frame = 0; frame < 10 * 60; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            moments.push_back(momentOf(*solver, setup));
+        }
+        EXPECT_GT(solver->stats().bonds_broken, solver->stats().bonds / 3);
+        return moments;
+    }();
+    return kMoments;
+}
+
+TEST_F(Rest, APileGainsNoEnergyInAMinute) {
+    const auto& moments = minuteOfThePile();
+    const double size = moments[0].mechanical();
+    for (size_t k = 1; k < moments.size(); ++k) {
+        EXPECT_LE(moments[k].mechanical(), moments[k - 1].mechanical() + 1e-5 * size) << 10 * (k + 1) << " s";
+        EXPECT_GE(moments[k].energy.friction, moments[k - 1].energy.friction - 1e-5 * size)
+            << 10 * (k + 1) << " s";
+        EXPECT_NEAR(moments[k].booked() / moments[0].booked(), 1, 1e-5) << 10 * (k + 1) << " s";
+    }
+}
+
+TEST_F(Rest, APileLiesForAMinute) {  // neither drift nor creep
+    const auto& moments = minuteOfThePile();
+    double farthest = 0;
+    for (size_t i = 0; i < 125; ++i) {
+        const Float3 a = moments.front().particles[i].position, b = moments.back().particles[i].position;
+        farthest = std::max<double>(farthest, std::hypot(b.x - a.x, b.y - a.y, b.z - a.z));
+    }
+    EXPECT_LT(farthest, 1e-3);
+    EXPECT_LT(moments.back().energy.kinetic, 1e-6 * moments.back().mechanical());
+}
+
+}  // namespace
+}  // namespace demolish::tests
