@@ -54,21 +54,25 @@ void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
 
 /// The numbers of `demolish bench`, of the last frames: the same statistics by the same code.
 void showSpeed(const FrameSummary& summary, size_t bodies) {
-    valueRow("FPS", "%.1f  (p1 %.1f)", summary.fps_median, summary.fps_p1);
-    valueRow("Frame", "p99 %.2f ms, worst %.2f", summary.frame_ms_p99, summary.frame_ms_worst);
-    valueRow("Simulation", "%.2f ms, %.0f substeps", summary.sim_ms, summary.substeps);
-    valueRow("Transfer, draw", "%.2f ms, %.2f ms", summary.transfer_ms, summary.draw_ms);
-    valueRow("Awake", "%.0f particles, %.0f of %zu bodies", summary.awake_particles, summary.awake_bodies,
+    valueRow("FPS", "%.1f (p1 %.1f)", summary.fps_median, summary.fps_p1);
+    valueRow("Frame", "p99 %.4g, worst %.4g ms", summary.frame_ms_p99, summary.frame_ms_worst);
+    valueRow("Sim, export, draw", "%.3g, %.3g, %.3g ms", summary.sim_ms, summary.transfer_ms,
+             summary.draw_ms);
+    tooltipOnHover(
+        "Medians of the frames in the graph that were simulated. Export: writing the frame and bringing it "
+        "to the renderer.");
+    valueRow("Awake", "%.0f particles, %.0f/%zu bodies", summary.awake_particles, summary.awake_bodies,
              bodies);
+    tooltipOnHover("What costs anything: the others sleep.");
     valueRow("Triangles", "%llu", static_cast<unsigned long long>(summary.triangles));
 }
 
 /// Where the scene names phases: the paper's rate for the present one, and ours in its frames so far.
-void showPhase(const PanelContext& context, std::span<const FrameSample> samples) {
+void showPhase(const PanelContext& context, std::span<const FrameSample> simulated) {
     const Phase* phase = phaseAt(context.shot.phases, context.status.stats.time);
     if (phase == nullptr || phase->paper_fps <= 0) return;
-    const PhaseSummary row = summarisePhases(samples, {phase, 1}).front();
-    valueRow("Phase", "%s: paper %.0f FPS, x %.2f", phase->name.c_str(), phase->paper_fps, row.ratio());
+    const PhaseSummary row = summarisePhases(simulated, {phase, 1}).front();
+    valueRow("Paper's FPS", "%.0f %s, ours x %.2g", phase->paper_fps, phase->name.c_str(), row.ratio());
 }
 
 }  // namespace
@@ -76,20 +80,22 @@ void showPhase(const PanelContext& context, std::span<const FrameSample> samples
 void showStatisticsPanel(PanelContext& context) {
     if (!ImGui::CollapsingHeader("Statistics", ImGuiTreeNodeFlags_DefaultOpen)) return;
     const auto samples = context.history.samples();
-    const FrameSummary summary = summarise(samples);
+    const auto simulated = simulatedFrames(samples);
+    const FrameSummary summary = simulated.empty() ? summarise(samples) : summarise(simulated);
     drawGraph(context, samples);
     showSpeed(summary, context.status.bodies);
-    showPhase(context, samples);
+    showPhase(context, simulated);
     const FrameStats& stats = context.status.stats;
-    valueRow("Particles", "%u of %.2f mm", stats.particles, 1000 * context.status.particle_size);
-    valueRow("Mass", "%.4g kg", stats.mass);
+    valueRow("Particles", "%u of %.3g mm, %.4g kg", stats.particles, 1000 * context.status.particle_size,
+             stats.mass);
     valueRow("Bonds", "%u, broken %u, parted %u", stats.bonds, stats.bonds_broken, stats.bonds_parted);
     tooltipOnHover(
         "Broken: the bond has failed. Parted, of these: its two ends have left each other; between the "
         "others "
         "the faces of the crack still touch.");
     valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
-    valueRow("Time", "%.3f s, step %.2f us", stats.time, 1e6 * stats.time_step);
+    valueRow("Time", "%.3f s, %.0f x %.4g us", stats.time, summary.substeps, 1e6 * stats.time_step);
+    tooltipOnHover("Simulated; then the substeps of a frame and how long each is.");
     valueRow("Device", "%s, transfer: %s", context.status.device.c_str(), context.status.transfer.c_str());
     if (!context.status.transfer_note.empty()) tooltipOnHover(context.status.transfer_note.c_str());
     valueRow("Drawn by", "%s", context.gl_renderer.c_str());

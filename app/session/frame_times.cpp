@@ -69,6 +69,13 @@ FrameSummary summarise(std::span<const FrameSample> samples) {
     return summary;
 }
 
+std::vector<FrameSample> simulatedFrames(std::span<const FrameSample> samples) {
+    std::vector<FrameSample> chosen;
+    std::copy_if(samples.begin(), samples.end(), std::back_inserter(chosen),
+                 [](const FrameSample& sample) { return sample.sim_ms > 0; });
+    return chosen;
+}
+
 std::vector<PhaseSummary> summarisePhases(std::span<const FrameSample> samples,
                                           std::span<const Phase> phases) {
     std::vector<PhaseSummary> rows;

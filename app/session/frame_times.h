@@ -45,6 +45,10 @@ struct FrameSummary {
 };
 FrameSummary summarise(std::span<const FrameSample> samples);
 
+/// The frames that stepped the solver. A window also shows frames that did not (paused, replayed, not due
+/// yet): their rate is not that of a simulation.
+std::vector<FrameSample> simulatedFrames(std::span<const FrameSample> samples);
+
 /// One row of a report: the frames of a phase, or a choice of frames that cuts across the phases.
 struct PhaseSummary {
     Phase phase;

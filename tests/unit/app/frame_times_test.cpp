@@ -131,6 +131,13 @@ TEST(FrameTimes, APhaseWithoutFramesHasNoSpeed) {
     EXPECT_EQ(phaseAt(phases, 6), &phases[0]);
 }
 
+TEST(FrameTimes, FramesWithoutAStepAreNoSimulation) {
+    const std::vector<FrameSample> samples{frameAt(1, 2, 0), frameAt(1, 20, 15), frameAt(1, 2, 0)};
+    const auto simulated = simulatedFrames(samples);
+    ASSERT_EQ(simulated.size(), 1u);
+    EXPECT_DOUBLE_EQ(summarise(simulated).fps_median, 50);
+}
+
 TEST(FrameTimes, HistoryKeepsTheLatest) {
     FrameHistory history(3);
     for (int i = 1; i <= 5; ++i) history.add({static_cast<double>(i), 0, 0});
