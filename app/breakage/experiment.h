@@ -29,7 +29,7 @@ struct BreakageExperiment {
     double youngs_modulus = 200e9;  ///< Pa
     double poisson_ratio = 0.25;
     double bond_ratio = 0.5;       ///< a*
-    double fracture_energy = 8.4;  ///< J/m^2, Gamma of (13)
+    double fracture_energy = 8.5;  ///< J/m^2, Gamma of (13)
     double friction = 0.3, restitution = 0.7, damping_ratio = 0.16;
     double wall_friction = -1;  ///< negative: the grains' own
     double wall_stiffness = 1;  ///< share of a rigid wall's; 0.5: (1) as printed
