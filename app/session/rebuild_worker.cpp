@@ -1,47 +1,54 @@
-// One build at a time; the latest wish wins.
+// The latest wish wins.
 #include "app/session/rebuild_worker.h"
+
+#include <utility>
 
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
+namespace {
 
-RebuildWorker::~RebuildWorker() {
-    cancel();
-}
+constexpr size_t kMostWorkers = 3;  // cancelled builds still hold their memory
+
+}  // namespace
 
 void RebuildWorker::start(const Shot& shot, const BuiltShot& reuse) {
     cancel();
+    endWorkers();
     BuiltShot parts;
     parts.shot = reuse.shot;
     parts.mesh = reuse.mesh;
     parts.body = reuse.body;
     parts.variants = reuse.variants;
     parts.has_draw_geometry = reuse.has_draw_geometry;
-    progress_ = {};
-    busy_ = true;
-    thread_ = std::jthread([this, shot, parts = std::move(parts)](std::stop_token stop) mutable {
-        run(std::move(stop), std::move(shot), std::move(parts));
-    });
+    job_ = std::make_shared<Job>();
+    workers_.push_back(
+        {job_, std::jthread([job = job_, shot, parts = std::move(parts)](const std::stop_token& stop) {
+             run(stop, *job, shot, parts);
+         })});
 }
 
 void RebuildWorker::cancel() {
-    if (!thread_.joinable()) return;
-    thread_.request_stop();
-    thread_.join();
-    result_.reset();
-    error_ = nullptr;
-    busy_ = false;
+    for (Worker& worker : workers_) worker.thread.request_stop();
+    job_.reset();
+}
+
+/// Forgets the finished ones, and waits where there would be too many.
+void RebuildWorker::endWorkers() {
+    std::erase_if(workers_, [](const Worker& worker) { return worker.job->done.load(); });
+    while (workers_.size() >= kMostWorkers) workers_.erase(workers_.begin());
 }
 
 RebuildWorker::Progress RebuildWorker::progress() const {
-    const std::lock_guard lock(mutex_);
-    return progress_;
+    if (!job_) return {};
+    const std::lock_guard lock(job_->mutex);
+    return job_->progress;
 }
 
-void RebuildWorker::run(std::stop_token stop, Shot shot, BuiltShot reuse) {
+void RebuildWorker::run(const std::stop_token& stop, Job& job, const Shot& shot, const BuiltShot& reuse) {
     const auto report = [&](double fraction, const char* stage) {
-        const std::lock_guard lock(mutex_);
-        progress_ = {fraction, stage};
+        const std::lock_guard lock(job.mutex);
+        job.progress = {fraction, stage};
         return !stop.stop_requested();
     };
     std::optional<BuiltShot> built;
@@ -52,18 +59,17 @@ void RebuildWorker::run(std::stop_token stop, Shot shot, BuiltShot reuse) {
     } catch (...) {
         error = std::current_exception();
     }
-    const std::lock_guard lock(mutex_);
-    if (!stop.stop_requested()) {
-        result_ = std::move(built);
-        error_ = error;
-    }
-    busy_ = false;
+    const std::lock_guard lock(job.mutex);
+    job.result = std::move(built);
+    job.error = error;
+    job.done = true;
 }
 
 std::optional<BuiltShot> RebuildWorker::take() {
-    const std::lock_guard lock(mutex_);
-    if (error_) std::rethrow_exception(std::exchange(error_, nullptr));
-    return std::exchange(result_, std::nullopt);
+    if (!job_) return std::nullopt;
+    const std::lock_guard lock(job_->mutex);
+    if (job_->error) std::rethrow_exception(std::exchange(job_->error, nullptr));
+    return std::exchange(job_->result, std::nullopt);
 }
 
 }  // namespace demolish

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
+#include <utility>
 
 namespace demolish {
 using engine::StreamId;
@@ -39,24 +40,63 @@ Float3 moved(const FragmentTransform& motion, const Double3& rest) {
 
 std::vector<ParticleInstance> instancesOf(const RecordedFrame& frame,
                                           const std::vector<FragmentTransform>& transforms,
-                                          const SceneSetup& setup) {
+                                          const SceneSetup& setup, std::span<const uint8_t> values) {
     std::vector<ParticleInstance> instances;
     instances.reserve(frame.draw_list->particle_fragment.size() + frame.projectiles.size());
     for (const BodyInstance& instance : setup.bodies)
         for (const Particle& particle : instance.body->particles) {
             const uint32_t slot = frame.draw_list->particle_fragment[instances.size()];
             const auto radius = static_cast<float>(std::cbrt(3 * particle.volume / (4 * std::numbers::pi)));
-            instances.push_back({moved(transforms[slot], particle.seed), radius, 0.0f, slot, {}});
+            const float value = values.empty() ? 0.0f : static_cast<float>(values[instances.size()]) / 255.0f;
+            instances.push_back({moved(transforms[slot], particle.seed), radius, value, slot, {}});
         }
     instances.insert(instances.end(), frame.projectiles.begin(), frame.projectiles.end());
     return instances;
 }
 
+/// Empty for kFragment, which needs no values.
+std::span<const uint8_t> valuesOf(const RecordedFrame& frame, ParticleColour colour) {
+    switch (colour) {
+        case ParticleColour::kDamage:
+            return frame.draw_list->damage;
+        case ParticleColour::kStress:
+            return frame.stress;
+        case ParticleColour::kSpeed:
+            return frame.speed;
+        case ParticleColour::kFragment:
+            break;
+    }
+    return {};
+}
+
 }  // namespace
 
+std::vector<uint8_t>* RecordedColours::of(ParticleColour channel) {
+    switch (channel) {
+        case ParticleColour::kDamage:
+            return &damage;
+        case ParticleColour::kStress:
+            return &stress;
+        case ParticleColour::kSpeed:
+            return &speed;
+        case ParticleColour::kFragment:
+            break;
+    }
+    return nullptr;
+}
+
+std::vector<uint8_t> readColour(const engine::FractureMesh& mesh) {
+    const auto instances = download<ParticleInstance>(mesh, StreamId::kParticles, mesh.particleCount());
+    std::vector<uint8_t> values(instances.size());
+    std::transform(instances.begin(), instances.end(), values.begin(), [](const ParticleInstance& instance) {
+        return static_cast<uint8_t>(std::lround(255 * std::clamp(instance.value, 0.0f, 1.0f)));
+    });
+    return values;
+}
+
 size_t RecordedDrawList::bytes() const {
-    return sizeof(*this) + 4 * (particle_fragment.size() + slots.size()) + interior_vertices.size() +
-           interior_indices.size() + crack_edges.size();
+    return sizeof(*this) + damage.size() + 4 * (particle_fragment.size() + slots.size()) +
+           interior_vertices.size() + interior_indices.size() + crack_edges.size();
 }
 
 void Recording::clear() {
@@ -64,9 +104,11 @@ void Recording::clear() {
     bytes_ = 0;
 }
 
-std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const engine::FractureMesh& mesh) const {
+std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const engine::FractureMesh& mesh,
+                                                                std::vector<uint8_t> damage) const {
     auto list = std::make_shared<RecordedDrawList>();
     list->particle_fragment = download<uint32_t>(mesh, StreamId::kParticleFragment, mesh.particleCount());
+    list->damage = std::move(damage);
     list->slots = list->particle_fragment;
     std::sort(list->slots.begin(), list->slots.end());
     list->slots.erase(std::unique(list->slots.begin(), list->slots.end()), list->slots.end());
@@ -83,28 +125,32 @@ std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const engine::Fr
 }
 
 void Recording::add(const engine::FractureMesh& mesh, std::span<const ParticleInstance> projectiles,
-                    const FrameStats& stats) {
+                    RecordedColours colours, const FrameStats& stats) {
     if (full()) return;
     RecordedFrame frame;
-    const bool changed = frames_.empty() || frames_.back().stats.bonds_broken != stats.bonds_broken;
-    frame.draw_list = changed ? readDrawList(mesh) : frames_.back().draw_list;
+    const bool changed = breaksWith(stats);
+    frame.draw_list = changed ? readDrawList(mesh, std::move(colours.damage)) : frames_.back().draw_list;
+    frame.stress = std::move(colours.stress);
+    frame.speed = std::move(colours.speed);
     const auto all = download<FragmentTransform>(mesh, StreamId::kTransforms, mesh.particleCount());
     frame.transforms.reserve(frame.draw_list->slots.size());
     for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
     frame.projectiles.assign(projectiles.begin(), projectiles.end());
     frame.stats = stats;
-    bytes_ += sizeof(frame) + frame.transforms.size() * sizeof(FragmentTransform) +
+    bytes_ += sizeof(frame) + frame.stress.size() + frame.speed.size() +
+              frame.transforms.size() * sizeof(FragmentTransform) +
               frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes() : 0);
     frames_.push_back(std::move(frame));
 }
 
-void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetup& setup) const {
+void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetup& setup,
+                       ParticleColour colour) const {
     const RecordedFrame& frame = frames_[index];
     const RecordedDrawList& list = *frame.draw_list;
     std::vector<FragmentTransform> transforms(mesh.particleCount());
     for (size_t i = 0; i < list.slots.size(); ++i) transforms[list.slots[i]] = frame.transforms[i];
     upload(mesh, StreamId::kTransforms, transforms);
-    upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, setup));
+    upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, setup, valuesOf(frame, colour)));
     upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
     upload(mesh, StreamId::kInteriorVertices, list.interior_vertices);
     upload(mesh, StreamId::kInteriorIndices, list.interior_indices);

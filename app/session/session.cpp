@@ -2,6 +2,7 @@
 #include "app/session/session.h"
 
 #include <chrono>
+#include <utility>
 
 #include "app/session/ball_flight.h"
 #include "sim_cuda/api/errors.h"
@@ -145,12 +146,25 @@ void Session::fire(const Projectile& ball) {
 void Session::bringFrame(bool fresh) {
     shown_ = built_.solver->stats();
     if (!output_) return;
+    const bool records = options_.record && !recording_.full();
+    RecordedColours colours;
+    const auto bring = [&](ParticleColour channel) {
+        output_->bridge().transfer(*built_.solver, channel, projectiles_, std::exchange(fresh, false));
+        std::vector<uint8_t>* values = colours.of(channel);
+        if (records && values != nullptr) *values = readColour(output_->mesh());
+    };
+    if (records)
+        for (const auto channel :
+             {ParticleColour::kDamage, ParticleColour::kStress, ParticleColour::kSpeed}) {
+            const bool is_known = channel == ParticleColour::kDamage && !recording_.breaksWith(shown_);
+            if (channel != colour_ && !is_known) bring(channel);
+        }
     const auto begun = Clock::now();
-    output_->bridge().transfer(*built_.solver, colour_, projectiles_, fresh);
+    bring(colour_);
     spheres_ = spheresOf(output_->bridge().projectiles());
     last_transfer_ms_ = msSince(begun);
     if (!options_.record) return;
-    recording_.add(output_->mesh(), output_->bridge().projectiles(), shown_);
+    recording_.add(output_->mesh(), output_->bridge().projectiles(), std::move(colours), shown_);
     cursor_ = recording_.size() - 1;
 }
 
@@ -188,7 +202,7 @@ void Session::update(double now, bool may_step) {
 
 void Session::showRecorded(size_t frame) {
     if (!output_ || frame >= recording_.size()) return;
-    recording_.replay(frame, output_->mesh(), built_.setup);
+    recording_.replay(frame, output_->mesh(), built_.setup, colour_);
     const RecordedFrame& recorded = recording_.frame(frame);
     spheres_ = spheresOf(recorded.projectiles);
     shown_ = recorded.stats;
@@ -233,7 +247,11 @@ void Session::takeRebuild() {
 void Session::setColour(ParticleColour colour) {
     if (colour == colour_) return;
     colour_ = colour;
-    if (output_ && atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, false);
+    if (!output_) return;
+    if (atEnd())
+        output_->bridge().transfer(*built_.solver, colour_, projectiles_, false);
+    else
+        showRecorded(cursor_);
 }
 
 const char* Session::transfer() const {

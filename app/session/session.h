@@ -71,7 +71,7 @@ class Session {
     /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
     double lastTransferMs() const { return last_transfer_ms_; }
 
-    /// Which channel the particle view is coloured by; acts with the next frame brought over.
+    /// Which channel the particle view is coloured by; acts at once, on recorded frames too.
     void setColour(ParticleColour colour);
 
   private:

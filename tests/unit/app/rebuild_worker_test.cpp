@@ -1,0 +1,76 @@
+// Builds beside the caller: what comes of them, and of those that nobody wants any more.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "app/session/rebuild_worker.h"
+#include "app/session/scene_file.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+Shot blockOf(uint32_t particles) {
+    Shot shot = loadScene("block");
+    shot.device = DeviceChoice::kCpu;
+    shot.fineness.particles = particles;
+    return shot;
+}
+
+std::optional<BuiltShot> waitFor(RebuildWorker& worker) {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    while (worker.busy()) {
+        if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("the build does not end");
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return worker.take();
+}
+
+TEST(RebuildWorker, BuildsAndReusesTheMesh) {
+    const BuiltShot present = buildShot(blockOf(60), {}, {});
+    RebuildWorker worker;
+    EXPECT_FALSE(worker.busy());
+    EXPECT_FALSE(worker.take());
+    worker.start(blockOf(90), present);
+    const auto built = waitFor(worker);
+    ASSERT_TRUE(built);
+    EXPECT_EQ(built->body->particles.size(), 90u);
+    EXPECT_EQ(built->mesh, present.mesh);
+    EXPECT_FALSE(worker.take()) << "handed over once";
+    EXPECT_NE(worker.progress().stage, "");
+}
+
+TEST(RebuildWorker, CancelledBuildGivesNothingAndTheNextOneIsNotDisturbed) {
+    const BuiltShot present = buildShot(blockOf(60), {}, {});
+    RebuildWorker worker;
+    for (uint32_t k = 0; k < 5; ++k) {
+        worker.start(blockOf(3000 + k), present);
+        EXPECT_TRUE(worker.busy());
+        worker.cancel();
+        EXPECT_FALSE(worker.busy());
+        EXPECT_FALSE(worker.take());
+        EXPECT_EQ(worker.progress().stage, "");
+    }
+    worker.start(blockOf(4000), present);
+    worker.start(blockOf(80), present);  // the latest wish wins
+    const auto built = waitFor(worker);
+    ASSERT_TRUE(built);
+    EXPECT_EQ(built->body->particles.size(), 80u);
+}
+
+TEST(RebuildWorker, ErrorsArriveWhereTheResultIsTaken) {
+    const BuiltShot present = buildShot(blockOf(60), {}, {});
+    RebuildWorker worker;
+    Shot shot = blockOf(60);
+    shot.model = "nowhere.obj";
+    worker.start(shot, present);
+    EXPECT_THROW(waitFor(worker), InputFileError);
+    EXPECT_FALSE(worker.take()) << "told once";
+    worker.start(blockOf(70), present);
+    EXPECT_TRUE(waitFor(worker));
+}
+
+}  // namespace
+}  // namespace demolish

@@ -1,0 +1,90 @@
+// A recorded frame shows what it showed when it was new, in every colour of the particle view.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "app/session/scene_file.h"
+#include "app/session/session.h"
+#include "engine/platform/headless_context.h"
+
+namespace demolish {
+namespace {
+
+constexpr std::array kChannels = {ParticleColour::kFragment, ParticleColour::kDamage, ParticleColour::kStress,
+                                  ParticleColour::kSpeed};
+constexpr size_t kFrames = 8;
+
+/// Spheres of the particle view in all colours.
+using Seen = std::array<std::vector<ParticleInstance>, kChannels.size()>;
+
+std::vector<ParticleInstance> instances(const Session& session) {
+    std::vector<ParticleInstance> all(session.mesh()->particleCount());
+    session.mesh()->stream(engine::StreamId::kParticles).download(std::as_writable_bytes(std::span(all)));
+    return all;
+}
+
+Seen look(Session& session) {
+    Seen seen;
+    for (size_t c = 0; c < kChannels.size(); ++c) {
+        session.setColour(kChannels[c]);
+        seen[c] = instances(session);
+    }
+    return seen;
+}
+
+float highest(const std::vector<ParticleInstance>& all) {
+    float value = 0;
+    for (const ParticleInstance& instance : all) value = std::max(value, instance.value);
+    return value;
+}
+
+class RecordingTest : public testing::Test {
+  protected:
+    static Shot blockHitSoon() {
+        Shot shot = loadScene("block");
+        shot.device = DeviceChoice::kCpu;
+        shot.fineness.particles = 150;
+        shot.impact.arrival_time = 0.03;
+        return shot;
+    }
+    engine::HeadlessContext context_{{.cuda_device = {}, .software_only = true}};
+    Session session_{buildShot(blockHitSoon(), {}, {}), {.draw = true, .record = true}};
+};
+
+TEST_F(RecordingTest, KeepsEveryColourOfEveryFrame) {
+    std::vector<Seen> live{look(session_)};
+    for (size_t frame = 1; frame < kFrames; ++frame) {
+        session_.setColour(kChannels[frame % kChannels.size()]);  // whichever is shown while it is recorded
+        ASSERT_EQ(session_.advance(), StepStatus::kOk);
+        live.push_back(look(session_));
+    }
+    ASSERT_GT(session_.status().stats.bonds_broken, 0u);
+    for (size_t c = 1; c < kChannels.size(); ++c) EXPECT_GT(highest(live[kFrames - 2][c]), 0.02f);
+    for (size_t frame = 0; frame + 1 < kFrames; ++frame) {
+        session_.apply(command::Scrub{frame}, 0);
+        ASSERT_TRUE(session_.status().replaying);
+        const Seen replayed = look(session_);
+        for (size_t c = 0; c < kChannels.size(); ++c)
+            for (size_t i = 0; i < live[frame][c].size(); ++i) {
+                ASSERT_EQ(replayed[c][i].fragment, live[frame][c][i].fragment);
+                if (kChannels[c] == ParticleColour::kFragment) continue;  // drawn by the slot
+                ASSERT_NEAR(replayed[c][i].value, live[frame][c][i].value, 0.51f / 255)
+                    << "frame " << frame << " channel " << c << " particle " << i;
+            }
+    }
+}
+
+TEST_F(RecordingTest, ColoursOfAFrameTakeTwoBytesAParticle) {
+    const auto bytes = [&] { return session_.status().recorded_bytes; };
+    const size_t before = bytes();
+    ASSERT_EQ(session_.advance(), StepStatus::kOk);
+    ASSERT_EQ(session_.status().stats.bonds_broken, 0u) << "or the draw lists and the damage come on top";
+    const size_t projectiles = session_.spheres().size() * sizeof(ParticleInstance);
+    EXPECT_EQ(bytes() - before, sizeof(RecordedFrame) + sizeof(FragmentTransform) + projectiles +
+                                    2 * session_.mesh()->particleCount());
+}
+
+}  // namespace
+}  // namespace demolish
