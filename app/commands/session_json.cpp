@@ -17,6 +17,7 @@ std::string sessionJson(const Session& session) {
     json["bonds_parted"] = status.stats.bonds_parted;
     json["fragments"] = status.stats.fragments;
     json["time"] = status.stats.time;
+    json["rebuilding"] = status.waiting || status.rebuilding;
     json["playing"] = status.playing;
     json["replaying"] = status.replaying;
     json["cursor"] = status.cursor;

@@ -114,10 +114,11 @@ struct ViewLoop {
 
 ScriptHooks hooksFor(engine::Window& window, Session& session) {
     ScriptHooks hooks;
-    hooks.rebuilding = [&session] {
+    hooks.rebuilt = [&session] {
         const SessionStatus status = session.status();
-        return status.waiting || status.rebuilding;
+        return !status.waiting && !status.rebuilding;
     };
+    hooks.building = [&session] { return session.status().rebuilding; };
     hooks.screenshot = [&window](const std::filesystem::path& file) {
         saveWindow(file, window.framebufferWidth(), window.framebufferHeight());
     };

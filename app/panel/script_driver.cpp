@@ -24,7 +24,8 @@ const std::map<std::string, int> kKeys = {
     {"tab", GLFW_KEY_TAB},     {"left", GLFW_KEY_LEFT},     {"right", GLFW_KEY_RIGHT},
     {"enter", GLFW_KEY_ENTER}, {"escape", GLFW_KEY_ESCAPE}, {"question", GLFW_KEY_SLASH}};
 
-constexpr int kPatience = 120;  // frames that a control may take to appear (popups, panels that scroll)
+constexpr int kPatience = 120;        // frames that a control may take to appear (popups, panels that scroll)
+constexpr int kLongPatience = 20000;  // frames that a rebuild may take
 
 }  // namespace
 
@@ -43,6 +44,8 @@ ScriptDriver::ScriptDriver(const std::filesystem::path& file, ScriptHooks hooks)
         const auto known = kArguments.find(line.words[0]);
         if (known == kArguments.end() || line.words.size() != known->second + 1)
             fail(line, "is not understood");
+        if (line.words[0] == "until" && line.words[1] != "rebuilt" && line.words[1] != "building")
+            fail(line, "knows rebuilt and building");
         lines_.push_back(std::move(line));
     }
 }
@@ -111,7 +114,9 @@ void ScriptDriver::inject(ItemRegistry& items, const PictureArea& picture) {
         if (name == "screenshot" || name == "state") {
             output_ = line;
         } else if (name == "until") {
-            if (hooks_.rebuilding()) break;
+            const bool reached = line.words[1] == "building" ? hooks_.building() : hooks_.rebuilt();
+            if (!reached && patience_++ == kLongPatience) fail(line, "waited in vain");
+            if (!reached) break;
         } else {
             const bool needs_item = name == "set" || name == "click" || name == "type";
             if (needs_item && items.find(line.words[1]) == nullptr && patience_ < kPatience) {

@@ -16,6 +16,7 @@ namespace demolish {
 /// One line a command:
 ///   wait N                 N frames
 ///   until rebuilt          until no rebuild is waiting or running
+///   until building         until a rebuild runs on its worker
 ///   set ID FRACTION        presses the slider ID at this share of its width
 ///   type ID TEXT           Ctrl-click on the slider, TEXT, Enter
 ///   click ID               a control; ID as panels name it ("transport.reset")
@@ -25,7 +26,7 @@ namespace demolish {
 ///   screenshot FILE        the whole window, PNG
 ///   state FILE             what the session says, JSON
 struct ScriptHooks {
-    std::function<bool()> rebuilding;
+    std::function<bool()> rebuilt, building;
     std::function<void(const std::filesystem::path&)> screenshot, state;
 };
 

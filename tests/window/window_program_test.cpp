@@ -134,6 +134,104 @@ TEST_F(WindowProgram, SlidersFireAndReset) {
     EXPECT_LT(engine::compare(pieces, whole).ssim, 0.98) << "breaking must show in the picture";
 }
 
+TEST_F(WindowProgram, CancelKeepsTheBody) {
+    run(R"(
+wait 2
+key space
+key r
+state before
+set particles.size 0.02
+until building
+screenshot 13_building
+click particles.cancel
+state cancelled
+wait 40
+state later
+screenshot 14_cancelled
+set particles.size 0.8
+until rebuilt
+wait 2
+state rebuilt
+)");
+    if (HasFatalFailure()) return;
+    const auto before = read("before"), cancelled = read("cancelled"), later = read("later");
+    EXPECT_EQ(cancelled["rebuilding"], false);
+    for (const auto& state : {cancelled, later}) {
+        EXPECT_EQ(state["particles"], before["particles"]);
+        EXPECT_EQ(state["particle_size"], before["particle_size"]);
+        EXPECT_EQ(state["message"], "");
+    }
+    EXPECT_EQ(later["rebuilding"], false) << "nothing starts anew by itself";
+    EXPECT_NE(read("rebuilt")["particles"], before["particles"]) << "the next wish is still heard";
+}
+
+TEST_F(WindowProgram, ScrubbingBackStopsPlayingAndPlayGoesOnFromThere) {
+    run(R"(
+click transport.real_time
+wait 14
+state playing
+set transport.timeline 0.2
+state scrubbed
+wait 5
+state resting
+click transport.play
+wait 3
+state replaying
+wait 25
+state on
+)");
+    if (HasFatalFailure()) return;
+    const auto playing = read("playing"), scrubbed = read("scrubbed"), on = read("on");
+    EXPECT_EQ(playing["playing"], true);
+    EXPECT_EQ(playing["replaying"], false);
+    EXPECT_EQ(scrubbed["playing"], false);
+    EXPECT_EQ(scrubbed["replaying"], true);
+    EXPECT_LT(scrubbed["time"].get<double>(), playing["time"].get<double>());
+    EXPECT_EQ(read("resting")["cursor"], scrubbed["cursor"]);
+    EXPECT_EQ(read("replaying")["replaying"], true) << "recorded frames are shown, not simulated again";
+    EXPECT_GT(read("replaying")["cursor"].get<int>(), scrubbed["cursor"].get<int>());
+    EXPECT_EQ(on["replaying"], false);
+    EXPECT_EQ(on["cursor"].get<int>() + 1, on["recorded_frames"].get<int>());
+    EXPECT_GT(on["time"].get<double>(), playing["time"].get<double>());
+    EXPECT_EQ(on["message"], "");
+}
+
+TEST_F(WindowProgram, OddInputDoesNoHarm) {
+    run(R"(
+wait 2
+key space
+type impact.velocity nan
+state nan
+type impact.velocity 1e30
+state huge
+type impact.velocity -inf
+state infinite
+type impact.velocity /0
+state divided
+type particles.size nan
+type particles.size 1e9
+wait 1
+until rebuilt
+wait 2
+state size
+key r
+key space
+wait 12
+state flown
+)");
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(read("nan")["impact_velocity"], 25.0);
+    EXPECT_EQ(read("huge")["impact_velocity"], 60.0);
+    for (const char* name : {"infinite", "divided"}) {
+        ASSERT_TRUE(read(name)["impact_velocity"].is_number()) << name;
+        EXPECT_GE(read(name)["impact_velocity"].get<double>(), 0) << name;
+        EXPECT_LE(read(name)["impact_velocity"].get<double>(), 60) << name;
+    }
+    EXPECT_NEAR(read("size")["particles"].get<int>(), 200, 2) << "the coarsest size that the slider has";
+    EXPECT_EQ(read("flown")["message"], "");
+    EXPECT_GT(read("flown")["time"].get<double>(), 0);
+}
+
 TEST_F(WindowProgram, LimitsHoldWhenTyping) {
     run(R"(
 wait 2
