@@ -34,7 +34,7 @@ void showEnergyPanel(PanelContext& context) {
     const bool open = ImGui::CollapsingHeader("Energy");
     noteItem(context, "energy.header");
     tooltipOnHover("Where the energy of the impact went. Measured while this is open.");
-    if (open != context.status.measuring) context.commands.push_back(command::MeasureEnergy{open});
+    if (open != context.status.measuring) context.commands.emplace_back(command::MeasureEnergy{open});
     if (!open) return;
     if (context.status.energy)
         showLedger(*context.status.energy);
