@@ -20,23 +20,23 @@ struct BreakageExperiment {
 
     std::array<double, 2> diameters{24e-6, 36e-6};  ///< m, small before large
     uint32_t packings = 30;                         ///< of each size
-    uint32_t grains = 500;                          ///< in the small specimen
+    uint32_t grains = 1000;                         ///< in the small specimen
     bool scaled_grains = false;  ///< the large one has as many grains, not grains of the same size
-    double solid_fraction = 0.60, radius_scatter = 0.12, bond_gap = 0.20;  ///< as in SphereSpecimen
+    double solid_fraction = 0.60, radius_scatter = 0.12, bond_gap = 0.30;  ///< as in SphereSpecimen
     uint32_t seed = 1;
 
     double density = 3900;          ///< kg/m^3, of the grains
     double youngs_modulus = 200e9;  ///< Pa
     double poisson_ratio = 0.25;
-    double bond_ratio = 0.5;      ///< a*
-    double fracture_energy = 22;  ///< J/m^2, Gamma of (13)
+    double bond_ratio = 0.5;       ///< a*
+    double fracture_energy = 8.4;  ///< J/m^2, Gamma of (13)
     double friction = 0.3, restitution = 0.7, damping_ratio = 0.16;
     double wall_friction = -1;  ///< negative: the grains' own
     double wall_stiffness = 1;  ///< share of a rigid wall's; 0.5: (1) as printed
 
     double slowest = 25, fastest = 47.5;  ///< m/s
     uint32_t velocities = 10;             ///< evenly spaced, both ends included
-    double duration = 100e-9;             ///< s simulated from just before the impact on
+    double duration = 80e-9;              ///< s simulated from just before the impact on
     double step_safety = 0.5;             ///< of the critical step
 
     BreakRule rule = BreakRule::kLargest;

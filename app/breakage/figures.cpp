@@ -10,7 +10,7 @@
 namespace demolish {
 namespace {
 
-constexpr const char* kSizeColours[2] = {"#1f5fa8", "#c44e1a"};
+constexpr const char *kSizeColours[2] = {"#1f5fa8", "#c44e1a"}, *kPaleColours[2] = {"#84aad6", "#e0a083"};
 constexpr const char* kDashes[5] = {"6 4", "2 3", "9 3 2 3", "12 4", "4 2 1 2"};
 /// From pale to dark: the more children, the darker. 0 stands for crumbs alone.
 constexpr const char* kChildColours[kMostChildren + 1] = {"#e8e8e8", "#d4d4d4", "#fde0a8", "#f6b65c",
@@ -57,7 +57,8 @@ ChartSeries probabilityLine(const BreakageExperiment& experiment, const Breakage
         series.width = 3;
         series.error_shift = size == 0 ? -3 : 3;
     } else {
-        series.width = 1.3;
+        series.colour = kPaleColours[size];
+        series.width = 1.5;
         series.marker = 0;
         series.dash = kDashes[(reading - 1) % std::size(kDashes)];
     }

@@ -62,7 +62,7 @@ void computeItem(const BreakagePlan& plan, const BreakageOptions& options, size_
     ProgressBar bar;
     const std::string of = " " + std::to_string(item + 1) + "/" + std::to_string(plan.items().size());
     const ItemResult result = runItem(plan, runs, on_gpu, [&](double fraction, const char* stage) {
-        bar.show(fraction, stage + of);
+        if (!options.quiet) bar.show(fraction, stage + of);
         return true;
     });
     writeItem(options.out, plan, item, runs, result);
@@ -93,6 +93,7 @@ std::vector<std::string> argumentsFor(const BreakageOptions& options, size_t ite
     addNumber("--velocities", options.velocities);
     addNumber("--batch", options.batch);
     if (options.full) words.emplace_back("--full");
+    words.emplace_back("--quiet");
     add("--index", std::to_string(item));
     return words;
 }
@@ -108,7 +109,8 @@ void runMissing(const BreakagePlan& plan, const BreakageOptions& options, bool o
     for (const size_t item : missing) arguments.push_back(argumentsFor(options, item, on_gpu));
     ProgressBar bar;
     runJobs(arguments, jobs, on_gpu, [&](size_t done) {
-        bar.show(static_cast<double>(done) / static_cast<double>(missing.size()), "items");
+        if (!options.quiet)
+            bar.show(static_cast<double>(done) / static_cast<double>(missing.size()), "items");
     });
 }
 
@@ -175,6 +177,7 @@ void addBreakageCommand(CLI::App& app, BreakageOptions& options) {
         ->capture_default_str();
     command->add_option("--index", options.index, "Compute this item alone, for job arrays; then gather")
         ->type_name("I");
+    command->add_flag("--quiet", options.quiet, "No progress bar");
     command->add_flag("--count", options.count, "Print how many items there are, and stop");
     addGather(*command, options);
     command->callback([command, &options] {

@@ -15,7 +15,7 @@ struct BreakageOptions {
     std::string out, device = "auto";
     std::optional<double> packings, velocities, batch, index;  ///< whole numbers, checked when used
     double jobs = 1;
-    bool full = false, count = false;
+    bool full = false, count = false, quiet = false;
 };
 
 void addBreakageCommand(CLI::App& app, BreakageOptions& options);

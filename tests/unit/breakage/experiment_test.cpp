@@ -82,12 +82,12 @@ TEST(Experiment, ItsRecordGivesItBack) {
 
 TEST(Experiment, SameGrainsAndScaledGrains) {
     BreakageExperiment experiment;
-    EXPECT_EQ(specimenOf(experiment, 0, 3).grains, 500u);
-    EXPECT_EQ(specimenOf(experiment, 1, 3).grains, 1688u);
+    EXPECT_EQ(specimenOf(experiment, 0, 3).grains, 1000u);
+    EXPECT_EQ(specimenOf(experiment, 1, 3).grains, 3375u);
     EXPECT_NE(specimenOf(experiment, 0, 3).seed, specimenOf(experiment, 0, 4).seed);
     EXPECT_NE(specimenOf(experiment, 0, 3).seed, specimenOf(experiment, 1, 3).seed);
     experiment.scaled_grains = true;
-    EXPECT_EQ(specimenOf(experiment, 1, 3).grains, 500u);
+    EXPECT_EQ(specimenOf(experiment, 1, 3).grains, 1000u);
     EXPECT_EQ(velocitiesOf(experiment).front(), experiment.slowest);
     EXPECT_EQ(velocitiesOf(experiment).back(), experiment.fastest);
     EXPECT_EQ(velocitiesOf(experiment).size(), experiment.velocities);
