@@ -172,7 +172,7 @@ TEST_F(HandOver, TwoRunsGiveTheSameBits) {
 SceneSetup twoBricks() {
     SceneSetup setup = freeBody(latticeBody(4, 6, 4, 0.03, 0.2));
     setup.bodies.push_back(setup.bodies[0]);
-    setup.bodies[1].position = {1, 0, 0};
+    setup.bodies[1].position = {20, 0, 0};
     setup.params.gravity = {0, -9.81, 0};
     setup.params.planes.push_back(Plane{});
     setup.params.substeps = 150;
