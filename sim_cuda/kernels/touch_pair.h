@@ -25,6 +25,7 @@ struct TouchGeometry {
 
 template <class Real>
 struct TouchLaw {
+    Real stiffness{};       ///< N/m, of the overlap; 0 for Hertz contacts, where it varies
     Real elastic{};         ///< N, repulsion of the overlap
     Real normal_damping{};  ///< N s/m
     Real shear{};           ///< N/m, k_t
@@ -69,11 +70,24 @@ DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchL
     return effect;
 }
 
+/// What is kept with a contact's spring as its last number (N/m, 0: nothing): the least stiffness that a
+/// contact step has given it. A contact stays that soft until it parts, or bonds that wake would find its
+/// overlap loaded with more than it has taken in.
+template <class Real>
+DEM_FN Real keptStiffness(const StepParams<Real>& params, Real kept, Real stiffness) {
+    return params.softening != 0 ? stiffness : kept;
+}
+template <class Real>
+DEM_FN Real noStifferThan(Real kept, Real stiffness) {
+    return kept > Real(0) && kept < stiffness ? kept : stiffness;
+}
+
 /// Contact constants by the law chosen; `inverse_mass` = 1/m_i + 1/m_j, likewise the inertia; R* and overlap
-/// in m.
+/// in m; `kept` as above.
 template <class Real>
 DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
-                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia) {
+                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia,
+                                      Real kept = Real(0)) {
     const Real root = inverseSqrt(inverse_mass), reduced_mass = root * root;
     TouchLaw<Real> law;
     if (params.hertz != 0) {
@@ -82,7 +96,9 @@ DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParam
         law.normal_damping = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
-        const Real stiffness = minOf(pair.stiffness, params.stiffness_cap * reduced_mass);
+        const Real stiffness =
+            noStifferThan(kept, minOf(pair.stiffness, params.stiffness_cap * reduced_mass));
+        law.stiffness = stiffness;
         law.elastic = stiffness * overlap;
         law.normal_damping = linearDamping(pair.damping, stiffness, reduced_mass);
         law.shear = Real(kContactShearRatio) * stiffness;
@@ -104,11 +120,13 @@ DEM_FN Real reducedRadius(Real a, Real b) {
     return (a * b) * (root * root);
 }
 
-/// Never stiffer than face_cap allows; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing is capped.
+/// Never stiffer than face_cap allows and than was kept; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing
+/// is capped.
 template <class Real>
 DEM_FN BondConstants<Real> cappedFaces(BondConstants<Real> bond, const StepParams<Real>& params,
-                                       Real inverse_mass) {
-    const Real root = inverseSqrt(inverse_mass), limit = params.face_cap * (root * root);
+                                       Real inverse_mass, Real kept) {
+    const Real root = inverseSqrt(inverse_mass);
+    const Real limit = noStifferThan(kept, params.face_cap * (root * root));
     if (!(bond.stiffness.normal > limit)) return bond;
     const Real share = limit / bond.stiffness.normal;
     bond.stiffness.normal = limit;
@@ -121,6 +139,7 @@ template <class Real>
 DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body, Real overlap,
                                      Real reduced_radius, Real inverse_inertia) {
     TouchLaw<Real> law;
+    law.stiffness = bond.stiffness.normal;
     law.elastic = brokenRepulsion(bond.stiffness.normal, overlap);
     law.normal_damping = bond.beta_r * bond.stiffness.normal;
     law.shear = bond.stiffness.shear;
