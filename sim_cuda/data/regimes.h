@@ -37,8 +37,9 @@ struct RigidWork {
     Span<const uint32_t> active;       ///< particle ids by (fragment, id)
     Span<const uint32_t> counts;       ///< words: active, fragments
     Span<RigidBody> body;              ///< per slot
-    Span<const Vec3<double>> arm;      ///< per particle: from the centre at the start, m
-    Span<const uint32_t> label;        ///< per particle: its fragment's slot
+    Span<uint32_t> share;  ///< per slot: contacts that each stand for a part of its mass; 0: not known yet
+    Span<const Vec3<double>> arm;  ///< per particle: from the centre at the start, m
+    Span<const uint32_t> label;    ///< per particle: its fragment's slot
     uint32_t active_at_most = 0, fragments_at_most = 0;
 };
 

@@ -36,9 +36,11 @@ struct MeetingsIn {
     Real soon{};     ///< s until the next decision
 
     DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
-    /// On the paths that the contact lists rely on.
-    DEM_FN bool mayMeetInTime(uint32_t i, uint32_t j) const {
-        return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j], horizon);
+    /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
+    /// on by half a skin brings new lists, and a new decision.
+    DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const {
+        return mayMeet(withW(positionOf(state, i), paths.position[i].w), state.velocity[i],
+                       withW(positionOf(state, j), paths.position[j].w), state.velocity[j], soon);
     }
     /// Closing faster than `limit` (m/s), and touching or about to on straight paths from here.
     DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit) const {
@@ -52,8 +54,8 @@ struct MeetingsIn {
         return length2(axpy(nearest, v, x)) < reach * reach;
     }
 
-    /// visit(j) for the particles of other fragments that i may touch while the contact lists hold; those
-    /// above i only with `above`.
+    /// visit(j) for the particles of other fragments that i may touch before the next decision; those above
+    /// i only with `above`.
     template <class Visit>
     DEM_FN void visitMeetings(uint32_t i, bool above, const Visit& visit) const {
         const uint32_t own = label[i];
@@ -61,12 +63,12 @@ struct MeetingsIn {
             const BondLink link = bonds.link[s];
             const uint32_t j = linkedParticle(link);
             if (isBonded(link) || (above && j < i) || label[j] == own) continue;
-            if (pairState(link) == PairState::kBroken || mayMeetInTime(i, j)) visit(j);
+            if (pairState(link) == PairState::kBroken || mayMeetSoon(i, j)) visit(j);
         }
         for (uint32_t s = contacts.row_start[i]; s < contacts.row_start[i + 1]; ++s) {
             const uint32_t j = contacts.neighbour[s];
             if ((above && j < i) || label[j] == own) continue;
-            visit(j);
+            if (mayMeetSoon(i, j)) visit(j);
         }
     }
 };

@@ -77,8 +77,11 @@ struct MeasureEnergy {
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
         if (isBonded(link)) return bondEnergy(bond.stiffness, faceBondDeformation(bond, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
-        return Real(0.5) * (bond.stiffness.normal * overlap * overlap +
-                            bond.stiffness.shear * length2(xyz(arrays.bond_spring[slot])));
+        const Vec4<Real> spring = arrays.bond_spring[slot];
+        const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+        const BondStiffness<Real> faces =
+            cappedFaces(bond, params, own.constants.inverse_mass + other.inverse_mass, spring.w).stiffness;
+        return Real(0.5) * (faces.normal * overlap * overlap + faces.shear * length2(xyz(spring)));
     }
 
     DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
@@ -90,7 +93,7 @@ struct MeasureEnergy {
         const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(
             contactTouchLaw(law, params, overlap, radius, own.constants.inverse_mass + other.inverse_mass,
-                            own.constants.inverse_inertia + other.inverse_inertia),
+                            own.constants.inverse_inertia + other.inverse_inertia, spring.w),
             overlap, spring);
     }
 
@@ -100,10 +103,11 @@ struct MeasureEnergy {
                             dot(xyz(plane), lowPart(own.state.position, own.state.velocity, own.state.spin));
         const Real overlap = own.constants.floor_radius - height;
         if (!(overlap > Real(0))) return Real(0);
+        const Vec4<Real> spring = arrays.plane_spring[p * params.total + own.id];
         return touchEnergy(
             contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
-                            own.constants.inverse_mass, own.constants.inverse_inertia),
-            overlap, arrays.plane_spring[p * params.total + own.id]);
+                            own.constants.inverse_mass, own.constants.inverse_inertia, spring.w),
+            overlap, spring);
     }
 
     /// Of the linear spring (1/2 F delta) or Hertz's (2/5 F delta), and of the tangential spring.

@@ -11,8 +11,9 @@ namespace demolish {
 /// Of one active particle, by its place in RigidWork::active.
 template <class Real>
 struct RigidLoad {
-    Wrench<Real> wrench;  ///< about the particle's centre
-    Tally<Real> tally;    ///< filled only for the ledger
+    Wrench<Real> wrench;    ///< about the particle's centre
+    uint32_t touching = 0;  ///< contacts that give it
+    Tally<Real> tally;      ///< filled only for the ledger
 };
 
 template <class Real>
@@ -30,11 +31,18 @@ DEM_FN Wrench<Real> rigidBondSlot(const SubstepArrays<Real>& arrays, const StepP
     return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
 }
 
+/// The same, counted when it gives anything.
+template <class Real>
+DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
+    if (!isNullWrench(wrench)) ++touching;
+    return wrench;
+}
+
 template <bool kLedger, class Real>
 DEM_FN void addPlanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                       const OwnParticle<Real>& own, RigidLoad<Real>& load) {
     for (uint32_t p = 0; p < params.planes.count; ++p)
-        add(load.wrench, planeContact<kLedger>(arrays, params, own, p, load.tally));
+        add(load.wrench, counted(planeContact<kLedger>(arrays, params, own, p, load.tally), load.touching));
 }
 
 /// One thread a particle: the CPU. `load` is by place.
@@ -52,10 +60,12 @@ struct GatherRigidLoad {
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
             sums.add(slot - first_bond,
-                     rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally));
+                     counted(rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally),
+                             out.touching));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first, contactSlot<kLedger>(arrays, params, own, slot, out.tally));
+            sums.add(slot - first,
+                     counted(contactSlot<kLedger>(arrays, params, own, slot, out.tally), out.touching));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, own, out);
         load[place] = out;

@@ -13,7 +13,7 @@ inline constexpr uint32_t kRigidLanes = 64;
 /// About the fragment's centre.
 struct RigidSums {
     Vec3<double> force, torque;  ///< N, N m
-    uint32_t touching = 0;       ///< particles that feel anything
+    uint32_t touching = 0;       ///< contacts that give it
 };
 DEM_FN void add(RigidSums& into, const RigidSums& other) {
     into.force = into.force + other.force;
@@ -32,14 +32,13 @@ DEM_FN void placeParticle(const StateOut<Real>& out, uint32_t i, const Vec3<doub
     out.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, low.z);
 }
 
-/// A touching particle stands for the fragment's mass over all that touch, so that restitution is that of the
-/// fragment and many contacts at once stay stable; never for less than its own.
+/// Each contact stands for the fragment's mass over all its contacts of the step before, so that restitution
+/// is that of the fragment, and many dampers at once cannot turn its motion round.
 template <class Real>
 DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec4<Real>& own) {
     const double share = double(body.contact_share);
     const Sym3& j = body.inverse_inertia;
-    return {minOf(own.x, Real(share * body.inverse_mass)), minOf(own.y, Real(share * (j.xx + j.yy + j.zz))),
-            own.z, own.w};
+    return {Real(share * body.inverse_mass), Real(share * (j.xx + j.yy + j.zz)), own.z, own.w};
 }
 
 template <bool kLedger, class Real>
@@ -60,17 +59,17 @@ struct StepRigid {
             const uint32_t i = work.active[place];
             const Vec3<double> force = asDouble(wrench.force);
             const Vec3<double> arm = exactPosition(arrays.in, i) - body.centre;
-            add(sums, {force, asDouble(wrench.torque) + cross(arm, force), 1});
+            add(sums, {force, asDouble(wrench.torque) + cross(arm, force), load[place].touching});
         }
         return sums;
     }
     /// What the first lane does with the total.
     DEM_FN void move(RigidBody& body, uint32_t entry, const RigidSums& total) const {
         advance(body, total.force, total.torque, asDouble(params.gravity), double(params.dt));
-        const uint32_t quarter = (work.last[entry] - work.first[entry]) / 4;
-        const uint32_t sharing = total.touching > quarter ? total.touching : quarter;
-        body.contact_share = sharing > 1 ? sharing : 1;
-        work.body[work.fragment[entry]] = body;
+        body.contact_share = total.touching > 1 ? total.touching : 1;
+        const uint32_t slot = work.fragment[entry];
+        work.body[slot] = body;
+        work.share[slot] = body.contact_share;
     }
     DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane) const {
         for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {

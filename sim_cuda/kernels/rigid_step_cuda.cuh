@@ -23,19 +23,21 @@ __global__ void __launch_bounds__(kSubstepBlock)
         return present ? rows[own.id + end] : 0u;
     };
     gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums, [&](uint32_t slot) {
-        return rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally);
+        return counted(rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally),
+                       out.touching);
     });
     gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
                  [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, out.tally); });
     __syncwarp();
     out.wrench = sums.total();
+    for (uint32_t step = T / 2; step > 0; step /= 2)
+        out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
     if constexpr (kLedger) sumTally<T>(out.tally);
     if (!present || lane != 0) return;
     addPlanes<kLedger>(arrays, params, own, out);
-    if constexpr (kLedger)
-        load[place] = out;
-    else
-        load[place].wrench = out.wrench;
+    if constexpr (kLedger) load[place].tally = out.tally;
+    load[place].wrench = out.wrench;
+    load[place].touching = out.touching;
 }
 
 template <bool kLedger, class Real>

@@ -49,6 +49,7 @@ struct StepParams {
         1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
     Real stiffness_cap{};       ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
     Real face_cap{Real(1e30)};  ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
+    uint32_t softening = 0;     ///< 1: contact steps; a contact remembers how soft it was
     uint32_t hertz = 0;         ///< 1: Hertz contacts
     uint32_t breaking = 1;      ///< 0: bonds hold whatever happens (settling)
     uint32_t owners = 0;        ///< bodies + projectile slots: rows of the table of pair laws

@@ -10,6 +10,11 @@
 
 namespace demolish {
 
+/// The tangential damper of a contact never exceeds this times m_e / dt. A sphere gives way to it by rolling
+/// too, three and a half times as easily as to the normal damper: at low restitution the lagged damper
+/// overshot in every substep, was cut at mu N, and drove piles at rest (1.5 mW in 125 cells, for ever).
+inline constexpr double kShearDampingShare = 0.2;
+
 template <class Real>
 struct TouchGeometry {
     Vec3<Real> normal;  ///< unit, from i to j
@@ -20,6 +25,7 @@ struct TouchGeometry {
 
 template <class Real>
 struct TouchLaw {
+    Real stiffness{};       ///< N/m, of the overlap; 0 for Hertz contacts, where it varies
     Real elastic{};         ///< N, repulsion of the overlap
     Real normal_damping{};  ///< N s/m
     Real shear{};           ///< N/m, k_t
@@ -64,11 +70,24 @@ DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchL
     return effect;
 }
 
+/// What is kept with a contact's spring as its last number (N/m, 0: nothing): the least stiffness that a
+/// contact step has given it. A contact stays that soft until it parts, or bonds that wake would find its
+/// overlap loaded with more than it has taken in.
+template <class Real>
+DEM_FN Real keptStiffness(const StepParams<Real>& params, Real kept, Real stiffness) {
+    return params.softening != 0 ? stiffness : kept;
+}
+template <class Real>
+DEM_FN Real noStifferThan(Real kept, Real stiffness) {
+    return kept > Real(0) && kept < stiffness ? kept : stiffness;
+}
+
 /// Contact constants by the law chosen; `inverse_mass` = 1/m_i + 1/m_j, likewise the inertia; R* and overlap
-/// in m.
+/// in m; `kept` as above.
 template <class Real>
 DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
-                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia) {
+                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia,
+                                      Real kept = Real(0)) {
     const Real root = inverseSqrt(inverse_mass), reduced_mass = root * root;
     TouchLaw<Real> law;
     if (params.hertz != 0) {
@@ -77,12 +96,14 @@ DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParam
         law.normal_damping = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
-        const Real stiffness = minOf(pair.stiffness, params.stiffness_cap * reduced_mass);
+        const Real stiffness =
+            noStifferThan(kept, minOf(pair.stiffness, params.stiffness_cap * reduced_mass));
+        law.stiffness = stiffness;
         law.elastic = stiffness * overlap;
         law.normal_damping = linearDamping(pair.damping, stiffness, reduced_mass);
         law.shear = Real(kContactShearRatio) * stiffness;
     }
-    law.shear_damping = law.normal_damping;
+    law.shear_damping = minOf(law.normal_damping, Real(kShearDampingShare) * reduced_mass / params.dt);
     law.adhesion = adhesionForce(pair.adhesion, reduced_radius, overlap);
     law.friction = pair.friction;
     law.rolling = pair.rolling;
@@ -99,11 +120,13 @@ DEM_FN Real reducedRadius(Real a, Real b) {
     return (a * b) * (root * root);
 }
 
-/// Never stiffer than face_cap allows; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing is capped.
+/// Never stiffer than face_cap allows and than was kept; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing
+/// is capped.
 template <class Real>
 DEM_FN BondConstants<Real> cappedFaces(BondConstants<Real> bond, const StepParams<Real>& params,
-                                       Real inverse_mass) {
-    const Real root = inverseSqrt(inverse_mass), limit = params.face_cap * (root * root);
+                                       Real inverse_mass, Real kept) {
+    const Real root = inverseSqrt(inverse_mass);
+    const Real limit = noStifferThan(kept, params.face_cap * (root * root));
     if (!(bond.stiffness.normal > limit)) return bond;
     const Real share = limit / bond.stiffness.normal;
     bond.stiffness.normal = limit;
@@ -116,6 +139,7 @@ template <class Real>
 DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body, Real overlap,
                                      Real reduced_radius, Real inverse_inertia) {
     TouchLaw<Real> law;
+    law.stiffness = bond.stiffness.normal;
     law.elastic = brokenRepulsion(bond.stiffness.normal, overlap);
     law.normal_damping = bond.beta_r * bond.stiffness.normal;
     law.shear = bond.stiffness.shear;

@@ -30,11 +30,11 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
 /// Writes the spring back and books; `share` of the pair's energy is this particle's (1 against a plane).
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
-                               const PairMotion<Real>& pair, Vec4<Real>& spring, Real dt, Real share,
-                               Tally<Real>& tally) {
+                               const PairMotion<Real>& pair, Vec4<Real>& spring,
+                               const StepParams<Real>& params, Real share, Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
-    const TouchEffect<Real> effect = touchEffect(at, law, pair, before, dt);
-    spring = withW(effect.spring, Real(0));
+    const TouchEffect<Real> effect = touchEffect(at, law, pair, before, params.dt);
+    spring = withW(effect.spring, keptStiffness(params, spring.w, law.stiffness));
     if constexpr (kLedger) {
         add(tally.damping, effect.damping);
         add(tally.friction, effect.friction);
@@ -49,7 +49,7 @@ template <bool kLedger, class Real>
 DEM_FN void releaseTouch(Real shear, Vec4<Real>& spring, Real share, Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
     const Real squared = length2(before);
-    if (!(squared > Real(0))) return;
+    if (!(squared > Real(0)) && !(spring.w > Real(0))) return;
     spring = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * shear * squared);
 }
@@ -62,10 +62,10 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                  Vec4<Real>& spring, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    const TouchLaw<Real> law = contactTouchLaw(pair_law, params, maxOf(overlap, Real(0)),
-                                               reducedRadius(radius, other.contact_radius),
-                                               own.constants.inverse_mass + other.inverse_mass,
-                                               own.constants.inverse_inertia + other.inverse_inertia);
+    const TouchLaw<Real> law = contactTouchLaw(
+        pair_law, params, maxOf(overlap, Real(0)), reducedRadius(radius, other.contact_radius),
+        own.constants.inverse_mass + other.inverse_mass,
+        own.constants.inverse_inertia + other.inverse_inertia, spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law.shear, spring, Real(0.5), tally);
         return {};
@@ -73,7 +73,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real arm_i = madd(Real(-0.5), overlap, radius),
                arm_j = madd(Real(-0.5), overlap, other.contact_radius);
     return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair, spring,
-                               params.dt, Real(0.5), tally);
+                               params, Real(0.5), tally);
 }
 
 /// A slot of the contact list.
@@ -100,7 +100,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
     const BondConstants<Real> bond =
         cappedFaces(bondConstants(arrays.rest[slot], arrays.link[slot].grade, body), params,
-                    own.constants.inverse_mass + other.inverse_mass);
+                    own.constants.inverse_mass + other.inverse_mass, arrays.bond_spring[slot].w);
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
     Vec4<Real>& spring = arrays.bond_spring[slot];
     if (!(overlap > Real(0))) {
@@ -113,8 +113,8 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const TouchLaw<Real> law =
         brokenTouchLaw(bond, body, overlap, radius, own.constants.inverse_inertia + other.inverse_inertia);
     const Real arm = Real(0.5) * line.distance;
-    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, spring,
-                               params.dt, Real(0.5), tally);
+    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, spring, params,
+                               Real(0.5), tally);
 }
 
 /// The record of a bond that is no longer solid.
@@ -144,10 +144,10 @@ DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepPa
     const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) + dot(xyz(plane), low);
     const Real overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
+    Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
     const TouchLaw<Real> law = contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
                                                own.constants.floor_radius, own.constants.inverse_mass,
-                                               own.constants.inverse_inertia);
-    Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
+                                               own.constants.inverse_inertia, spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law.shear, spring, Real(1), tally);
         return {};
@@ -156,7 +156,7 @@ DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepPa
     pair.velocity_i = xyz(own.state.velocity);
     pair.spin_i = xyz(own.state.spin);
     return applyTouch<kLedger>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)}, law, pair, spring,
-                               params.dt, Real(1), tally);
+                               params, Real(1), tally);
 }
 
 }  // namespace demolish

@@ -51,12 +51,16 @@ struct MarkWork {
     }
 };
 
+/// Contacts of a fragment that has not touched anything as a rigid body yet.
+inline constexpr uint32_t kFirstShare = 4;
+
 /// After the scan of the three rows of marks, one after the other (3 total + 1 sums).
 template <class Real>
 struct WriteWork {
     PlacesIn places;
     Span<const uint32_t> label, regime, sums;
-    Span<RigidBody> body;
+    Span<const RigidBody> body;
+    Span<const uint32_t> share;  ///< per slot: contacts of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
     Span<Vec4<Real>> constants;  ///< of contact steps
@@ -75,8 +79,7 @@ struct WriteWork {
         constants[k] = own_constants[k];
         if (regime[slot] == wordOf(Regime::kRigid)) {
             RigidBody start = body[slot];
-            const uint32_t quarter = (end(slot) - sum(0, places.first(slot))) / 4;
-            start.contact_share = quarter > 1 ? quarter : 1;
+            start.contact_share = share[slot] > 0 ? share[slot] : kFirstShare;
             constants[k] = sharedConstants(start, own_constants[k]);
         }
         if (!marked(1, k)) return;

@@ -26,7 +26,7 @@ struct RigidBody {
     Quat<double> turned;         ///< since the start
     Sym3 inverse_inertia;        ///< J^-1 at the start, 1/(kg m^2)
     double inverse_mass = 0;     ///< 1/kg
-    uint32_t contact_share = 1;  ///< particles among which its mass is shared while they touch
+    uint32_t contact_share = 1;  ///< contacts among which its mass is shared
     uint32_t reserved = 0;
 };
 

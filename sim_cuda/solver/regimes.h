@@ -73,6 +73,7 @@ class Regimes {
     void visitBuffers(const Visit& visit) {
         visit(regime_);
         visit(clock_);
+        visit(share_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
 
@@ -96,7 +97,7 @@ class Regimes {
     uint32_t calm_substeps_, rest_substeps_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
-    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_;
+    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_, share_;
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
@@ -138,6 +139,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
          {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_})
         *words = backend.template allocate<uint32_t>(total);
     speeds_ = backend.template allocate<uint32_t>(total);
+    share_ = backend.template allocate<uint32_t>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
@@ -270,9 +272,9 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                      "mark work");
     backend_.exclusiveScan(marks.part(0, 3 * size_t{total}), marks);
     backend_.forEach(total,
-                     WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.span(),
-                                     meetings.constants, active_.span(), fragment_.span(), first_.span(),
-                                     last_.span(), bonded_.span(), rigid_constants_.span()},
+                     WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(),
+                                     share_.view(), meetings.constants, active_.span(), fragment_.span(),
+                                     first_.span(), last_.span(), bonded_.span(), rigid_constants_.span()},
                      "write work");
     backend_.fill(words_.span(), 0u);
     backend_.fill(body_awake_.span(), 0u);
@@ -289,9 +291,9 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
         memory_.must_bond = counts_[kMustBondCount];
     }
     bonded_shots_ = !hand_over_;
-    rigid_ = {fragment_.view(),      first_.view(),          last_.view(), active_.view(),
-              words_.view(),         body_.span(),           arm_.view(),  meetings.label,
-              counts_[kActiveCount], counts_[kFragmentCount]};
+    rigid_ = {fragment_.view(), first_.view(),         last_.view(),           active_.view(),
+              words_.view(),    body_.span(),          share_.span(),          arm_.view(),
+              meetings.label,   counts_[kActiveCount], counts_[kFragmentCount]};
     const bool all = counts_[kBondedCount] == counts_of_.in_bodies;
     data.work = all ? BondedWork{}
                     : BondedWork{bonded_.view(),
