@@ -26,8 +26,9 @@ __global__ void __launch_bounds__(kSubstepBlock)
         return counted(rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally),
                        out.touching);
     });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-                 [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, out.tally); });
+    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums, [&](uint32_t slot) {
+        return counted(contactSlot<kLedger>(arrays, params, own, slot, out.tally), out.touching);
+    });
     __syncwarp();
     out.wrench = sums.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)
