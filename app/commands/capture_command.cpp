@@ -2,6 +2,8 @@
 #include "app/commands/capture_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "app/commands/frame_files.h"
@@ -16,13 +18,14 @@ namespace demolish {
 namespace {
 
 constexpr Range kFrameRange{1, 100000};
+constexpr Range kMomentRange{0, 1000};                         // s
 constexpr Range kYawRange{-360, 360}, kPitchRange{-180, 180};  // degrees
 constexpr double kLargestVideoRate = 60;  // frames of faster shots play at this rate: slow motion
 
 struct Capture {
     const CaptureOptions& options;
-    uint64_t frames;
     PictureSize size;
+    std::vector<uint64_t> moments;  ///< frames to draw, ascending
     std::vector<FrameSample> samples{};
     StepStatus status = StepStatus::kOk;
 };
@@ -31,41 +34,65 @@ FrameFilesOptions filesFor(const Capture& capture, const Shot& shot) {
     FrameFilesOptions files;
     if (!capture.options.out.empty()) files.folder = capture.options.out;
     if (!capture.options.video.empty()) files.video = capture.options.video;
-    files.frames = capture.frames;
+    files.frames = capture.moments.size() * capture.options.camera_yaw.size();
+    if (!capture.options.at.empty())
+        files.sheet_columns = static_cast<int>(std::min<size_t>(4, capture.moments.size()));
     files.width = capture.size.width;
     files.height = capture.size.height;
     files.video_fps = std::min(shot.fps, kLargestVideoRate);
     return files;
 }
 
-engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, bool software) {
+/// The frames that are drawn: those nearest to the moments asked for, or all.
+std::vector<uint64_t> momentsOf(const CaptureOptions& options, const Shot& shot) {
+    std::vector<uint64_t> moments;
+    for (uint64_t frame = 0; options.at.empty() && frame < static_cast<uint64_t>(options.frames); ++frame)
+        moments.push_back(frame);
+    for (const double at : options.at) {
+        requireInRange("--at", at, kMomentRange, "s");
+        moments.push_back(static_cast<uint64_t>(std::llround(at * shot.fps / shot.time_scale)));
+        if (moments.size() > 1 && moments.back() <= moments[moments.size() - 2])
+            throw UsageError("--at names moments in order of time, a frame apart at least");
+    }
+    return moments;
+}
+
+engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double yaw, bool software) {
     engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
                                            renderQuality(capture.options.shot, software));
     if (capture.options.view == "particles") view.mode = engine::ViewMode::kParticles;
-    view.camera.orbit(static_cast<float>(glm::radians(capture.options.camera_yaw)),
+    view.camera.orbit(static_cast<float>(glm::radians(yaw)),
                       static_cast<float>(glm::radians(capture.options.camera_pitch)));
     return view;
 }
 
 /// Draws and simulates all frames; stops at the first bad status with what was drawn so far.
 void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
-    const engine::FrameView view = viewFor(capture, session.built(), stage.info().software);
-    engine::FrameCapture target(view.width, view.height, [&](uint64_t frame, engine::Image image) {
-        files.add(frame, std::move(image));
-    });
+    std::vector<engine::FrameView> views;
+    for (const double yaw : capture.options.camera_yaw)
+        views.push_back(viewFor(capture, session.built(), yaw, stage.info().software));
+    engine::FrameCapture target(
+        capture.size.width, capture.size.height,
+        [&](uint64_t frame, engine::Image image) { files.add(frame, std::move(image)); });
     ProgressBar bar;
     TriangleCounter triangles;
-    for (uint64_t frame = 0; frame < capture.frames; ++frame) {
+    const uint64_t frames = capture.moments.back() + 1;
+    size_t drawn = 0;
+    for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
         if (frame > 0) capture.status = session.advance();
         if (capture.status != StepStatus::kOk) break;
-        stage.renderer().draw(session.mesh(), session.spheres(), view, target.framebuffer());
-        target.submit(frame);
+        if (frame == capture.moments[drawn]) {
+            for (size_t camera = 0; camera < views.size(); ++camera) {
+                stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());
+                target.submit(camera * capture.moments.size() + drawn);
+            }
+            ++drawn;
+        }
         if (frame > 0)
             capture.samples.push_back(
                 sampleOf(session, triangles, watch.milliseconds(), stage.renderer().lastDrawMs()));
-        bar.show(static_cast<double>(frame + 1) / static_cast<double>(capture.frames),
-                 "breaking and drawing");
+        bar.show(static_cast<double>(frame + 1) / static_cast<double>(frames), "breaking and drawing");
     }
     target.finish();
 }
@@ -73,13 +100,16 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
 void runCapture(const CaptureOptions& options) {
     const Shot shot = makeShot(options.shot);
     requireInRange("--frames", options.frames, kFrameRange, "");
-    requireInRange("--camera-yaw", options.camera_yaw, kYawRange, "degrees");
+    for (const double yaw : options.camera_yaw) requireInRange("--camera-yaw", yaw, kYawRange, "degrees");
     requireInRange("--camera-pitch", options.camera_pitch, kPitchRange, "degrees");
     if (options.out.empty() && options.video.empty() && options.report.empty())
         throw UsageError("nothing to write: give --out DIR, --video FILE or --report FILE.json");
+    if (!options.video.empty() && options.camera_yaw.size() > 1)
+        throw UsageError("a film has one camera: give --camera-yaw one angle, or leave out --video");
     const bool on_gpu = choosesCuda(shot);
-    Capture capture{options, static_cast<uint64_t>(options.frames),
-                    pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540})};
+    Capture capture{options,
+                    pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540}),
+                    momentsOf(options, shot)};
     FrameFiles files(filesFor(capture, shot));
     const StopWatch watch;
     BuiltShot built = buildWithBar(shot, {});
@@ -121,9 +151,16 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
         ->type_name("surface|particles")
         ->check(CLI::IsMember({"surface", "particles"}).description(""))
         ->capture_default_str();
+    command->add_option("--at", options.at, "Draw these moments only, in seconds; instead of --frames")
+        ->type_name("S,S,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command
-        ->add_option("--camera-yaw", options.camera_yaw, "Turn the camera round the body; 180 = from behind")
-        ->type_name("DEGREES");
+        ->add_option("--camera-yaw", options.camera_yaw,
+                     "Turn the camera round the body, 180 = from behind; several angles: several cameras")
+        ->type_name("DEGREES,...")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command->add_option("--camera-pitch", options.camera_pitch, "Raise the camera over the body")
         ->type_name("DEGREES");
     command->callback([&options] { runCapture(options); });

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands/shot_options.h"
 
@@ -11,7 +12,9 @@ namespace demolish {
 struct CaptureOptions {
     ShotOptions shot;
     double frames = 150;
-    double camera_yaw = 0, camera_pitch = 0;  ///< degrees, from the shot's camera about its target
+    std::vector<double> at;             ///< s: draws these moments only; empty: `frames` frames
+    std::vector<double> camera_yaw{0};  ///< degrees, from the shot's camera about its target; one a camera
+    double camera_pitch = 0;            ///< degrees, of all cameras
     std::string out, video, report, view = "surface";
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kQueueLength = 8;
 constexpr uint64_t kSheetPictures = 12;
-constexpr int kSheetColumns = 4, kTileWidth = 480;
+constexpr int kTileWidth = 480;
 
 std::filesystem::path frameName(const std::filesystem::path& folder, uint64_t frame) {
     char name[32];
@@ -70,7 +70,7 @@ void FrameFiles::add(uint64_t frame, engine::Image image) {
     if (isOnSheet(frame, options_.frames)) {
         const int width = std::min(kTileWidth, image.width);
         const int height = std::max(1, width * image.height / image.width);
-        sheet_.push_back(engine::shrink(image, width, height));
+        sheet_.emplace(frame, engine::shrink(image, width, height));
     }
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return jobs_.size() < kQueueLength; });
@@ -91,9 +91,13 @@ void FrameFiles::stopWriters() {
 void FrameFiles::finish() {
     stopWriters();
     if (error_) std::rethrow_exception(error_);
-    if (options_.folder && !sheet_.empty())
+    if (options_.folder && !sheet_.empty()) {
+        std::vector<engine::Image> pictures;
+        for (auto& [frame, image] : sheet_) pictures.push_back(std::move(image));
+        const int tile = std::min(kTileWidth, pictures[0].width);
         engine::writePng(*options_.folder / "contact_sheet.png",
-                         engine::contactSheet(sheet_, kSheetColumns, std::min(kTileWidth, sheet_[0].width)));
+                         engine::contactSheet(pictures, options_.sheet_columns, tile));
+    }
     if (video_) video_->finish();
 }
 

@@ -4,6 +4,7 @@
 #include <deque>
 #include <exception>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -17,7 +18,8 @@ namespace demolish {
 struct FrameFilesOptions {
     std::optional<std::filesystem::path> folder;  ///< PNG frames and contact sheet
     std::optional<std::filesystem::path> video;
-    uint64_t frames = 0;
+    uint64_t frames = 0;        ///< pictures in all
+    int sheet_columns = 4;      ///< of the contact sheet
     int width = 0, height = 0;  ///< px
     double video_fps = 60;
 };
@@ -30,7 +32,8 @@ class FrameFiles {
     FrameFiles(const FrameFiles&) = delete;
     FrameFiles& operator=(const FrameFiles&) = delete;
 
-    /// Frames in order. Waits when the writers lag far behind. Throws what a writer threw.
+    /// Each picture once, a video's in order. Waits when the writers lag far behind. Throws what a writer
+    /// threw.
     void add(uint64_t frame, engine::Image image);
     /// Waits for the writers, writes the contact sheet, ends the video. Throws OutputError.
     void finish();
@@ -45,7 +48,7 @@ class FrameFiles {
 
     FrameFilesOptions options_;
     std::optional<VideoPipe> video_;
-    std::vector<engine::Image> sheet_;
+    std::map<uint64_t, engine::Image> sheet_;  ///< by frame
     std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Job> jobs_;

@@ -55,8 +55,8 @@ void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
 /// The numbers of `demolish bench`, of the last frames: the same statistics by the same code.
 void showSpeed(const FrameSummary& summary, size_t bodies) {
     valueRow("FPS", "%.1f (p1 %.1f)", summary.fps_median, summary.fps_p1);
-    valueRow("Frame", "p99 %.4g, worst %.4g ms", summary.frame_ms_p99, summary.frame_ms_worst);
-    valueRow("Sim, export, draw", "%.3g, %.3g, %.3g ms", summary.sim_ms, summary.transfer_ms,
+    valueRow("Frame p99, worst", "%.1f, %.1f ms", summary.frame_ms_p99, summary.frame_ms_worst);
+    valueRow("Sim, export, draw", "%.2f, %.2f, %.2f ms", summary.sim_ms, summary.transfer_ms,
              summary.draw_ms);
     tooltipOnHover(
         "Medians of the frames in the graph that were simulated. Export: writing the frame and bringing it "

@@ -114,7 +114,9 @@ Projectile makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const glm::dquat rotation(q.w, q.x, q.y, q.z);
     const double radius = ball.radius.value_or(ballRadius(shot, body));
     const glm::dvec3 direction = flightDirection(ball.direction.value_or(shot.impact.direction), body);
-    const glm::dvec3 aim = aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));
+    const glm::dvec3 aim = ball.aim
+                               ? shot.height * toGlm(*ball.aim)
+                               : aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));
     const glm::dvec3 touch = touchPoint(body, aim, glm::inverse(rotation) * direction, radius);
     const glm::dvec3 velocity = shot.impact.velocity * ball.speed_share * direction;
     return thrownAboveFloor(toGlm(instance.position) + rotation * touch, velocity, flight, radius);

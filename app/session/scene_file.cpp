@@ -119,7 +119,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.read("solver.time_scale", shot.time_scale, kTimeScaleRange);
     readImpact(reader, shot.impact);
     shot.bodies = readBodies(reader, shot.height);
-    shot.balls = readBalls(reader, std::max<size_t>(1, shot.bodies.size()), shot.impact);
+    shot.balls = readBalls(reader, {std::max<size_t>(1, shot.bodies.size()), shot.height}, shot.impact);
     shot.phases = readPhases(reader);
     readPicture(reader, shot);
     reader.requireAllRead();

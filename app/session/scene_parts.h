@@ -24,6 +24,8 @@ struct TimedBall {
     std::optional<double> radius;           ///< m; none: as Impact's
     std::optional<Double3> direction;       ///< in the scene, any length; none: as Impact's
     std::optional<double> height_fraction;  ///< of the body's height; none: as Impact's
+    std::optional<Double3>
+        aim;  ///< point of the body's frame to fly at, in heights of the body; none: its middle
 };
 
 /// A stretch of the shot that is timed by itself: "whole", "cracked", "some broken", "all broken".

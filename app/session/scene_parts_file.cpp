@@ -12,6 +12,10 @@ constexpr Range kTimeRange{0, 1000};        // s
 constexpr Range kArrivalRange{0.01, 1000};  // s
 constexpr Range kFlightRange{0.01, 2};      // s
 
+Double3 inHeights(const Double3& metres, double height) {
+    return {metres.x / height, metres.y / height, metres.z / height};
+}
+
 std::string element(const char* list, size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "].";
 }
@@ -24,7 +28,7 @@ void readOptional(TomlReader& reader, const std::string& path, std::optional<Val
     reader.read(path, *value, range);
 }
 
-TimedBall readBall(TomlReader& reader, const std::string& at, size_t bodies, double& velocity) {
+TimedBall readBall(TomlReader& reader, const std::string& at, const BodiesOfFile& bodies, double& velocity) {
     TimedBall ball;
     for (const char* key : {"at_s", "velocity_mps"})
         if (!reader.has(at + key)) reader.fail(at + key, "is missing");
@@ -33,12 +37,17 @@ TimedBall readBall(TomlReader& reader, const std::string& at, size_t bodies, dou
     reader.read(at + "flight_s", ball.flight_time, kFlightRange);
     if (ball.flight_time > ball.arrival_time) reader.fail(at + "flight_s", "must not be longer than at_s");
     reader.read(at + "velocity_mps", velocity, {0.01, kVelocityRange.most});
-    reader.read(at + "body", ball.body, {0, static_cast<double>(bodies - 1)});
+    reader.read(at + "body", ball.body, {0, static_cast<double>(bodies.count - 1)});
     readOptional(reader, at + "radius_m", ball.radius, {1e-4, 100});
     readOptional(reader, at + "height_fraction", ball.height_fraction, {0, 1});
     if (reader.has(at + "direction")) {
         ball.direction.emplace();
         reader.read(at + "direction", *ball.direction);
+    }
+    if (reader.has(at + "aim_m")) {
+        Double3 metres;
+        reader.read(at + "aim_m", metres);
+        ball.aim = inHeights(metres, bodies.height);
     }
     return ball;
 }
@@ -51,7 +60,7 @@ std::vector<Placement> readBodies(TomlReader& reader, double height) {
         const std::string at = element("body", i);
         Double3 metres;
         reader.read(at + "position_m", metres);
-        bodies[i].position = {metres.x / height, metres.y / height, metres.z / height};
+        bodies[i].position = inHeights(metres, height);
         double degrees = 0;
         reader.read(at + "yaw_deg", degrees, {-360, 360});
         bodies[i].yaw = degrees * kDegree;
@@ -60,7 +69,7 @@ std::vector<Placement> readBodies(TomlReader& reader, double height) {
     return bodies;
 }
 
-std::vector<TimedBall> readBalls(TomlReader& reader, size_t bodies, Impact& impact) {
+std::vector<TimedBall> readBalls(TomlReader& reader, const BodiesOfFile& bodies, Impact& impact) {
     std::vector<TimedBall> balls(reader.count("ball", kMaxProjectiles));
     std::vector<double> velocity(balls.size());
     for (size_t i = 0; i < balls.size(); ++i)

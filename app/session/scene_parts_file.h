@@ -10,8 +10,12 @@ namespace demolish {
 /// `height` of the bodies, m: the file gives metres, Placement heights. Empty when the file lists none.
 std::vector<Placement> readBodies(TomlReader& reader, double height);
 /// Balls in order of time. Sets impact.velocity to the fastest ball's unless the file names a velocity of the
-/// impact. `bodies` is how many the scene has, at least 1.
-std::vector<TimedBall> readBalls(TomlReader& reader, size_t bodies, Impact& impact);
+/// impact.
+struct BodiesOfFile {
+    size_t count = 1;   ///< at least 1
+    double height = 1;  ///< m
+};
+std::vector<TimedBall> readBalls(TomlReader& reader, const BodiesOfFile& bodies, Impact& impact);
 /// Phases in order of time.
 std::vector<Phase> readPhases(TomlReader& reader);
 

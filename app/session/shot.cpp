@@ -32,7 +32,7 @@ bool same(const std::optional<Part>& a, const std::optional<Part>& b) {
 bool same(const TimedBall& a, const TimedBall& b) {
     return a.arrival_time == b.arrival_time && a.flight_time == b.flight_time && a.body == b.body &&
            a.speed_share == b.speed_share && same(a.radius, b.radius) && same(a.direction, b.direction) &&
-           same(a.height_fraction, b.height_fraction);
+           same(a.height_fraction, b.height_fraction) && same(a.aim, b.aim);
 }
 
 template <class Part>

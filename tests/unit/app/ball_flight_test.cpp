@@ -67,6 +67,10 @@ TEST(BallFlight, ABallFindsItsBodyWhereItStands) {
     // A cube turned by 30 degrees: its side seen from -z is 0.5 / cos(30) from its middle.
     EXPECT_NEAR(at.position.z, 2 - 0.5 / std::cos(std::numbers::pi / 6) - 0.2, 0.06);
     EXPECT_LT(at.position.z, 2 - 0.6);
+    timed.aim = Double3{0.3, 0.6, 0};  // turned with the body
+    const Flown aimed = flown(makeBall(shot, cubes(shot, 12), timed, 0.1), 0.1);
+    EXPECT_NEAR(aimed.position.x, 4 + 0.3 * std::cos(std::numbers::pi / 6), 1e-9);
+    EXPECT_NEAR(aimed.position.y, 0.6, 1e-9);
 }
 
 TEST(BallFlight, NothingHitsAtVelocityZero) {

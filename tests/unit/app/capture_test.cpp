@@ -65,5 +65,27 @@ TEST(Capture, TheCameraTurnsRoundTheBody) {
     EXPECT_EQ(runProgram({"capture", "bunny", "--camera-yaw", "500", "--out", folder.path()}).exit_code, 2);
 }
 
+TEST(Capture, MomentsFromTwoCamerasMakeOneSheet) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto capture = [&](const std::string& at) {
+        return runProgram({"capture", "bunny", "--device", "cpu", "--particles", "100", "--size", "160x90",
+                           "--fps", "20", "--at", at, "--camera-yaw", "0,180", "--out", folder.path()});
+    };
+    const ProgramRun run = capture("0,0.7");
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    // Row by row: a camera a row, its moments in order.
+    std::vector<engine::Image> pictures;
+    for (const char* name : {"frame_0000.png", "frame_0001.png", "frame_0002.png", "frame_0003.png"})
+        pictures.push_back(engine::readPng(folder.path() / name));
+    EXPECT_FALSE(engine::compare(pictures[0], pictures[1]).passed) << "later";
+    EXPECT_FALSE(engine::compare(pictures[0], pictures[2]).passed) << "from behind";
+    EXPECT_FALSE(std::filesystem::exists(folder.path() / "frame_0004.png"));
+    const engine::Image sheet = engine::readPng(folder.path() / "contact_sheet.png");
+    EXPECT_EQ(sheet.width, 2 * 160 + 3 * 4);
+    EXPECT_EQ(sheet.height, 2 * 90 + 3 * 4);
+    EXPECT_EQ(capture("0.7,0.2").exit_code, 2) << "not in order";
+}
+
 }  // namespace
 }  // namespace demolish::test

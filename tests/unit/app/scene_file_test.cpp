@@ -71,7 +71,8 @@ TEST(SceneFile, ReadsBodiesBallsAndPhases) {
         "height_m = 0.5\nbody = [\n  { position_m = [1.0, 0, -2], yaw_deg = 90, variant = 1 },\n  {},\n]\n";
     const std::string balls =
         "[[ball]]\nat_s = 2.0\nbody = 1\nvelocity_mps = 6\ndirection = [0, 0, 1]\nflight_s = 0.3\n"
-        "[[ball]]\nat_s = 0.5\nvelocity_mps = 3\nradius_m = 0.04\nheight_fraction = 0.8\n";
+        "[[ball]]\nat_s = 0.5\nvelocity_mps = 3\nradius_m = 0.04\nheight_fraction = 0.8\n"
+        "aim_m = [0, 0.4, 0.1]\n";
     const std::string phases =
         "[[phase]]\nname = \"whole\"\nto_s = 0.4\npaper_fps = 180\n"
         "[[phase]]\nname = \"all broken\"\nfrom_s = 2\nto_s = 3\n";
@@ -88,6 +89,8 @@ TEST(SceneFile, ReadsBodiesBallsAndPhases) {
     EXPECT_DOUBLE_EQ(shot.balls[0].radius.value(), 0.04);
     EXPECT_DOUBLE_EQ(shot.balls[0].height_fraction.value(), 0.8);
     EXPECT_FALSE(shot.balls[0].direction.has_value());
+    EXPECT_DOUBLE_EQ(shot.balls[0].aim.value().y, 0.8) << "in heights of the body";
+    EXPECT_FALSE(shot.balls[1].aim.has_value());
     EXPECT_EQ(shot.balls[1].body, 1u);
     EXPECT_DOUBLE_EQ(shot.balls[1].flight_time, 0.3);
     EXPECT_DOUBLE_EQ(shot.balls[1].direction.value().z, 1);

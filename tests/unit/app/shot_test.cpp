@@ -84,6 +84,9 @@ TEST(Shot, BallsAreLiveAndPlacesAreNot) {
                                                               [](TimedBall& ball) {
                                                                   ball.direction = Double3{1, 0, 0};
                                                               },
+                                                              [](TimedBall& ball) {
+                                                                  ball.aim = Double3{0, 1, 0};
+                                                              },
                                                               [](TimedBall& ball) { ball.body = 1; }}) {
         after = before;
         edit(after.balls[1]);

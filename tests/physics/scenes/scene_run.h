@@ -1,0 +1,44 @@
+// A scene of assets/scenes made small enough for a test, run without drawing.
+#pragma once
+#include <string>
+#include <vector>
+
+#include "app/session/session.h"
+
+namespace demolish::tests {
+
+/// The scene with `particles` a body on the CPU. Of its bodies only those named stay (all, if none is named),
+/// and only the balls that are meant for them.
+Shot smallScene(const std::string& name, uint32_t particles, const std::vector<uint32_t>& kept = {});
+
+class SceneRun {
+  public:
+    explicit SceneRun(const Shot& shot);
+
+    /// Fails the test when a step does.
+    void runTo(double time);
+    const FrameStats& stats() { return session_.solver().stats(); }
+    /// m, of all particles of the bodies.
+    std::vector<Float3> positions();
+    /// m/s, of all particles together, with the balls left out; costs one frame.
+    double rootMeanSquareSpeed();
+    /// Share of the bodies' particles that move faster than `speed`, m/s; costs one frame.
+    double movingShare(double speed);
+
+  private:
+    std::vector<double> speeds();
+    Session session_;
+};
+
+struct Standing {
+    uint32_t broken = 0;  ///< bonds
+    double moved = 0;     ///< m, the longest way of a particle
+    double speed = 0;     ///< m/s, root of the mean square at the end
+};
+/// `seconds` of the shot with nothing that hits, and without sleeping, which would hide a drift.
+Standing stand(Shot shot, double seconds);
+
+/// m, the longest way between two looks at the same particles.
+double farthest(const std::vector<Float3>& from, const std::vector<Float3>& to);
+
+}  // namespace demolish::tests

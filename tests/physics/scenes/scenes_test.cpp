@@ -1,0 +1,89 @@
+// One or two bodies of each scene: what the scene promises, at a few hundred particles.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/physics/scenes/scene_run.h"
+
+namespace demolish::tests {
+namespace {
+
+class SceneStands : public testing::TestWithParam<const char*> {};
+
+TEST_P(SceneStands, StillUntilItIsHit) {
+    Shot shot = smallScene(GetParam(), 400);
+    if (!shot.bodies.empty()) shot = smallScene(GetParam(), 400, {0});
+    const Standing standing = stand(shot, 0.5);
+    EXPECT_EQ(standing.broken, 0u);
+    EXPECT_LT(standing.moved, 2e-4);
+    EXPECT_LT(standing.speed, 2e-3);
+}
+
+/// The wolf is too slender for so few particles: it stands among the slow tests.
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneStands, testing::Values("bunny", "vase", "column"),
+                         [](const auto& test) { return std::string(test.param); });
+
+struct Breaking {
+    const char* scene;
+    uint32_t body, least_pieces;
+    double seconds_to_rest;
+};
+void PrintTo(const Breaking& breaking, std::ostream* out) {
+    *out << breaking.scene;
+}
+
+class SceneBreaks : public testing::TestWithParam<Breaking> {};
+
+TEST_P(SceneBreaks, AndComesToRest) {
+    const auto [scene, body, least_pieces, seconds_to_rest] = GetParam();
+    Shot shot = smallScene(scene, 400);
+    if (!shot.bodies.empty()) shot = smallScene(scene, 400, {body});
+    const double hit = shot.balls.empty() ? shot.impact.arrival_time : shot.balls.back().arrival_time;
+    SceneRun run(shot);
+    run.runTo(hit + seconds_to_rest);
+    EXPECT_GE(run.stats().fragments, least_pieces);
+    EXPECT_LT(run.stats().largest_fragment_fraction, 0.6);
+    EXPECT_LT(run.movingShare(0.02), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneBreaks,
+                         testing::Values(Breaking{"bunny", 0, 8, 2.5}, Breaking{"vase", 13, 10, 2.5}),
+                         [](const auto& test) { return test.param.scene; });
+
+TEST(Scenes, AColumnBreaksIntoDrums) {
+    const Shot shot = smallScene("column", 400, {17});
+    SceneRun run(shot);
+    run.runTo(shot.balls.back().arrival_time + 1.5);
+    EXPECT_GE(run.stats().fragments, 5u);
+    EXPECT_LT(run.stats().largest_fragment_fraction, 0.5);
+}
+
+TEST(Scenes, OnlyTheBodyThatIsHitBreaks) {
+    Shot shot = smallScene("vase", 300, {4, 17});
+    const double first = shot.balls.front().arrival_time, second = shot.balls.back().arrival_time;
+    ASSERT_EQ(shot.balls.size(), 2u);
+    ASSERT_GT(second, first + 0.3);
+    SceneRun run(shot);
+    const auto start = run.positions();
+    run.runTo(first + 0.3);
+    EXPECT_GT(run.stats().fragments, 5u);
+    EXPECT_GT(run.stats().largest_fragment_fraction, 0.499) << "the other one is whole";
+    const auto now = run.positions();
+    const std::vector<Float3> untouched_before(start.begin(), start.begin() + 300),
+        untouched_now(now.begin(), now.begin() + 300);
+    EXPECT_LT(farthest(untouched_before, untouched_now), 1e-3) << "nor moved";
+    run.runTo(second + 0.3);
+    EXPECT_LT(run.stats().largest_fragment_fraction, 0.49);
+}
+
+TEST(Scenes, AtVelocityZeroNothingIsHit) {
+    Shot shot = smallScene("vase", 200, {4, 17});
+    shot.impact.velocity = 0;
+    SceneRun run(shot);
+    run.runTo(shot.balls.back().arrival_time + 0.2);
+    EXPECT_EQ(run.stats().bonds_broken, 0u);
+    EXPECT_EQ(run.stats().fragments, 2u);
+}
+
+}  // namespace
+}  // namespace demolish::tests
