@@ -9,6 +9,8 @@ namespace demolish::tests {
 namespace {
 
 class Floor : public OnEitherDevice {};
+/// Reads the particles of a frame, which a GPU would write into its own memory.
+class FloorSeen : public OnTheCpu {};
 
 std::vector<ParticleInstance> particlesOf(Solver& solver, size_t count) {
     std::vector<ParticleInstance> particles(count);
@@ -18,7 +20,7 @@ std::vector<ParticleInstance> particlesOf(Solver& solver, size_t count) {
     return particles;
 }
 
-TEST_F(Floor, ASettledBodyStandsStill) {
+TEST_F(FloorSeen, ASettledBodyStandsStill) {
     SceneSetup setup = freeBody(latticeBody(4, 5, 4, 0.05, 0.2));
     setup.params.planes.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
