@@ -91,7 +91,8 @@ TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
         const TouchGeometry<double> at{p.geometry.normal, kMetre * p.geometry.overlap,
                                        kMetre * p.geometry.arm_i, kMetre * p.geometry.arm_j};
         const double damping = kForce / kVelocity;
-        const TouchLaw<double> law{kForce * p.law.elastic,
+        const TouchLaw<double> law{kStiffness * p.law.stiffness,
+                                   kForce * p.law.elastic,
                                    damping * p.law.normal_damping,
                                    kStiffness * p.law.shear,
                                    damping * p.law.shear_damping,

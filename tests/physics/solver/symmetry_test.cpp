@@ -89,8 +89,8 @@ TEST_F(Symmetry, TheOrderOfTheBodiesDoesNotMatter) {
 }
 
 TEST_F(SymmetryInSingle, TheOrderOfTheBodiesDoesNotMatter) {  // until rounding differs by more than it may
-    const FrameStats a = after(*makeSolver(twoBricks(false)), 250),
-                     b = after(*makeSolver(twoBricks(true)), 250);
+    const FrameStats a = after(*makeSolver(twoBricks(false)), 150),
+                     b = after(*makeSolver(twoBricks(true)), 150);
     EXPECT_GT(a.energy.damping, 0);
     expectSame(a, b, 1e-4);
 }
