@@ -153,6 +153,7 @@ struct RegimeRules {
     bool may_calm = false;    ///< a frame starts: bonds may come to rest; else they may only be woken
     bool all_bonded = false;  ///< so much must be moved with its bonds that all that is awake goes with it
     uint32_t calm_substeps = 0, rest_substeps = 0;
+    uint32_t crumb = 1;  ///< particles of the largest piece that stays whole once it is rigid
 };
 
 template <class Real>
@@ -177,9 +178,7 @@ struct FlagIslands {
 
   private:
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
-    DEM_FN bool isCrumb(uint32_t slot) const {
-        return isProjectile(slot) || rows.size[slot] <= (rules.hand_over ? kCrumbParticles : 1u);
-    }
+    DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= rules.crumb; }
 
     DEM_FN uint32_t ownFlags(uint32_t slot) const {
         const bool rested = clock[slot].rest >= rules.rest_substeps;

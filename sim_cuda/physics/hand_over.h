@@ -11,9 +11,16 @@ namespace demolish {
 /// which the material breaks, and no turning point of a slow swing.
 inline constexpr double kCalmShare = 0.12, kCalmSeconds = 0.03;
 
-/// Pieces of so many particles or fewer are crumbs: whatever swings in them may stop, and once they are rigid
-/// they stay whole.
+/// Pieces of so many particles or fewer, or of this share of their body, are crumbs: whatever swings in them
+/// may stop, and once they are rigid they stay whole.
 inline constexpr uint32_t kCrumbParticles = 8;
+inline constexpr double kCrumbShare = 0.0025;
+
+/// Particles of the largest crumb of bodies of `particles` each.
+inline uint32_t crumbParticles(double particles) {
+    const auto share = static_cast<uint32_t>(kCrumbShare * particles);
+    return share > kCrumbParticles ? share : kCrumbParticles;
+}
 
 /// A meeting at this share of the body's threshold velocity or more brings the bonds back before the two
 /// touch.

@@ -94,7 +94,7 @@ class Regimes {
     Backend& backend_;
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
-    uint32_t calm_substeps_, rest_substeps_;
+    uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
     Buffer<uint32_t> regime_, former_, island_, flags_, speeds_, share_;
@@ -120,6 +120,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       sleeping_(setup.params.sleeping),
       calm_substeps_(static_cast<uint32_t>(std::ceil(kCalmSeconds / tables.time_step))),
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
+      crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
       reader_(backend) {
     if (!on()) return;
     const uint32_t total = counts_of_.total;
@@ -224,8 +225,8 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
                                            const StepParams<Real>& params, bool frame_starts) {
     const uint32_t total = counts_of_.total;
     if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
-    const RegimeRules rules{hand_over_,     sleeping_,     frame_starts, memory_.all_bonded != 0,
-                            calm_substeps_, rest_substeps_};
+    const RegimeRules rules{hand_over_,     sleeping_,      frame_starts, memory_.all_bonded != 0,
+                            calm_substeps_, rest_substeps_, crumb_};
     backend_.forEach(total, StartIslands{island_.span(), flags_.span()}, "start islands");
     backend_.forEach(total, JoinIslands<Real>{meetings, island_.span()}, "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
