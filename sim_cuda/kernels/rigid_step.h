@@ -32,13 +32,17 @@ DEM_FN void placeParticle(const StateOut<Real>& out, uint32_t i, const Vec3<doub
     out.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, low.z);
 }
 
-/// Each contact stands for the fragment's mass over all its contacts of the step before, so that restitution
-/// is that of the fragment, and many dampers at once cannot turn its motion round.
+/// Each contact stands for what the fragment sets against it there, over all its contacts of the step before:
+/// its mass and, across the arm to the particle, its turning. So restitution is nearly that of the fragment,
+/// and neither many dampers at once nor one at the tip of a splinter can turn its motion round. `arm`: m,
+/// from the centre, in the frame that the inertia belongs to.
 template <class Real>
-DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec4<Real>& own) {
+DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm, const Vec4<Real>& own) {
     const double share = double(body.contact_share);
     const Sym3& j = body.inverse_inertia;
-    return {Real(share * body.inverse_mass), Real(share * (j.xx + j.yy + j.zz)), own.z, own.w};
+    const double trace = j.xx + j.yy + j.zz;
+    const double turning = 0.5 * (length2(arm) * trace - dot(arm, multiply(j, arm)));
+    return {Real(share * (body.inverse_mass + turning)), Real(share * trace), own.z, own.w};
 }
 
 template <bool kLedger, class Real>
@@ -79,7 +83,7 @@ struct StepRigid {
             const Vec3<double> x = body.centre + arm, v = velocityAtArm(body, arm);
             placeParticle(state, i, x, v, body.spin);
             placeParticle(arrays.out, i, x, v, body.spin);
-            constants[i] = sharedConstants(body, own_constants[i]);
+            constants[i] = sharedConstants(body, work.arm[i], own_constants[i]);
             if constexpr (kLedger)
                 bookLedger(arrays.ledger[i], load[place].tally, before,
                            loadWithoutRotation(arrays.in, arrays.in.position[i], i), params.dt);

@@ -60,6 +60,7 @@ struct WriteWork {
     PlacesIn places;
     Span<const uint32_t> label, regime, sums;
     Span<const RigidBody> body;
+    Span<const Vec3<double>> arm;
     Span<const uint32_t> share;  ///< per slot: contacts of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
@@ -80,7 +81,7 @@ struct WriteWork {
         if (regime[slot] == wordOf(Regime::kRigid)) {
             RigidBody start = body[slot];
             start.contact_share = share[slot] > 0 ? share[slot] : kFirstShare;
-            constants[k] = sharedConstants(start, own_constants[k]);
+            constants[k] = sharedConstants(start, arm[k], own_constants[k]);
         }
         if (!marked(1, k)) return;
         const uint32_t entry = sum(1, k);

@@ -272,11 +272,12 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                                     marks.part(total, total), marks.part(2 * size_t{total}, total)},
                      "mark work");
     backend_.exclusiveScan(marks.part(0, 3 * size_t{total}), marks);
-    backend_.forEach(total,
-                     WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(),
-                                     share_.view(), meetings.constants, active_.span(), fragment_.span(),
-                                     first_.span(), last_.span(), bonded_.span(), rigid_constants_.span()},
-                     "write work");
+    backend_.forEach(
+        total,
+        WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(), arm_.view(),
+                        share_.view(), meetings.constants, active_.span(), fragment_.span(), first_.span(),
+                        last_.span(), bonded_.span(), rigid_constants_.span()},
+        "write work");
     backend_.fill(words_.span(), 0u);
     backend_.fill(body_awake_.span(), 0u);
     backend_.forEach(counts_of_.in_bodies,
