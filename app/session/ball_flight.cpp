@@ -79,12 +79,14 @@ Projectile thrown(const glm::dvec3& point, const glm::dvec3& velocity, double fl
 }
 
 /// The flight is cut short so that the ball starts above the floor.
-Projectile thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity, double flight,
+ThrownBall thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity, double flight,
                             double radius) {
-    Projectile ball = thrown(point, velocity, flight, radius);
-    for (int tries = 0; tries < 8 && ball.position.y < 1.05 * radius; ++tries)
-        ball = thrown(point, velocity, flight *= 0.7, radius);
-    return ball;
+    ThrownBall result{thrown(point, velocity, flight, radius), flight};
+    for (int tries = 0; tries < 8 && result.ball.position.y < 1.05 * radius; ++tries) {
+        result.flight *= 0.7;
+        result.ball = thrown(point, velocity, result.flight, radius);
+    }
+    return result;
 }
 
 }  // namespace
@@ -97,7 +99,8 @@ std::vector<TimedBall> ballsOf(const Shot& shot) {
     if (shot.impact.kind != ImpactKind::kBall || shot.impact.velocity <= 0) return {};
     if (!shot.balls.empty()) return shot.balls;
     TimedBall ball;
-    ball.arrival_time = ball.flight_time = shot.impact.arrival_time;
+    ball.arrival_time = shot.impact.arrival_time;
+    ball.flight_time = std::min(ball.flight_time, ball.arrival_time);
     return {ball};
 }
 
@@ -107,7 +110,7 @@ bool dueToStart(const TimedBall& ball, double now, double step) {
     return before_impact <= ball.flight_time + slack || before_impact - step < 0.5 * ball.flight_time;
 }
 
-Projectile makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight) {
+ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight) {
     const BodyInstance& instance = setup.bodies[std::min<size_t>(ball.body, setup.bodies.size() - 1)];
     const BreakableBody& body = *instance.body;
     const Quaternion& q = instance.rotation;
@@ -131,7 +134,8 @@ Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3
     const glm::dvec3 direction = distance > 1e-9 ? path / distance : glm::dvec3(0, 0, -1);
     const double speed = std::max(shot.impact.velocity, 0.1);
     const double flight = std::min(kShortFlight, 0.8 * distance / speed);
-    return thrownAboveFloor(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius);
+    return thrownAboveFloor(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius)
+        .ball;
 }
 
 }  // namespace demolish

@@ -18,9 +18,14 @@ std::vector<TimedBall> ballsOf(const Shot& shot);
 /// step of `step` s.
 bool dueToStart(const TimedBall& ball, double now, double step);
 
-/// A ball that reaches its body's surface after `flight` s with its velocity, gravity on the way included.
-/// Flights that would begin below the floor are cut short. The body counts where the setup places it.
-Projectile makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight);
+struct ThrownBall {
+    Projectile ball;
+    double flight = 0;  ///< s until it touches
+};
+/// A ball that reaches its body's surface after `flight` s with its velocity, gravity on the way included; or
+/// after a shorter flight, where that one would begin below the floor. The body counts where the setup places
+/// it.
+ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight);
 
 /// A ball that passes `target` after a short flight from the side of `from`, with the shot's velocity and
 /// radius there.

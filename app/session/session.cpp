@@ -71,7 +71,8 @@ void Session::adopt(BuiltShot built) {
 void Session::restart() {
     built_.solver->restore(built_.start);
     projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
-    balls_started_ = fired_by_hand_ = 0;
+    balls_started_.clear();
+    fired_by_hand_ = 0;
     recording_.clear();
     message_.clear();
     startDueBalls();
@@ -92,10 +93,15 @@ void Session::startDueBalls() {
     const Shot shot = shotOfBalls();
     const std::vector<TimedBall> balls = ballsOf(shot);
     const double now = built_.solver->stats().time, step = wanted_.time_scale / shot.fps;
-    while (balls_started_ < balls.size() && dueToStart(balls[balls_started_], now, step)) {
-        const TimedBall& ball = balls[balls_started_++];
-        if (ball.arrival_time <= now) continue;  // it was not to come then, and is late now
-        fire(makeBall(shot, built_.setup, ball, ball.arrival_time - now));
+    balls_started_.resize(balls.size(), false);
+    for (size_t i = 0; i < balls.size(); ++i) {
+        if (balls_started_[i] || !dueToStart(balls[i], now, step)) continue;
+        const double remaining = balls[i].arrival_time - now;
+        balls_started_[i] = true;
+        if (remaining <= 0) continue;  // it was not to come then, and is late now
+        const ThrownBall thrown = makeBall(shot, built_.setup, balls[i], remaining);
+        balls_started_[i] = thrown.flight > remaining - step;  // else it must start later, nearer to the body
+        if (balls_started_[i]) fire(thrown.ball);
     }
 }
 
@@ -108,7 +114,7 @@ void Session::fireByHand() {
         return;
     }
     const TimedBall& ball = balls[fired_by_hand_++ % balls.size()];
-    fire(makeBall(shot, built_.setup, ball, ball.flight_time));
+    fire(makeBall(shot, built_.setup, ball, ball.flight_time).ball);
     playing_ = true;
 }
 

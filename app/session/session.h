@@ -103,7 +103,7 @@ class Session {
     EnergyLedger start_energy_;
     std::string message_;
     uint32_t projectiles_ = 0;
-    size_t balls_started_ = 0;  ///< by themselves, of ballsOf(shotOfBalls())
+    std::vector<bool> balls_started_;  ///< of ballsOf(shotOfBalls()), those that need not start any more
     size_t fired_by_hand_ = 0;
     size_t cursor_ = 0;
     double last_sim_ms_ = 0, last_transfer_ms_ = 0;

@@ -44,6 +44,10 @@ TEST_P(SceneBreaks, AndComesToRestWithinThreeSeconds) {
     const double hit = shot.balls.empty() ? shot.impact.arrival_time : shot.balls.back().arrival_time;
     shot.hand_over = hand_over;
     SceneRun run(shot);
+    run.runTo(hit - 0.01);
+    EXPECT_EQ(run.stats().bonds_broken, 0u) << "the ball is not early";
+    run.runTo(hit + 0.05);
+    EXPECT_GT(run.stats().bonds_broken, 0u) << "nor late";
     run.runTo(hit + 3);
     EXPECT_GE(run.stats().fragments, least_pieces);
     EXPECT_LT(run.stats().largest_fragment_fraction, 0.6);

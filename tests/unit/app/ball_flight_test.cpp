@@ -35,7 +35,7 @@ TEST(BallFlight, TheBallTouchesTheSurfaceInTimeWithTheChosenVelocity) {
         shot.impact.velocity = velocity;
         shot.impact.direction = {-1, 0, 0};
         const TimedBall timed = ballsOf(shot).at(0);
-        const Projectile ball = makeBall(shot, cubes(shot, 12), timed, timed.flight_time);
+        const Projectile ball = makeBall(shot, cubes(shot, 12), timed, timed.flight_time).ball;
         EXPECT_DOUBLE_EQ(ball.radius, 1.0 / 12);
         const Flown at = flown(ball, shot.impact.arrival_time);
         EXPECT_NEAR(at.position.x, 0.5 + ball.radius, 0.02)
@@ -58,7 +58,7 @@ TEST(BallFlight, ABallFindsItsBodyWhereItStands) {
     timed.radius = 0.2;
     timed.height_fraction = 0.7;
     timed.direction = Double3{0, 0, 1};
-    const Projectile ball = makeBall(shot, cubes(shot, 12), timed, 0.1);
+    const Projectile ball = makeBall(shot, cubes(shot, 12), timed, 0.1).ball;
     EXPECT_DOUBLE_EQ(ball.radius, 0.2);
     const Flown at = flown(ball, 0.1);
     EXPECT_NEAR(at.velocity.z, 5, 1e-9);
@@ -68,7 +68,7 @@ TEST(BallFlight, ABallFindsItsBodyWhereItStands) {
     EXPECT_NEAR(at.position.z, 2 - 0.5 / std::cos(std::numbers::pi / 6) - 0.2, 0.06);
     EXPECT_LT(at.position.z, 2 - 0.6);
     timed.aim = Double3{0.3, 0.6, 0};  // turned with the body
-    const Flown aimed = flown(makeBall(shot, cubes(shot, 12), timed, 0.1), 0.1);
+    const Flown aimed = flown(makeBall(shot, cubes(shot, 12), timed, 0.1).ball, 0.1);
     EXPECT_NEAR(aimed.position.x, 4 + 0.3 * std::cos(std::numbers::pi / 6), 1e-9);
     EXPECT_NEAR(aimed.position.y, 0.6, 1e-9);
 }
@@ -108,6 +108,26 @@ TEST(BallFlight, EveryBallStartsInTimeForItsFlight) {
         ASSERT_GE(coarse, 0);
         EXPECT_GE(arrival - coarse / 7.0, 0.06) << arrival;
     }
+}
+
+TEST(BallFlight, AFlightThatWouldBeginUnderTheFloorIsShorter) {
+    Shot shot;
+    shot.impact.velocity = 2;
+    const TimedBall timed = ballsOf(shot).at(0);
+    const ThrownBall thrown = makeBall(shot, cubes(shot, 12), timed, 0.6);
+    EXPECT_LT(thrown.flight, 0.4);
+    EXPECT_GT(thrown.flight, 0.1);
+    EXPECT_GT(thrown.ball.position.y, thrown.ball.radius);
+    EXPECT_NEAR(flown(thrown.ball, thrown.flight).position.y, 0.5, 1e-9) << "and ends where it should";
+    EXPECT_NEAR(flown(thrown.ball, thrown.flight).velocity.y, 0, 1e-9);
+}
+
+TEST(BallFlight, ALateImpactIsNotALongFlight) {
+    Shot shot;
+    shot.impact.arrival_time = 2;
+    const TimedBall ball = ballsOf(shot).at(0);
+    EXPECT_DOUBLE_EQ(ball.arrival_time, 2);
+    EXPECT_LT(ball.flight_time, 0.2);
 }
 
 TEST(BallFlight, AShotAtAPointPassesIt) {
