@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/breakage/figures.h"
+#include "app/breakage/png_figure.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -163,7 +164,7 @@ std::string breakageTable(const BreakagePlan& plan, const std::vector<BreakageSt
     return text;
 }
 
-std::string gatherResults(const BreakagePlan& plan, const fs::path& folder) {
+GatheredResults gatherResults(const BreakagePlan& plan, const fs::path& folder) {
     const auto items = plan.items();
     std::vector<ItemResult> results;
     for (size_t item = 0; item < items.size(); ++item) {
@@ -178,10 +179,15 @@ std::string gatherResults(const BreakagePlan& plan, const fs::path& folder) {
     writeTextFile(folder / "specimens.csv", specimensCsv(plan, results));
     writeTextFile(folder / "probability.csv", probabilityCsv(plan, statistics));
     writeTextFile(folder / "breakage.json", breakageJson(plan, statistics));
-    writeTextFile(folder / "figure_1.svg", probabilityFigure(plan, statistics));
-    writeTextFile(folder / "figure_2a.svg", childrenFigure(plan, statistics, 0));
-    writeTextFile(folder / "figure_2b.svg", childrenFigure(plan, statistics, 1));
-    return breakageTable(plan, statistics);
+    GatheredResults gathered{breakageTable(plan, statistics), true};
+    const auto writeFigure = [&](const char* name, const std::string& svg) {
+        writeTextFile(folder / name, svg);
+        gathered.has_png = drawAsPng(folder / name) && gathered.has_png;
+    };
+    writeFigure("figure_1.svg", probabilityFigure(plan, statistics));
+    writeFigure("figure_2a.svg", childrenFigure(plan, statistics, 0));
+    writeFigure("figure_2b.svg", childrenFigure(plan, statistics, 1));
+    return gathered;
 }
 
 }  // namespace demolish
