@@ -75,8 +75,10 @@ Json readingJson(const BreakageExperiment& experiment, const BreakageStatistics&
             {{"diameter_m", point.size == 0 ? 24e-6 : 36e-6},
              {"velocity_mps", point.velocity},
              {"stated", point.probability},
-             {"measured", probabilityAt(statistics, point.size, point.velocity)}});
+             {"measured", probabilityAt(statistics, point.size, point.velocity)},
+             {"in_3_to_5_children", countedAt(statistics, point.size, point.velocity)}});
     json["distance_to_the_paper"] = distanceToPaper(statistics);
+    json["distance_with_figure_2_counted_in_3_to_5_children"] = distanceCounted(statistics);
     return json;
 }
 
@@ -104,10 +106,12 @@ std::string readingTable(const BreakageExperiment& experiment, const BreakageSta
         "  energy after impact: kinetic %.2f, damping %.2f, friction %.2f, fracture %.2f, sum %.3f\n",
         statistics.kinetic, statistics.damping, statistics.friction, statistics.fracture, statistics.sum);
     for (const StatedPoint& point : kStated)
-        text +=
-            line("  paper, %g um at %g m/s: %.2f, here %.2f\n", point.size == 0 ? 24.0 : 36.0, point.velocity,
-                 point.probability, probabilityAt(statistics, point.size, point.velocity));
-    return text + line("  distance to these four: %.2f\n", distanceToPaper(statistics));
+        text += line("  paper, %g um at %g m/s: %.2f, here %.2f, in 3 to 5 children %.2f\n",
+                     point.size == 0 ? 24.0 : 36.0, point.velocity, point.probability,
+                     probabilityAt(statistics, point.size, point.velocity),
+                     countedAt(statistics, point.size, point.velocity));
+    return text + line("  distance to these four: %.2f; with 43 m/s counted in 3 to 5 children: %.2f\n",
+                       distanceToPaper(statistics), distanceCounted(statistics));
 }
 
 }  // namespace
