@@ -31,11 +31,11 @@ void showThreshold(PanelContext& context) {
     Shot& shot = context.shot;
     const bool breaks = shot.impact.velocity >= threshold.velocity();
     ImGui::TextColored(breaks ? ImVec4(1.0f, 0.72f, 0.30f, 1) : ImVec4(0.6f, 0.75f, 0.9f, 1),
-                       "Breaks at about %.2g m/s (%s)", threshold.velocity(),
-                       threshold.measured ? "measured" : "predicted");
+                       "Breaks at about %.*f m/s (%s)", threshold.velocity() < 1 ? 2 : 1,
+                       threshold.velocity(), threshold.measured ? "measured" : "predicted");
     noteItem(context, "impact.threshold");
     char text[200];
-    std::snprintf(text, sizeof text, "%s. The table says %.2g m/s, within a factor of %.2f.",
+    std::snprintf(text, sizeof text, "%s. The table says %.3g m/s, within a factor of %.2f.",
                   threshold.source().c_str(), threshold.predicted, threshold.scatter);
     tooltipOnHover(text);
     showMeasuring(context);
