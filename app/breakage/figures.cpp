@@ -100,6 +100,15 @@ void addStatedPoints(const BreakageExperiment& experiment, Chart& chart) {
     }
 }
 
+/// A sweep may end before the points that the paper states.
+void reachAllPoints(Chart& chart) {
+    for (const ChartSeries& series : chart.series)
+        for (const double velocity : series.x) {
+            while (velocity < chart.x.low) chart.x.low -= chart.x.step;
+            while (velocity > chart.x.high) chart.x.high += chart.x.step;
+        }
+}
+
 }  // namespace
 
 std::string probabilityFigure(const BreakagePlan& plan, const std::vector<BreakageStatistics>& statistics) {
@@ -111,6 +120,7 @@ std::string probabilityFigure(const BreakagePlan& plan, const std::vector<Breaka
         for (const uint32_t size : {1u, 0u})
             chart.series.push_back(probabilityLine(plan.experiments[k], statistics[k], size, k));
     addStatedPoints(plan.experiments[0], chart);
+    reachAllPoints(chart);
     const BreakageExperiment& first = plan.experiments[0];
     chart.note = format("%g random packings a point; bars: 95 %% Wilson intervals. ", first.packings) +
                  ruleInWords(first);
@@ -155,6 +165,7 @@ std::string childrenFigure(const BreakagePlan& plan, const std::vector<BreakageS
                      .dash = "",
                      .marker = 8,
                      .open_diamond = true});
+    reachAllPoints(chart);
     chart.note = format("Children: fragments of at least %g %% of the specimen's volume.",
                         100 * experiment.criteria.child_share) +
                  format("\nThe paper: between 3 and 5. Here %.0f %% of the broken specimens.",

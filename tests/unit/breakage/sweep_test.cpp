@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/breakage/batch_run.h"
+#include "app/breakage/figures.h"
 #include "app/breakage/report.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
@@ -172,6 +173,18 @@ TEST(Sweep, GatheringWritesTablesAndFigures) {
         EXPECT_EQ(svg.find("nan"), std::string::npos) << name;
         EXPECT_EQ(svg.rfind("</svg>\n"), svg.size() - 7) << name;
     }
+}
+
+TEST(Sweep, FiguresReachThePointsThatThePaperStates) {
+    const BreakagePlan plan = smallPlan({50, 60}, 3, 1);  // a tick each m/s
+    const auto statistics = summarise(plan, {});
+    const auto hasTick = [](const std::string& svg, const char* tick) {
+        return svg.find(std::string(">") + tick + "</text>") != std::string::npos;
+    };
+    EXPECT_TRUE(hasTick(probabilityFigure(plan, statistics), "60"));
+    EXPECT_TRUE(hasTick(probabilityFigure(plan, statistics), "35"));
+    EXPECT_TRUE(hasTick(childrenFigure(plan, statistics, 1), "43"));
+    EXPECT_FALSE(hasTick(childrenFigure(plan, statistics, 1), "42"));
 }
 
 }  // namespace
