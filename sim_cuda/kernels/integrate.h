@@ -41,6 +41,26 @@ DEM_FN void storeState(const StateOut<Real>& out, uint32_t i, const LoadedState<
     out.spin[i] = state.spin;
 }
 
+/// A particle of a rigid fragment in a substep: on along its velocity; what it feels is added up for the
+/// contact step of its fragment. `load`: N, N m.
+template <class Real>
+DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own,
+                                 const Wrench<Real>& load, const StepParams<Real>& params) {
+    LoadedState<Real> next = own.state;
+    const Vec3<Real> velocity = xyz(own.state.velocity);
+    Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
+    addToPosition(params.carry_time * velocity.x, next.position.x, low.x);
+    addToPosition(params.carry_time * velocity.y, next.position.y, low.y);
+    addToPosition(params.carry_time * velocity.z, next.position.z, low.z);
+    next.position.w = low.x;
+    next.velocity.w = low.y;
+    next.spin.w = low.z;
+    Vec4<Real>&force = arrays.carried[2 * size_t{own.id}], &torque = arrays.carried[2 * size_t{own.id} + 1];
+    force = withW(xyz(force) + load.force, Real(0));
+    torque = withW(xyz(torque) + load.torque, Real(0));
+    return next;
+}
+
 /// W: what `part` of a load gives to the particle at the mean velocity of the kick.
 template <class Real>
 DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,

@@ -39,6 +39,9 @@ struct OwnParticle {
     uint32_t owner = 0;
     LoadedState<Real> state;
     ParticleConstants<Real> constants;
+
+    /// In a substep: of a rigid fragment (BondedWork).
+    DEM_FN bool isCarried() const { return constants.inverse_mass < Real(0); }
 };
 
 template <class Real>

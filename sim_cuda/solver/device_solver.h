@@ -53,6 +53,7 @@ class DeviceSolver final : public Solver {
     StepStatus runSubsteps(uint32_t n);
     StepStatus runChunk(uint32_t n);
     void runAwake(uint32_t n);
+    void runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     uint32_t lookInterval() const;
     void look(uint32_t lookahead);

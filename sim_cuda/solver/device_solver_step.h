@@ -16,7 +16,7 @@ inline constexpr double kSettleRampShare = 0.3, kSettleDamping = 12;
 template <class Real>
 StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
     StepParams<Real> params;
-    params.dt = static_cast<Real>(tables.time_step);
+    params.dt = params.carry_time = static_cast<Real>(tables.time_step);
     params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
     params.stiffness_cap = static_cast<Real>(kContactStiffnessShare / (tables.time_step * tables.time_step));
     params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;
@@ -161,14 +161,38 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
     auto& contacts = lists_.contacts();
     const bool ledger = setup_.params.ledger, on = regimes_.on();
-    if (!on || regimes_.movesBonds()) runner_.run(backend_, data_, contacts, params_, ledger, n);
     if (on && regimes_.movesRigid()) {
-        rigid_runner_.run(backend_, data_, contacts, params_, regimes_.rigid(), regimes_.rigidConstants(),
-                          ledger, n);
-        regimes_.place(data_, clusters_);
+        const RigidConstants<Real> constants = regimes_.rigidConstants();
+        const RigidStepOf<Backend, Real> step{data_, contacts, params_, regimes_.rigid(), constants, ledger};
+        regimes_.carries() ? runCarrying(step, n) : rigid_runner_.run(backend_, step, n);
     }
+    if (!on || (regimes_.movesBonds() && !regimes_.carries()))
+        runner_.run(backend_, data_, contacts, params_, ledger, n);
+    if (on && regimes_.movesRigid()) regimes_.place(data_, clusters_);
     progress_.since_build += n;
     progress_.substeps += n;
+}
+
+/// Contact steps with the substeps between their halves: the rigid body answers to the sum of what its
+/// carried particles have felt meanwhile, so that no momentum is lost between the two kinds of step. The
+/// force of a contact step is that of its start; so that what the substeps add up belongs to the same moment,
+/// they see carried particles from half a step before it to half a step after it (each but the first, which
+/// makes the mean exact). Else contacts would lose energy that nobody books.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n) {
+    rigid_runner_.repeat(backend_, step, runner_, n, [&] {
+        for (uint32_t done = 0; done < n;) {
+            const uint32_t stride = std::min(kRigidStride, n - done);
+            StepParams<Real> params = params_;
+            params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
+            rigid_runner_.gather(backend_, step, stride);
+            runner_.runOne(backend_, data_, step.contacts, params, step.ledger);
+            for (uint32_t k = 1; k < stride; ++k)
+                runner_.runOne(backend_, data_, step.contacts, params_, step.ledger);
+            rigid_runner_.move(backend_, step, stride, true);
+            done += stride;
+        }
+    });
 }
 
 /// At most 2 lookInterval() substeps; the look in the middle decides for the end.

@@ -98,8 +98,10 @@ TEST(Exchange, ContactLawsOfAPairAreTheSameFromBothSides) {
         params.hertz = hertz;
         params.stiffness_cap = 1e6f;
         const float m_i = 0.3f, m_j = 0.05f, r_i = 0.04f, r_j = 0.02f;
-        const auto a = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_i, r_j), 1 / m_i + 1 / m_j, 7.0f);
-        const auto b = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_j, r_i), 1 / m_j + 1 / m_i, 7.0f);
+        const auto a = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_i, r_j),
+                                       PairInertia<float>{1 / m_i + 1 / m_j, 7.0f});
+        const auto b = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_j, r_i),
+                                       PairInertia<float>{1 / m_j + 1 / m_i, 7.0f});
         EXPECT_EQ(a.elastic, b.elastic);
         EXPECT_EQ(a.normal_damping, b.normal_damping);
         EXPECT_EQ(a.shear, b.shear);
