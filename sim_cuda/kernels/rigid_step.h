@@ -100,9 +100,13 @@ struct StepRigid {
             in_substeps[i] = movedOtherwise(constants[i]);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
-            if constexpr (kLedger)
-                bookLedger(arrays.ledger[i], load[place].tally, before,
-                           loadWithoutRotation(arrays.in, arrays.in.position[i], i), params.dt);
+            if constexpr (kLedger) {
+                const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+                bookLedger(arrays.ledger[i], load[place].tally, before, after, params.dt);
+                if (carried_share > 0)
+                    bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
+                               Real(carried_share) * params.dt);
+            }
         }
     }
     /// The CPU: all lanes of a fragment in turn.

@@ -25,7 +25,12 @@ class CpuParticleStep {
                 add(load, planeContact<kLedger>(arrays_, params_, own, p, tally));
         const LoadedState<Real> next =
             own.isCarried() ? carryOn(arrays_, own, load, params_) : kickAndDrift(own, load, params_);
-        if constexpr (kLedger) bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
+        if constexpr (kLedger) {
+            if (own.isCarried())
+                bookCarried(arrays_, i, tally);
+            else
+                bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
+        }
         storeState(arrays_.out, i, next);
     }
 

@@ -121,6 +121,7 @@ __device__ __forceinline__ void sumTally(Tally<Real>& tally) {
         add(tally.friction, shuffledDown(tally.friction, step, T));
         tally.spring_energy += __shfl_down_sync(0xffffffffu, tally.spring_energy, step, T);
         tally.fracture += __shfl_down_sync(0xffffffffu, tally.fracture, step, T);
+        tally.softened += __shfl_down_sync(0xffffffffu, tally.softened, step, T);
     }
 }
 
@@ -134,7 +135,12 @@ __device__ __forceinline__ void finishParticle(const SubstepArrays<Real>& arrays
             add(load, planeContact<kLedger>(arrays, params, own, p, tally));
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
-    if constexpr (kLedger) bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    if constexpr (kLedger) {
+        if (own.isCarried())
+            bookCarried(arrays, own.id, tally);
+        else
+            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    }
     storeState(arrays.out, own.id, next);
 }
 

@@ -34,6 +34,11 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
                                const StepParams<Real>& params, Real share, Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
     const TouchEffect<Real> effect = touchEffect(at, law, pair, before, params.dt);
+    if constexpr (kLedger)
+        if (law.softens && spring.w > law.stiffness && law.stiffness > Real(0)) {
+            const Real held = madd(law.shear / law.stiffness, length2(before), at.overlap * at.overlap);
+            tally.softened += share * (Real(0.5) * (spring.w - law.stiffness) * held);
+        }
     spring = withW(effect.spring, law.softens ? law.stiffness : spring.w);
     if constexpr (kLedger) {
         add(tally.damping, effect.damping);

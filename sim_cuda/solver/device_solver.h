@@ -60,6 +60,8 @@ class DeviceSolver final : public Solver {
     void buildLists();
     bool mustReassign();
     void assignRegimes(bool frame_starts, uint32_t remaining);
+    double untilNextDecision(uint32_t remaining) const;
+    void bookSoftening();
     void countAwake();
     void settle(double seconds, const ProgressCallback& progress);
     void setVelocities(bool at_rest);

@@ -44,6 +44,7 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::countAwake() {
     stats_.bonded_particles = regimes_.bondedParticles();
     stats_.awake_particles = regimes_.bondedParticles() + regimes_.activeParticles();
+    stats_.carried_particles = regimes_.carriedParticles();
     stats_.rigid_fragments = regimes_.rigidFragments();
     stats_.sleeping_fragments = regimes_.sleepingFragments();
     stats_.awake_bodies = regimes_.awakeBodies();

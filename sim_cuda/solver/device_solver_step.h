@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/kernels/book_softening.h"
 #include "sim_cuda/kernels/look_at_state.h"
 #include "sim_cuda/solver/device_solver.h"
 
@@ -232,16 +233,38 @@ void DeviceSolver<Backend, Real>::buildLists() {
     progress_.rebuild = 0;
 }
 
+/// s until regimes are decided again at the latest: with the next contact lists, or when the frame is over.
+template <class Backend, class Real>
+double DeviceSolver<Backend, Real>::untilNextDecision(uint32_t remaining) const {
+    const double listed = lists_.horizon() - progress_.since_build * tables_.time_step;
+    return std::clamp(listed, 0.0, remaining * tables_.time_step);
+}
+
 /// `remaining`: substeps of the frame that are still to come.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
-                    remaining * tables_.time_step);
+                    untilNextDecision(remaining));
+    if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();
     progress_.last_assigned = progress_.substeps;
     progress_.shot_started = 0;
     progress_.regimes = regimes_.memory();
     progress_.moves_rigid = regimes_.movesRigid() ? 1 : 0;
     countAwake();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::bookSoftening() {
+    const RigidConstants<Real> constants = regimes_.rigidConstants();
+    MeasureEnergy<Real> bonded{data_.arrays(lists_.contacts()), {}, params_, {}};
+    MeasureEnergy<Real> carried = bonded, rigid = bonded;
+    carried.arrays.constants = Span<const Vec4<Real>>(constants.in_substeps);
+    rigid.arrays.constants = Span<const Vec4<Real>>(constants.in_contact_steps);
+    rigid.params = rigidParams(params_, kRigidStride);
+    backend_.forEach(tables_.counts.total,
+                     BookSoftening<Real>{bonded, carried, rigid, clusters_.fragment(), regimes_.regime(),
+                                         regimes_.former(), data_.ledger.span()},
+                     "book softening");
 }
 
 /// Gravity comes on slowly, velocities decay, nothing breaks; then the bodies get the velocities of the

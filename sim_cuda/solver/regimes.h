@@ -27,7 +27,7 @@ struct RegimeMemory {
 
 /// From this share of awake particles on that need their bonds, all are moved with them: two ways of moving
 /// side by side cost more than they save.
-inline constexpr double kAllBondedShare = 0.3;
+inline constexpr double kAllBondedShare = 0.8;
 
 template <class Backend, class Real>
 class Regimes {
@@ -66,6 +66,7 @@ class Regimes {
     /// the next.
     bool carries() const { return counts_[kCarriedCount] > 0; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
+    uint32_t carriedParticles() const { return counts_[kCarriedCount]; }
     uint32_t activeParticles() const { return counts_[kActiveCount]; }
     uint32_t rigidFragments() const { return counts_[kFragmentCount]; }
     uint32_t sleepingFragments() const { return counts_[kAsleepCount]; }
@@ -79,6 +80,7 @@ class Regimes {
         visit(share_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
+    Span<const uint32_t> former() const { return former_.view(); }  ///< before the last decision
 
   private:
     MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
@@ -105,8 +107,8 @@ class Regimes {
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
     Buffer<Vec4<Real>> start_rotation_, rigid_constants_, in_substeps_;
-    Buffer<Vec4<Real>> carried_;  ///< as in SubstepArrays
-    Buffer<uint32_t> marks_;      ///< of the lists, then their sums
+    Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
+    Buffer<uint32_t> marks_;                      ///< of the lists, then their sums
     Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, bonds_, body_awake_, words_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
@@ -152,6 +154,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     rigid_constants_ = backend.template allocate<Vec4<Real>>(total);
     in_substeps_ = backend.template allocate<Vec4<Real>>(total);
     carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
+    carried_tally_ = backend.template allocate<Vec4<Real>>(setup.params.ledger ? 4 * size_t{total} : 1);
     marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
     bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
     words_ = backend.template allocate<uint32_t>(kWorkWords);
@@ -314,6 +317,7 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     if (all) data.work.regime = regime_.view();
     data.constants_in_substeps = carries() ? in_substeps_.view() : Span<const Vec4<Real>>{};
     data.carried = carried_.span();
+    data.carried_tally = carried_tally_.span();
 }
 
 /// A solid bond joins particles of one fragment, so that one end tells.

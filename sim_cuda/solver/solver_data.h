@@ -42,8 +42,8 @@ struct SolverData {
     uint32_t current = 0;  ///< which of the two states is the present one
     BondedWork work;       ///< which particles a substep moves
     Span<const Vec4<Real>>
-        constants_in_substeps;  ///< where rigid fragments move too; none: particles.constants
-    Span<Vec4<Real>> carried;   ///< as in SubstepArrays
+        constants_in_substeps;                ///< where rigid fragments move too; none: particles.constants
+    Span<Vec4<Real>> carried, carried_tally;  ///< as in SubstepArrays
 
     SolverData(Backend& backend, const SceneTables& tables, uint32_t planes);
 
@@ -162,6 +162,7 @@ SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Rea
             plane_spring.span(),
             ledger.span(),
             carried,
+            carried_tally,
             work};
 }
 

@@ -109,6 +109,24 @@ TEST(Exchange, ContactLawsOfAPairAreTheSameFromBothSides) {
     }
 }
 
+TEST(Exchange, ARigidFragmentsParticleCountsAlikeFromBothSides) {
+    const ParticleConstants<float> fast{3.0f, 700.0f, 0.01f, 0.01f}, slow{-0.5f, 90.0f, 0.01f, 0.01f};
+    const auto a = pairInertia(fast, slow), b = pairInertia(slow, fast);
+    EXPECT_EQ(a.inverse_mass, b.inverse_mass);
+    EXPECT_EQ(a.inverse_inertia, b.inverse_inertia);
+    EXPECT_EQ(a.stiffness_share, b.stiffness_share);
+    EXPECT_EQ(a.damping_share, b.damping_share);
+    EXPECT_TRUE(a.softens && b.softens);
+    EXPECT_FLOAT_EQ(a.inverse_mass, 3.5f);
+    // What the fragment's long step allows, in units of what a short one allows the reduced mass.
+    EXPECT_FLOAT_EQ(a.stiffness_share, 3.5f / (3.0f + 100 * 0.5f));
+    EXPECT_FLOAT_EQ(a.damping_share, 3.5f / (3.0f + 10 * 0.5f));
+    const auto both = pairInertia(fast, fast);
+    EXPECT_EQ(both.stiffness_share, 1);
+    EXPECT_EQ(both.inverse_mass, 6.0f);
+    EXPECT_FALSE(both.softens);
+}
+
 TEST(Exchange, StateOfAPairDependsOnItsDistanceAlone) {
     std::mt19937 random(3);
     for (int k = 0; k < kPairs; ++k) {
