@@ -80,7 +80,7 @@ SceneSetup sceneOf(const BreakagePlan& plan, const std::vector<BreakageRun>& run
         const BreakageRun& run = runs[k];
         BodyInstance instance;
         instance.body = bodies.at({run.size, run.packing});
-        instance.material = materialOf(experiment);
+        instance.material = materialOf(experiment, run.size);
         const double height = kStartGap * experiment.diameters[run.size] - lowestOf(*instance.body);
         const double middle = static_cast<double>(columns) / 2;
         instance.position = {pitch * (static_cast<double>(k % columns) - middle), height,

@@ -107,7 +107,7 @@ SphereSpecimen specimenOf(const BreakageExperiment& e, uint32_t size, uint32_t p
     return specimen;
 }
 
-Material materialOf(const BreakageExperiment& e) {
+Material materialOf(const BreakageExperiment& e, uint32_t size) {
     Material material;
     material.name = e.name;
     material.density = e.density;
@@ -120,7 +120,7 @@ Material materialOf(const BreakageExperiment& e) {
     material.tough_cells = 0;
     material.bond_law = BondLaw::kSpheres;
     material.bond_ratio = e.bond_ratio;
-    material.fracture_energy = e.fracture_energy;
+    material.fracture_energy = e.fracture_energy * (size == 1 ? e.large_energy_factor : 1);
     return material;
 }
 

@@ -28,8 +28,9 @@ struct BreakageExperiment {
     double density = 3900;          ///< kg/m^3, of the grains
     double youngs_modulus = 200e9;  ///< Pa
     double poisson_ratio = 0.25;
-    double bond_ratio = 0.5;       ///< a*
-    double fracture_energy = 8.5;  ///< J/m^2, Gamma of (13)
+    double bond_ratio = 0.5;         ///< a*
+    double fracture_energy = 8.5;    ///< J/m^2, Gamma of (13)
+    double large_energy_factor = 1;  ///< times that, in the large specimen
     double friction = 0.3, restitution = 0.7, damping_ratio = 0.16;
     double wall_friction = -1;  ///< negative: the grains' own
     double wall_stiffness = 1;  ///< share of a rigid wall's; 0.5: (1) as printed
@@ -59,6 +60,7 @@ void visitValues(Experiment& e, Visit&& visit) {
     visit("material.poisson_ratio", e.poisson_ratio, Range{0, 0.49});
     visit("material.bond_ratio", e.bond_ratio, Range{0.1, 0.9});
     visit("material.fracture_energy_j_m2", e.fracture_energy, Range{1e-6, 1e6});
+    visit("material.large_energy_factor", e.large_energy_factor, Range{0.1, 10});
     visit("material.friction", e.friction, Range{0, 1.5});
     visit("material.restitution", e.restitution, Range{0.05, 0.95});
     visit("material.damping_ratio", e.damping_ratio, Range{0, 0.6});
@@ -88,7 +90,8 @@ std::vector<std::string> experimentNames();
 std::vector<double> velocitiesOf(const BreakageExperiment& experiment);
 /// Of one size (0 small, 1 large) and packing.
 SphereSpecimen specimenOf(const BreakageExperiment& experiment, uint32_t size, uint32_t packing);
-Material materialOf(const BreakageExperiment& experiment);
+/// Of one size.
+Material materialOf(const BreakageExperiment& experiment, uint32_t size);
 
 /// Every value, exactly; experimentFromJson gives the same experiment back.
 std::string experimentJson(const BreakageExperiment& experiment);

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/breakage/figures.h"
+#include "app/breakage/png_figure.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -74,8 +75,10 @@ Json readingJson(const BreakageExperiment& experiment, const BreakageStatistics&
             {{"diameter_m", point.size == 0 ? 24e-6 : 36e-6},
              {"velocity_mps", point.velocity},
              {"stated", point.probability},
-             {"measured", probabilityAt(statistics, point.size, point.velocity)}});
+             {"measured", probabilityAt(statistics, point.size, point.velocity)},
+             {"in_3_to_5_children", countedAt(statistics, point.size, point.velocity)}});
     json["distance_to_the_paper"] = distanceToPaper(statistics);
+    json["distance_with_figure_2_counted_in_3_to_5_children"] = distanceCounted(statistics);
     return json;
 }
 
@@ -103,10 +106,12 @@ std::string readingTable(const BreakageExperiment& experiment, const BreakageSta
         "  energy after impact: kinetic %.2f, damping %.2f, friction %.2f, fracture %.2f, sum %.3f\n",
         statistics.kinetic, statistics.damping, statistics.friction, statistics.fracture, statistics.sum);
     for (const StatedPoint& point : kStated)
-        text +=
-            line("  paper, %g um at %g m/s: %.2f, here %.2f\n", point.size == 0 ? 24.0 : 36.0, point.velocity,
-                 point.probability, probabilityAt(statistics, point.size, point.velocity));
-    return text + line("  distance to these four: %.2f\n", distanceToPaper(statistics));
+        text += line("  paper, %g um at %g m/s: %.2f, here %.2f, in 3 to 5 children %.2f\n",
+                     point.size == 0 ? 24.0 : 36.0, point.velocity, point.probability,
+                     probabilityAt(statistics, point.size, point.velocity),
+                     countedAt(statistics, point.size, point.velocity));
+    return text + line("  distance to these four: %.2f; with 43 m/s counted in 3 to 5 children: %.2f\n",
+                       distanceToPaper(statistics), distanceCounted(statistics));
 }
 
 }  // namespace
@@ -163,7 +168,7 @@ std::string breakageTable(const BreakagePlan& plan, const std::vector<BreakageSt
     return text;
 }
 
-std::string gatherResults(const BreakagePlan& plan, const fs::path& folder) {
+GatheredResults gatherResults(const BreakagePlan& plan, const fs::path& folder) {
     const auto items = plan.items();
     std::vector<ItemResult> results;
     for (size_t item = 0; item < items.size(); ++item) {
@@ -178,10 +183,15 @@ std::string gatherResults(const BreakagePlan& plan, const fs::path& folder) {
     writeTextFile(folder / "specimens.csv", specimensCsv(plan, results));
     writeTextFile(folder / "probability.csv", probabilityCsv(plan, statistics));
     writeTextFile(folder / "breakage.json", breakageJson(plan, statistics));
-    writeTextFile(folder / "figure_1.svg", probabilityFigure(plan, statistics));
-    writeTextFile(folder / "figure_2a.svg", childrenFigure(plan, statistics, 0));
-    writeTextFile(folder / "figure_2b.svg", childrenFigure(plan, statistics, 1));
-    return breakageTable(plan, statistics);
+    GatheredResults gathered{breakageTable(plan, statistics), true};
+    const auto writeFigure = [&](const char* name, const std::string& svg) {
+        writeTextFile(folder / name, svg);
+        gathered.has_png = drawAsPng(folder / name) && gathered.has_png;
+    };
+    writeFigure("figure_1.svg", probabilityFigure(plan, statistics));
+    writeFigure("figure_2a.svg", childrenFigure(plan, statistics, 0));
+    writeFigure("figure_2b.svg", childrenFigure(plan, statistics, 1));
+    return gathered;
 }
 
 }  // namespace demolish

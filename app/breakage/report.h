@@ -17,9 +17,13 @@ std::string breakageJson(const BreakagePlan& plan, const std::vector<BreakageSta
 /// For the terminal.
 std::string breakageTable(const BreakagePlan& plan, const std::vector<BreakageStatistics>& statistics);
 
-/// Joins all items in a folder of results: specimens.csv, probability.csv, breakage.json, figure_1.svg,
-/// figure_2a.svg, figure_2b.svg. Returns the table. Throws InputFileError when an item is missing,
-/// OutputError.
-std::string gatherResults(const BreakagePlan& plan, const std::filesystem::path& folder);
+struct GatheredResults {
+    std::string table;     ///< breakageTable()
+    bool has_png = false;  ///< figures were drawn as PNG too
+};
+/// Joins all items in a folder of results: specimens.csv, probability.csv, breakage.json; figure_1, figure_2a
+/// and figure_2b as SVG, and as PNG where this machine can (png_figure.h). Throws InputFileError when an item
+/// is missing, OutputError.
+GatheredResults gatherResults(const BreakagePlan& plan, const std::filesystem::path& folder);
 
 }  // namespace demolish

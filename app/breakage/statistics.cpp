@@ -30,6 +30,31 @@ void addEnergies(const ItemResult& result, BreakageStatistics& statistics, doubl
                       result.energy.friction + result.energy.fracture;
 }
 
+/// Linear between velocities, the end values beyond.
+template <class Share>
+double shareAt(const BreakageStatistics& statistics, uint32_t size, double velocity, const Share& share) {
+    const auto& v = statistics.velocities;
+    const auto& cells = statistics.cells[size];
+    if (velocity <= v.front()) return share(cells.front());
+    for (size_t k = 1; k < v.size(); ++k) {
+        if (velocity > v[k]) continue;
+        const double part = (velocity - v[k - 1]) / (v[k] - v[k - 1]);
+        return share(cells[k - 1]) + part * (share(cells[k]) - share(cells[k - 1]));
+    }
+    return share(cells.back());
+}
+
+/// Of `measured`, which gives a share for a stated point, to all of them.
+template <class Measured>
+double distanceOf(const Measured& measured) {
+    double sum = 0;
+    for (const StatedPoint& point : kStated) {
+        const double miss = measured(point) - point.probability;
+        sum += miss * miss;
+    }
+    return std::sqrt(sum / kStated.size());
+}
+
 }  // namespace
 
 Interval wilsonInterval(uint32_t hits, uint32_t trials, double z) {
@@ -68,15 +93,13 @@ std::vector<BreakageStatistics> summarise(const BreakagePlan& plan, std::span<co
 }
 
 double probabilityAt(const BreakageStatistics& statistics, uint32_t size, double velocity) {
-    const auto& v = statistics.velocities;
-    const auto& cells = statistics.cells[size];
-    if (velocity <= v.front()) return cells.front().probability();
-    for (size_t k = 1; k < v.size(); ++k) {
-        if (velocity > v[k]) continue;
-        const double share = (velocity - v[k - 1]) / (v[k] - v[k - 1]);
-        return cells[k - 1].probability() + share * (cells[k].probability() - cells[k - 1].probability());
-    }
-    return cells.back().probability();
+    return shareAt(statistics, size, velocity, [](const BreakageCell& cell) { return cell.probability(); });
+}
+
+double countedAt(const BreakageStatistics& statistics, uint32_t size, double velocity) {
+    return shareAt(statistics, size, velocity, [](const BreakageCell& cell) {
+        return cell.specimens > 0 ? double(cell.threeToFive()) / cell.specimens : 0;
+    });
 }
 
 double velocityAt(const BreakageStatistics& statistics, uint32_t size, double p) {
@@ -93,19 +116,22 @@ double velocityAt(const BreakageStatistics& statistics, uint32_t size, double p)
 }
 
 double distanceToPaper(const BreakageStatistics& statistics) {
-    double sum = 0;
-    for (const StatedPoint& point : kStated) {
-        const double miss = probabilityAt(statistics, point.size, point.velocity) - point.probability;
-        sum += miss * miss;
-    }
-    return std::sqrt(sum / kStated.size());
+    return distanceOf(
+        [&](const StatedPoint& point) { return probabilityAt(statistics, point.size, point.velocity); });
+}
+
+double distanceCounted(const BreakageStatistics& statistics) {
+    return distanceOf([&](const StatedPoint& point) {
+        return point.with_figure_2 ? countedAt(statistics, point.size, point.velocity)
+                                   : probabilityAt(statistics, point.size, point.velocity);
+    });
 }
 
 double shareOfThreeToFive(const BreakageStatistics& statistics, uint32_t size) {
     uint32_t fitting = 0, broken = 0;
     for (const BreakageCell& cell : statistics.cells[size]) {
         broken += cell.broken;
-        for (uint32_t k = 3; k <= 5; ++k) fitting += cell.children[k];
+        fitting += cell.threeToFive();
     }
     return broken > 0 ? double(fitting) / broken : 0;
 }

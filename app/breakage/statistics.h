@@ -24,6 +24,7 @@ struct BreakageCell {
     std::array<uint32_t, kMostChildren + 1> children{};  ///< of the broken ones, how many have k children
     uint32_t children_in_all = 0;                        ///< of the broken ones
 
+    uint32_t threeToFive() const { return children[3] + children[4] + children[5]; }
     double probability() const { return specimens > 0 ? double(broken) / specimens : 0; }
     double meanChildren() const { return broken > 0 ? double(children_in_all) / broken : 0; }
     /// Share of the specimens that both rules judge alike.
@@ -50,14 +51,21 @@ double velocityAt(const BreakageStatistics& statistics, uint32_t size, double p)
 
 /// What the paper's text says of Figs 1 and 2.
 struct StatedPoint {
-    uint32_t size;       ///< 0: 24 um, 1: 36 um
-    double velocity;     ///< m/s
-    double probability;  ///< 13 and 16 of 30 at 43 m/s
+    uint32_t size;               ///< 0: 24 um, 1: 36 um
+    double velocity;             ///< m/s
+    double probability;          ///< 13 and 16 of 30 at 43 m/s
+    bool with_figure_2 = false;  ///< the paper gives it there
 };
 inline constexpr std::array<StatedPoint, 4> kStated{
-    {{0, 35, 0.0}, {0, 45, 1.0}, {0, 43, 13.0 / 30}, {1, 43, 16.0 / 30}}};
+    {{0, 35, 0.0}, {0, 45, 1.0}, {0, 43, 13.0 / 30, true}, {1, 43, 16.0 / 30, true}}};
 /// Root mean square of the differences to kStated.
 double distanceToPaper(const BreakageStatistics& statistics);
+
+/// Of all specimens, those broken into 3 to 5 children: what the paper's Fig 2 counts. Linear between
+/// velocities.
+double countedAt(const BreakageStatistics& statistics, uint32_t size, double velocity);
+/// As distanceToPaper, where 13 and 16 of 30, which the paper gives with Fig 2, are counted as Fig 2 counts.
+double distanceCounted(const BreakageStatistics& statistics);
 
 /// Of all broken specimens of a size: the share with 3 to 5 children.
 double shareOfThreeToFive(const BreakageStatistics& statistics, uint32_t size);

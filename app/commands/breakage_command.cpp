@@ -114,6 +114,20 @@ void runMissing(const BreakagePlan& plan, const BreakageOptions& options, bool o
     });
 }
 
+void gather(const BreakagePlan& plan, const std::string& out) {
+    const GatheredResults gathered = gatherResults(plan, out);
+    std::fputs(gathered.table.c_str(), stdout);
+    std::printf(
+        "written to %s: figure_1, figure_2a, figure_2b (.svg%s), probability.csv, specimens.csv, "
+        "breakage.json\n",
+        out.c_str(), gathered.has_png ? ", .png" : "");
+    if (!gathered.has_png)
+        std::fputs(
+            "no PNG: the rsvg-convert program is missing; install the package librsvg2-bin, then "
+            "demolish breakage gather\n",
+            stderr);
+}
+
 void runBreakage(const BreakageOptions& options) {
     const bool on_gpu = choosesGpu(options);
     const bool reduced = !on_gpu && !options.full;
@@ -134,20 +148,15 @@ void runBreakage(const BreakageOptions& options) {
         std::fprintf(stderr, "a reduced set, for the CPU: %u packings, %u velocities; --full runs all\n",
                      plan.experiments[0].packings, plan.experiments[0].velocities);
     runMissing(plan, options, on_gpu);
-    std::fputs(gatherResults(plan, options.out).c_str(), stdout);
-    std::printf(
-        "written to %s: figure_1.svg, figure_2a.svg, figure_2b.svg, probability.csv, specimens.csv, "
-        "breakage.json\n",
-        options.out.c_str());
+    gather(plan, options.out);
 }
 
 void addGather(CLI::App& command, BreakageOptions& options) {
-    auto* gather = command.add_subcommand("gather", "Join the items in DIR into tables and figures");
-    gather->add_option("--out", options.out, "Folder that the items were written to")
+    auto* joined = command.add_subcommand("gather", "Join the items in DIR into tables and figures");
+    joined->add_option("--out", options.out, "Folder that the items were written to")
         ->type_name("DIR")
         ->required();
-    gather->callback(
-        [&options] { std::fputs(gatherResults(readPlan(options.out), options.out).c_str(), stdout); });
+    joined->callback([&options] { gather(readPlan(options.out), options.out); });
 }
 
 }  // namespace

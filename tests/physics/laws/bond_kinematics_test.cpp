@@ -7,20 +7,14 @@
 #include "sim_cuda/physics/bond_stiffness.h"
 #include "sim_cuda/physics/broken_bond.h"
 #include "tests/physics/laws/bonded_set.h"
+#include "tests/physics/laws/random_pairs.h"
 
 namespace demolish {
 namespace {
 
-template <class T>
-Vec3<T> drawVector(std::mt19937& random, double size) {
-    std::uniform_real_distribution<double> uniform(-size, size);
-    return {T(uniform(random)), T(uniform(random)), T(uniform(random))};
-}
-template <class T>
-Quat<T> drawRotation(std::mt19937& random) {
-    std::normal_distribution<double> normal;
-    return normalized(Quat<T>{T(normal(random)), T(normal(random)), T(normal(random)), T(normal(random))});
-}
+using test::drawRotation;
+using test::drawVector;
+
 template <class T>
 BondStiffness<T> stiffness() {
     const auto k = beamBond(4e6, 1e-3, 0.05);

@@ -40,6 +40,14 @@ Shot smallScene(const std::string& name, uint32_t particles, const std::vector<u
     return shot;
 }
 
+void bringForward(Shot& shot, const ImpactTimes& times) {
+    shot.impact.arrival_time = times.first;
+    if (shot.balls.empty()) return;
+    const double first = shot.balls.front().arrival_time, last = shot.balls.back().arrival_time;
+    const double shrink = last > first ? (times.last - times.first) / (last - first) : 0;
+    for (TimedBall& ball : shot.balls) ball.arrival_time = times.first + shrink * (ball.arrival_time - first);
+}
+
 SceneRun::SceneRun(const Shot& shot)
     : session_(buildShot(shot, {.draw_geometry = false, .ledger = false}, {}), {.draw = false}) {}
 

@@ -11,6 +11,13 @@ namespace demolish::tests {
 /// and only the balls that are meant for them.
 Shot smallScene(const std::string& name, uint32_t particles, const std::vector<uint32_t>& kept = {});
 
+/// Impacts between two times, s, in their order and with gaps in proportion.
+struct ImpactTimes {
+    double first = 0.1, last = 0.1;
+};
+/// Moves the shot's balls so that they hit within `times`; a shot of one ball hits at the first.
+void bringForward(Shot& shot, const ImpactTimes& times);
+
 class SceneRun {
   public:
     explicit SceneRun(const Shot& shot);
@@ -18,6 +25,7 @@ class SceneRun {
     /// Fails the test when a step does.
     void runTo(double time);
     const FrameStats& stats() { return session_.solver().stats(); }
+    uint64_t stateHash() { return session_.solver().stateHash(); }
     /// m, of all particles of the bodies.
     std::vector<Float3> positions();
     /// m/s, of all particles together, with the balls left out; costs one frame.

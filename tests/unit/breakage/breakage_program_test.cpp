@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
+#include <utility>
 
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -69,12 +71,54 @@ TEST_F(BreakageProgram, ResumedByItemsAndByProcessesItGivesTheSameBytes) {
     EXPECT_FALSE(fs::exists(folder_.path() / "array" / "specimens.csv"));
     const ProgramRun gathered = runProgram({"breakage", "gather", "--out", folder_.path() / "array"});
     EXPECT_EQ(gathered.exit_code, 0) << gathered.err;
-    EXPECT_THAT(whole.out, HasSubstr(gathered.out));
+    const std::string table = gathered.out.substr(0, gathered.out.find("written to"));
+    EXPECT_THAT(table, HasSubstr("distance to these four"));
+    EXPECT_THAT(whole.out, HasSubstr(table));
     expectSame("whole", "array");
 
     const ProgramRun jobs = run("jobs", {"--jobs", "2"});
     EXPECT_EQ(jobs.exit_code, 0) << jobs.err;
     expectSame("whole", "jobs");
+}
+
+/// The width and height that a PNG file's first chunk tells; 0 if it is none.
+std::pair<uint32_t, uint32_t> sizeOfPng(const std::string& bytes) {
+    if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
+    const auto word = [&](size_t at) {
+        uint32_t value = 0;
+        for (size_t k = at; k < at + 4; ++k) value = 256 * value + static_cast<uint8_t>(bytes[k]);
+        return value;
+    };
+    return {word(16), word(20)};
+}
+
+TEST_F(BreakageProgram, FiguresArePicturesToo) {
+    if (std::system("rsvg-convert --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no rsvg-convert here";
+    const ProgramRun drawn = run("drawn");
+    ASSERT_EQ(drawn.exit_code, 0) << drawn.err;
+    EXPECT_THAT(drawn.out, HasSubstr(".png"));
+    for (const char* name : {"figure_1.png", "figure_2a.png", "figure_2b.png"}) {
+        const auto [width, height] = sizeOfPng(text("drawn", name));
+        EXPECT_EQ(width, 1800u) << name;
+        EXPECT_GT(height, 1000u) << name;
+    }
+    // A folder in the figure's place.
+    fs::remove(folder_.path() / "drawn" / "figure_1.png");
+    fs::create_directories(folder_.path() / "drawn" / "figure_1.png" / "inside");
+    const ProgramRun blocked = run("drawn");
+    EXPECT_EQ(blocked.exit_code, 6);
+    EXPECT_THAT(blocked.err, HasSubstr("figure_1.png"));
+}
+
+TEST_F(BreakageProgram, WithoutTheProgramThatDrawsThemItSaysSo) {
+    ASSERT_EQ(run("plain").exit_code, 0);
+    fs::remove(folder_.path() / "plain" / "figure_1.png");
+    const ProgramRun again =
+        runProgram({"breakage", "gather", "--out", folder_.path() / "plain"}, {"PATH=/nonexistent"});
+    EXPECT_EQ(again.exit_code, 0);
+    EXPECT_THAT(again.err, HasSubstr("librsvg2-bin"));
+    EXPECT_FALSE(text("plain", "figure_1.svg").empty());
+    EXPECT_FALSE(fs::exists(folder_.path() / "plain" / "figure_1.png"));
 }
 
 TEST_F(BreakageProgram, MistakesAreOneSentenceAndTheRightCode) {

@@ -93,6 +93,15 @@ TEST(Experiment, SameGrainsAndScaledGrains) {
     EXPECT_EQ(velocitiesOf(experiment).size(), experiment.velocities);
 }
 
+/// Spheres of scaled grains are alike; with strength by (13), sigma_c^2 = Gamma E / (pi a_b (1 - nu^2)), so
+/// are their strengths once Gamma grows as the size does.
+TEST(Experiment, GammaOfTheLargeSpecimenIsItsOwn) {
+    BreakageExperiment experiment;
+    experiment.large_energy_factor = 1.5;
+    EXPECT_EQ(materialOf(experiment, 0).fracture_energy, experiment.fracture_energy);
+    EXPECT_EQ(materialOf(experiment, 1).fracture_energy, 1.5 * experiment.fracture_energy);
+}
+
 TEST(Plan, ItemsHoldEveryRunOnce) {
     BreakagePlan plan;
     plan.experiments.resize(2);

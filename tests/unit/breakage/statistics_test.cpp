@@ -105,5 +105,19 @@ TEST(Statistics, LinesBetweenVelocities) {
     EXPECT_NEAR(distanceToPaper(statistics), std::sqrt(sum / 4), 1e-12);
 }
 
+TEST(Statistics, TheCountsOfFigureTwoAreOfThreeToFiveChildren) {
+    const BreakagePlan plan = smallPlan();
+    const std::vector<ItemResult> results{resultOf(plan)};
+    const BreakageStatistics statistics = summarise(plan, results)[0];
+    // At 40 m/s one of two small specimens and both large ones have 3 children; at 50 m/s all have 9.
+    EXPECT_DOUBLE_EQ(countedAt(statistics, 0, 40), 0.5);
+    EXPECT_DOUBLE_EQ(countedAt(statistics, 1, 40), 1);
+    EXPECT_DOUBLE_EQ(countedAt(statistics, 1, 50), 0);
+    const double miss[4] = {0.25, 0.25, 0.7 * 0.5 - 13.0 / 30, 0.7 - 16.0 / 30};
+    double sum = 0;
+    for (const double m : miss) sum += m * m;
+    EXPECT_NEAR(distanceCounted(statistics), std::sqrt(sum / 4), 1e-12);
+}
+
 }  // namespace
 }  // namespace demolish::tests
