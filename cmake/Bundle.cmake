@@ -5,7 +5,7 @@ set(bundle_rpath "$ORIGIN/../lib")
 set_target_properties(demolish_program PROPERTIES INSTALL_RPATH ${bundle_rpath})
 install(TARGETS demolish_program RUNTIME DESTINATION bin COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data_dir} COMPONENT program)
-install(DIRECTORY assets/models assets/materials assets/scenes assets/experiments DESTINATION ${data_dir}/assets COMPONENT program
+install(DIRECTORY assets/models assets/materials assets/scenes assets/experiments assets/strength DESTINATION ${data_dir}/assets COMPONENT program
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
 install(FILES README.md DESTINATION ${data_dir} COMPONENT program)
 

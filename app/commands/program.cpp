@@ -9,6 +9,7 @@
 
 #include "app/commands/bench_command.h"
 #include "app/commands/breakage_command.h"
+#include "app/commands/calibrate_command.h"
 #include "app/commands/capture_command.h"
 #include "app/commands/info_command.h"
 #include "app/commands/view_command.h"
@@ -26,6 +27,7 @@ constexpr const char* kFooter =
     "  demolish capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4\n"
     "  demolish bench vase --json vase.json --curve vase.svg\n"
     "  demolish bench --kernel --device cuda\n"
+    "  demolish calibrate bunny --packings 4\n"
     "  demolish breakage --out out/breakage\n"
     "Exit codes: 0 done, 2 usage, 3 input file, 4 device or OpenGL, 5 numerical failure, 6 output not "
     "written.";
@@ -78,10 +80,12 @@ int runProgram(int argument_count, char** arguments) {
     CaptureOptions capture;
     BenchOptions bench;
     BreakageOptions breakage;
+    CalibrateOptions calibrate;
     addViewCommand(app, view);
     addCaptureCommand(app, capture);
     addBenchCommand(app, bench);
     addBreakageCommand(app, breakage);
+    addCalibrateCommand(app, calibrate);
     addInfoCommand(app);
     return parseAndRun(app, argument_count, arguments);
 }

@@ -6,6 +6,7 @@
 
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
+#include "app/commands/threshold_json.h"
 
 namespace demolish {
 namespace {
@@ -97,6 +98,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["seed"] = built.shot.seed;
     json["material"] = built.shot.material_name;
     json["impact_velocity"] = built.shot.impact.velocity;
+    json["threshold"] = thresholdJson(built.shot, *built.body);
     json["width"] = report.width;
     json["height"] = report.height;
     json["bodies"] = built.setup.bodies.size();
@@ -192,6 +194,9 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
            std::to_string(stats.particles) + " of " + number(1000 * built.body->spacing, "%.3g") + " mm in " +
                std::to_string(bodies) + (bodies == 1 ? " body" : " bodies"));
     addRow(table, "in force", softeningText(built.solver->softening(), built.setup));
+    if (const auto threshold = thresholdOf(built.shot, *built.body))
+        addRow(table, "breaks from",
+               number(threshold->velocity(), "%.3g") + " m/s (" + threshold->source() + ")");
     addRow(table, "bonds",
            std::to_string(stats.bonds) + ", broken " + std::to_string(stats.bonds_broken) +
                ", of these parted " + std::to_string(stats.bonds_parted));

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/commands/threshold_json.h"
+
 namespace demolish {
 
 std::string sessionJson(const Session& session) {
@@ -10,6 +12,7 @@ std::string sessionJson(const Session& session) {
     nlohmann::ordered_json json;
     json["scene"] = session.shot().scene;
     json["impact_velocity"] = session.shot().impact.velocity;
+    json["threshold"] = thresholdJson(session.shot(), *session.built().body);
     json["material"] = session.shot().material_name;
     json["particle_size"] = status.particle_size;
     json["particles"] = status.stats.particles;

@@ -51,6 +51,7 @@ void applyImpact(const ShotOptions& options, Shot& shot) {
         shot.impact.velocity = inRange("--drop", *options.drop, kVelocityRange, "m/s");
         shot.impact.kind = ImpactKind::kDrop;
     }
+    if (options.break_at) shot.break_at = inRange("--break-at", *options.break_at, kBreakAtRange, "m/s");
 }
 
 void applyFineness(const ShotOptions& options, Shot& shot) {
@@ -102,6 +103,10 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
                     "Speed of the fastest ball, the others in proportion; 0 = nothing hits the body")
         ->type_name("M_PER_S");
     command.add_option("--drop", options.drop, "Drop the body: it meets the floor with this speed")
+        ->type_name("M_PER_S");
+    command
+        .add_option("--break-at", options.break_at,
+                    "Choose the strength so that the shot breaks the body from this velocity on")
         ->type_name("M_PER_S");
     command
         .add_option("--mesh", options.mesh,

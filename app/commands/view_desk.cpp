@@ -47,14 +47,55 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
     }
 }
 
+/// True when a measurement has just come in.
+bool ViewDesk::takeMeasurement() {
+    threshold.measuring = calibration_.busy();
+    threshold.fraction = calibration_.fraction();
+    try {
+        return calibration_.take().has_value();
+    } catch (const std::exception& error) {
+        message = error.what();
+        return false;
+    }
+}
+
+void ViewDesk::followThreshold(const Session& session) {
+    const auto& body = session.built().body;
+    if (threshold_body_ == body && threshold_shot_ &&
+        changeBetween(*threshold_shot_, session.shot()) == Change::kNothing)
+        return;
+    threshold_shot_ = session.shot();
+    threshold_body_ = body;
+    threshold.value = thresholdOf(session.shot(), *body);
+}
+
+void ViewDesk::obeyThreshold(const PanelContext& context, const Session& session) {
+    if (context.cancel_measuring) calibration_.cancel();
+    if (!context.measure_threshold) return;
+    message.clear();
+    Shot shot = session.built().shot;  // the strength in force, with the impact as it is chosen now
+    shot.break_at.reset();
+    if (shot.impact.kind == session.shot().impact.kind) shot.impact = session.shot().impact;
+    calibration_.start(shot, session.built().body);
+}
+
 std::vector<command::Any> ViewDesk::update(const Session& session, std::optional<PicturePoint>& click) {
     std::vector<command::Any> commands;
+    const bool measured = takeMeasurement();
+    if (measured) threshold_shot_.reset();
+    followThreshold(session);
     SessionStatus status = session.status();
     if (status.message.empty()) status.message = message;
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
+    context.threshold = threshold;
+    if (measured && context.shot.break_at && threshold.value) {
+        context.shot.material.critical_velocity *= *context.shot.break_at / threshold.value->velocity();
+        context.changed = true;
+    }
     showPanels(context);
     handleShortcuts(context, camera, home);
+    obeyThreshold(context, session);
     picture = pictureArea(panels);
     click = mouse.update(camera, picture);
 

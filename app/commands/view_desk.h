@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/calibrate/calibration_worker.h"
 #include "app/panel/camera_control.h"
 #include "app/panel/panel_context.h"
 #include "app/panel/shortcuts.h"
@@ -23,6 +24,7 @@ struct ViewDesk {
     std::string gl_renderer;
     std::string message;  ///< what a load said; "" if it went well
     PictureArea picture;
+    ThresholdView threshold;
 
     ViewDesk(const Session& session, const Shot& preset_shot);
 
@@ -34,6 +36,15 @@ struct ViewDesk {
     /// Loads a scene or mesh into a shot; the message tells what went wrong.
     std::optional<Shot> load(const std::string& scene, const std::string& model, const Shot& present);
     engine::FrameView frameView(const Session& session) const;
+
+  private:
+    void followThreshold(const Session& session);
+    bool takeMeasurement();
+    void obeyThreshold(const PanelContext& context, const Session& session);
+
+    CalibrationWorker calibration_;
+    std::optional<Shot> threshold_shot_;  ///< that `threshold` speaks of
+    std::shared_ptr<const BreakableBody> threshold_body_;
 };
 
 }  // namespace demolish

@@ -1,21 +1,52 @@
 // What hits the body, and how fast. The velocity is live: it acts on the next impact.
 #include <imgui.h>
 
+#include <cstdio>
+
 #include "app/panel/widgets.h"
 
 namespace demolish {
 namespace {
 
-void showThreshold(const Shot& shot) {
-    const bool drop = shot.impact.kind == ImpactKind::kDrop;
-    const double factor = drop ? shot.impact.threshold_drop : shot.impact.threshold_ball;
-    if (factor <= 0) return;
-    const double threshold = factor * shot.material.critical_velocity;
-    const bool breaks = shot.impact.velocity >= threshold;
+void showMeasuring(PanelContext& context) {
+    const ThresholdView& threshold = context.threshold;
+    if (!threshold.measuring) {
+        if (button(context, "impact.measure", "Measure",
+                   "Tries velocities on this body until the threshold is known within 5 %, beside the "
+                   "window. Kept "
+                   "for the next time."))
+            context.measure_threshold = true;
+        return;
+    }
+    const float width = ImGui::CalcTextSize("Cancel").x + 4 * ImGui::GetStyle().FramePadding.x;
+    ImGui::ProgressBar(static_cast<float>(threshold.fraction), ImVec2(-width, 0), "measuring");
+    ImGui::SameLine();
+    if (button(context, "impact.cancel_measuring", "Cancel", "Stops after the trial that is running."))
+        context.cancel_measuring = true;
+}
+
+void showThreshold(PanelContext& context) {
+    if (!context.threshold.value) return;
+    const Threshold& threshold = *context.threshold.value;
+    Shot& shot = context.shot;
+    const bool breaks = shot.impact.velocity >= threshold.velocity();
     ImGui::TextColored(breaks ? ImVec4(1.0f, 0.72f, 0.30f, 1) : ImVec4(0.6f, 0.75f, 0.9f, 1),
-                       "This body breaks from about %.1f m/s", threshold);
-    tooltipOnHover(
-        "Measured for this body; thin parts break earlier, a heavy body hit by a small ball later.");
+                       "Breaks at about %.*f m/s (%s)", threshold.velocity() < 1 ? 2 : 1,
+                       threshold.velocity(), threshold.measured ? "measured" : "predicted");
+    noteItem(context, "impact.threshold");
+    char text[200];
+    std::snprintf(text, sizeof text, "%s. The table says %.3g m/s, within a factor of %.2f.",
+                  threshold.source().c_str(), threshold.predicted, threshold.scatter);
+    tooltipOnHover(text);
+    showMeasuring(context);
+    double wish = shot.break_at.value_or(threshold.velocity());
+    if (slider(context,
+               {"impact.break_at", "Break at", "%.2f m/s",
+                "Chooses the material's strength so that this shot breaks the body from this velocity on."},
+               wish, {kBreakAtRange.least, 60, true}, context.preset.break_at.value_or(wish))) {
+        shot.break_at = wish;
+        context.changed = true;
+    }
 }
 
 void showKind(PanelContext& context) {
@@ -48,7 +79,7 @@ void showImpactPanel(PanelContext& context) {
                 "Speed at the moment of impact. Acts at once on a ball that has not hit yet, and on every "
                 "ball fired later. 0: nothing hits the body."},
                impact.velocity, {0, fastest}, preset.velocity);
-    showThreshold(context.shot);
+    showThreshold(context);
     const bool ball = impact.kind == ImpactKind::kBall;
     if (button(context, "impact.fire", "Fire",
                "Fires the ball now (Enter). A click into the picture aims at that point.", ball))

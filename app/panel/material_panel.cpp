@@ -14,6 +14,7 @@ bool showStrength(PanelContext& context) {
                {"material.critical_velocity", "Critical velocity", "%.2f m/s",
                 "Strength: a ball of this material breaks when dropped this fast. Higher is stronger."},
                material.critical_velocity, {0.2, 50, true}, preset.critical_velocity);
+    if (changed) context.shot.break_at.reset();
     double cells = material.tough_cells;
     if (slider(context,
                {"material.tough_cells", "Tough cells", "%.0f",

@@ -1,6 +1,7 @@
 // What the panels see in one frame: values to show, values to edit, commands to give. Panels own nothing
 // else.
 #pragma once
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "app/session/commands.h"
 #include "app/session/frame_times.h"
 #include "app/session/session.h"
+#include "app/session/threshold.h"
 #include "engine/render/renderer.h"
 
 namespace demolish {
@@ -29,6 +31,13 @@ struct PanelState {
     float statistics_height = 0;  ///< px, measured
 };
 
+/// From which velocity the shot breaks its body, and a measurement of it under way.
+struct ThresholdView {
+    std::optional<Threshold> value;
+    bool measuring = false;
+    double fraction = 0;
+};
+
 struct PanelContext {
     Shot shot;           ///< edited here; becomes a command when it differs
     const Shot& preset;  ///< as loaded: what "reset" returns to
@@ -44,6 +53,8 @@ struct PanelContext {
     bool changed = false;    ///< shot was edited
     std::string load_scene;  ///< scene to load instead, by name
     std::string load_model;  ///< mesh file to load instead
+    ThresholdView threshold{};
+    bool measure_threshold = false, cancel_measuring = false;  ///< pressed
 };
 
 void showShotPanel(PanelContext& context);

@@ -104,6 +104,13 @@ std::vector<TimedBall> ballsOf(const Shot& shot) {
     return {ball};
 }
 
+TimedBall fastestBall(const Shot& shot) {
+    if (shot.balls.empty()) return {};
+    return *std::max_element(
+        shot.balls.begin(), shot.balls.end(),
+        [](const TimedBall& a, const TimedBall& b) { return a.speed_share < b.speed_share; });
+}
+
 bool dueToStart(const TimedBall& ball, double now, double step) {
     // Times are sums of steps: a flight that begins with a frame must not slip into the one after it.
     const double before_impact = ball.arrival_time - now, slack = 1e-6;

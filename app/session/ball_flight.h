@@ -14,6 +14,10 @@ double ballRadius(const Shot& shot, const BreakableBody& body);
 /// when nothing is to hit the bodies.
 std::vector<TimedBall> ballsOf(const Shot& shot);
 
+/// The ball that comes with the shot's full velocity; the first of several, the one of Shot::impact if there
+/// is no list.
+TimedBall fastestBall(const Shot& shot);
+
 /// True if a ball should start now: its flight has begun, or would be less than half left after the next
 /// step of `step` s.
 bool dueToStart(const TimedBall& ball, double now, double step);

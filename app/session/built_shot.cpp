@@ -4,16 +4,11 @@
 #include <chrono>
 
 #include "app/session/shot_setup.h"
+#include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
-
-uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
-    if (shot.fineness.particles) return *shot.fineness.particles;
-    if (shot.fineness.particle_size) return particlesForSize(mesh, *shot.fineness.particle_size);
-    return on_gpu ? shot.fineness.full : shot.fineness.draft;
-}
 
 /// Maps a stage's own 0..1 into its share of the whole bar.
 ProgressCallback part(const ProgressCallback& progress, double from, double to) {
@@ -52,6 +47,12 @@ bool choosesCuda(const Shot& shot) {
                       "; use --device cpu or auto");
 }
 
+uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
+    if (shot.fineness.particles) return *shot.fineness.particles;
+    if (shot.fineness.particle_size) return particlesForSize(mesh, *shot.fineness.particle_size);
+    return on_gpu ? shot.fineness.full : shot.fineness.draft;
+}
+
 BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {
     const auto begun = std::chrono::steady_clock::now();
     validate(shot);
@@ -74,7 +75,9 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
                                : fillVariants(shot, *built.mesh, particles, options.draw_geometry,
                                               part(progress, 0.05, 0.75));
     built.body = built.variants[0];
-    built.setup = makeSetup(shot, built.variants);
+    if (shot.break_at)
+        built.shot.material.critical_velocity = criticalVelocityFor(shot, *built.body, *shot.break_at);
+    built.setup = makeSetup(built.shot, built.variants);
     built.setup.params.ledger = options.ledger;
     const ProgressCallback last_part = part(progress, 0.75, 1);
     built.solver = on_gpu ? makeCudaSolver(built.setup, last_part) : makeCpuSolver(built.setup, last_part);

@@ -11,7 +11,7 @@
 namespace demolish {
 
 struct BuiltShot {
-    Shot shot;
+    Shot shot;  ///< with the strength that Shot::break_at asks for
     std::shared_ptr<const SolidMesh> mesh;
     std::vector<std::shared_ptr<const BreakableBody>> variants;  ///< one filling a variant of Shot::bodies
     std::shared_ptr<const BreakableBody> body;                   ///< the first of them
@@ -32,6 +32,10 @@ struct BuildOptions {
 
 /// True if the shot is to run on the GPU; throws DeviceError when it was asked for and there is none.
 bool choosesCuda(const Shot& shot);
+
+/// Particles of each body: as chosen, else by device. Throws UsageError when a size gives too few or too
+/// many.
+uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu);
 
 /// Throws the errors of authoring and solver; Cancelled when `progress` says so.
 BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress);

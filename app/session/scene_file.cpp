@@ -44,8 +44,6 @@ void readImpact(TomlReader& reader, Impact& impact) {
     reader.read("impact.height_fraction", impact.height_fraction, {0, 1});
     reader.read("impact.arrival_s", impact.arrival_time, {0.01, 2});
     reader.read("impact.tilt_rad", impact.tilt);
-    reader.read("impact.threshold_ball", impact.threshold_ball, {0, 100});
-    reader.read("impact.threshold_drop", impact.threshold_drop, {0, 100});
 }
 
 void readPicture(TomlReader& reader, Shot& shot) {
@@ -106,6 +104,10 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.read("material_preset", preset);
     applyMaterial(shot, preset);
     readMaterial(reader, "material.", shot.material);
+    if (reader.has("break_at_mps")) {
+        shot.break_at.emplace();
+        reader.read("break_at_mps", *shot.break_at, kBreakAtRange);
+    }
 
     reader.read("particles.full", shot.fineness.full, {2, 4e6});
     reader.read("particles.draft", shot.fineness.draft, {2, 4e6});

@@ -64,6 +64,9 @@ Session::Session(BuiltShot built, const SessionOptions& options)
 void Session::adopt(BuiltShot built) {
     output_.reset();  // before its solver: it may hold registered buffers
     built_ = std::move(built);
+    // The strength follows from the velocity to break at only when the body is there.
+    if (wanted_.break_at && wanted_.break_at == built_.shot.break_at)
+        wanted_.material.critical_velocity = built_.shot.material.critical_velocity;
     if (options_.draw) output_ = std::make_unique<FrameOutput>(built_);
     restart();
 }

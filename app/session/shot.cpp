@@ -64,9 +64,19 @@ bool sameImpactForSolver(const Impact& a, const Impact& b) {
     return a.kind != ImpactKind::kDrop || (a.velocity == b.velocity && same(a.tilt, b.tilt));
 }
 
+/// What a threshold hangs on, but for the velocity.
+bool sameAim(const Impact& a, const Impact& b) {
+    return a.ball_radius == b.ball_radius && same(a.direction, b.direction) &&
+           a.height_fraction == b.height_fraction;
+}
+
 bool sameBall(const Impact& a, const Impact& b) {
-    return a.velocity == b.velocity && a.ball_radius == b.ball_radius && same(a.direction, b.direction) &&
-           a.height_fraction == b.height_fraction && a.arrival_time == b.arrival_time;
+    return a.velocity == b.velocity && sameAim(a, b) && a.arrival_time == b.arrival_time;
+}
+
+bool sameStrength(const Shot& a, const Shot& b) {
+    return sameMaterial(a.material, b.material) && a.break_at == b.break_at &&
+           (!b.break_at || sameAim(a.impact, b.impact));
 }
 
 }  // namespace
@@ -82,6 +92,7 @@ void requireInRange(const std::string& name, double value, const Range& range, c
 
 void validate(const Shot& shot) {
     requireInRange("the impact velocity", shot.impact.velocity, kVelocityRange, "m/s");
+    if (shot.break_at) requireInRange("the velocity to break at", *shot.break_at, kBreakAtRange, "m/s");
     requireInRange("the height", shot.height, kHeightRange, "m");
     requireInRange("the frame rate", shot.fps, kFpsRange, "frames/s");
     requireInRange("the time scale", shot.time_scale, kTimeScaleRange, "");
@@ -99,9 +110,8 @@ void validate(const Shot& shot) {
 
 Change changeBetween(const Shot& before, const Shot& after) {
     if (!sameBody(before, after)) return Change::kBody;
-    const bool same_solver = sameMaterial(before.material, after.material) &&
-                             before.wave_speed == after.wave_speed && before.substeps == after.substeps &&
-                             before.settle_time == after.settle_time &&
+    const bool same_solver = sameStrength(before, after) && before.wave_speed == after.wave_speed &&
+                             before.substeps == after.substeps && before.settle_time == after.settle_time &&
                              before.scene_radius == after.scene_radius && before.fps == after.fps &&
                              before.hand_over == after.hand_over && before.sleeping == after.sleeping &&
                              sameImpactForSolver(before.impact, after.impact);

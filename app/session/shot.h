@@ -25,8 +25,6 @@ struct Impact {
     double height_fraction = 0.5;  ///< of the body's height, where the ball hits
     double arrival_time = 0.12;    ///< s from the start of the shot to the impact
     Double3 tilt;                  ///< rad about x, y, z: how a dropped body lies in the air
-    double threshold_ball = 0;     ///< v_th / v_c of this body (models.md E.2); 0 = not known
-    double threshold_drop = 0;
 };
 
 /// How finely the body is divided: the first that is set counts, in this order.
@@ -46,6 +44,8 @@ struct Shot {
     double height = 1.0;  ///< m
     std::string material_name = "ceramic";
     Material material;
+    /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.
+    std::optional<double> break_at;
     Impact impact;
     std::vector<Placement> bodies;  ///< where each body stands; empty: one at the origin
     std::vector<TimedBall> balls;   ///< of a ball impact, in order of time; empty: the one of `impact`
@@ -73,6 +73,7 @@ struct Range {
     double least, most;
 };
 inline constexpr Range kVelocityRange{0, 200};        // m/s
+inline constexpr Range kBreakAtRange{0.05, 200};      // m/s
 inline constexpr Range kHeightRange{0.01, 100};       // m
 inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};

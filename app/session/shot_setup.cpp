@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -84,16 +85,14 @@ SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const B
     setup.params.sleeping = shot.sleeping;
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
     setup.params.settle_time = dropped ? 0 : shot.settle_time;
+    const double share = lowestThresholdShare(shot, *variants[0]);
     for (const Placement& place : placementsOf(shot)) {
-        double lowest_threshold = 1e300;
         BodyInstance instance;
         instance.body = variants.at(place.variant);
         instance.material = shot.material;
         instance.position = fromGlm(shot.height * toGlm(place.position));
         instance.rotation = fromGlm(turnOf(place));
-        for (const double known : {shot.impact.threshold_ball, shot.impact.threshold_drop})
-            if (known > 0) lowest_threshold = std::min(lowest_threshold, known);
-        if (lowest_threshold < 1e300) instance.threshold_share = lowest_threshold;
+        instance.threshold_share = share;
         if (dropped) drop(shot, *instance.body, place, instance);
         setup.bodies.push_back(std::move(instance));
     }

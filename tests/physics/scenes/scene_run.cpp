@@ -29,6 +29,19 @@ void keepOnly(const std::vector<uint32_t>& kept, Shot& shot) {
     shot.balls = balls;
 }
 
+BuiltShot built(const Shot& shot, const SceneRunOptions& options) {
+    BuiltShot built = buildShot(shot, {.draw_geometry = false, .ledger = options.ledger}, {});
+    if (options.in_free_space) {
+        SolverParams& params = built.setup.params;
+        params.gravity = {};
+        params.planes.clear();
+        params.settle_time = 0;
+        built.solver = makeCpuSolver(built.setup);
+        built.start = built.solver->save();
+    }
+    return built;
+}
+
 }  // namespace
 
 Shot smallScene(const std::string& name, uint32_t particles, const std::vector<uint32_t>& kept) {
@@ -48,11 +61,30 @@ void bringForward(Shot& shot, const ImpactTimes& times) {
     for (TimedBall& ball : shot.balls) ball.arrival_time = times.first + shrink * (ball.arrival_time - first);
 }
 
-SceneRun::SceneRun(const Shot& shot)
-    : session_(buildShot(shot, {.draw_geometry = false, .ledger = false}, {}), {.draw = false}) {}
+SceneRun::SceneRun(const Shot& shot, const SceneRunOptions& options)
+    : session_(built(shot, options), {.draw = false}) {}
 
 void SceneRun::runTo(double time) {
     while (stats().time < time - 1e-6) ASSERT_EQ(session_.advance(), StepStatus::kOk);
+}
+
+const FrameStats& SceneRun::measured() {
+    session_.solver().measure();
+    return session_.solver().stats();
+}
+
+EnergyBalance SceneRun::energy() {
+    session_.solver().measure();
+    return session_.energy();
+}
+
+std::vector<uint32_t> SceneRun::fragments() {
+    std::vector<uint32_t> fragments(streamSizes(setup()).particles);
+    RenderStreams streams;
+    streams.particle_fragment = {fragments.data(), fragments.size()};
+    session_.solver().exportFrame(streams, true);
+    fragments.resize(stats().particles);
+    return fragments;
 }
 
 std::vector<Float3> SceneRun::positions() {

@@ -18,16 +18,28 @@ struct ImpactTimes {
 /// Moves the shot's balls so that they hit within `times`; a shot of one ball hits at the first.
 void bringForward(Shot& shot, const ImpactTimes& times);
 
+struct SceneRunOptions {
+    bool ledger = false;         ///< book damping and friction
+    bool in_free_space = false;  ///< no gravity, no floor, no settling
+};
+
 class SceneRun {
   public:
-    explicit SceneRun(const Shot& shot);
+    explicit SceneRun(const Shot& shot, const SceneRunOptions& options = {});
 
     /// Fails the test when a step does.
     void runTo(double time);
     const FrameStats& stats() { return session_.solver().stats(); }
+    /// With energies and momenta of this moment.
+    const FrameStats& measured();
+    /// Since the shot's start.
+    EnergyBalance energy();
+    const SceneSetup& setup() const { return session_.built().setup; }
     uint64_t stateHash() { return session_.solver().stateHash(); }
     /// m, of all particles of the bodies.
     std::vector<Float3> positions();
+    /// The fragment of every particle of the bodies.
+    std::vector<uint32_t> fragments();
     /// m/s, of all particles together, with the balls left out; costs one frame.
     double rootMeanSquareSpeed();
     /// Share of the bodies' particles that move faster than `speed`, m/s; costs one frame.

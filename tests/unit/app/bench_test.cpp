@@ -24,6 +24,7 @@ class Bench : public testing::Test {
         fs::create_directories(own / "scenes");
         fs::create_directory_symlink(source / "assets/models", own / "models");
         fs::create_directory_symlink(source / "assets/materials", own / "materials");
+        fs::create_directory_symlink(source / "assets/strength", own / "strength");
         fs::create_directory_symlink(source / "shaders", folder_.path() / "shaders");
         folder_.write("assets/scenes/phased.toml",
                       "version = 1\nmodel = \"models/block.obj\"\nmaterial_preset = \"stone\"\n"

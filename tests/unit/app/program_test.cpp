@@ -93,6 +93,7 @@ TEST_F(Program, ABodyThatLeavesTheSceneIsCodeFive) {
     fs::create_directories(own / "scenes");
     fs::create_directory_symlink(assets / "models", own / "models");
     fs::create_directory_symlink(assets / "materials", own / "materials");
+    fs::create_directory_symlink(assets / "strength", own / "strength");
     folder_.write("assets/scenes/narrow.toml",
                   "version = 1\nmodel = \"models/block.obj\"\n"
                   "[solver]\nscene_radius_m = 0.2\n");

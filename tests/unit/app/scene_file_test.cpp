@@ -52,6 +52,13 @@ TEST(SceneFile, ReadsWhatIsWritten) {
     EXPECT_FLOAT_EQ(shot.look.exterior_colour[1], 0.2f);
 }
 
+TEST(SceneFile, ReadsTheVelocityToBreakAt) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(loadSceneFile(folder.write("a.toml", "break_at_mps = 6.5\n" + kHead)).break_at.value(), 6.5);
+    EXPECT_FALSE(loadSceneFile(folder.write("b.toml", kHead)).break_at);
+    EXPECT_THROW(loadSceneFile(folder.write("c.toml", "break_at_mps = -1\n" + kHead)), InputFileError);
+}
+
 TEST(SceneFile, NamesFileAndLineOfAMistake) {
     EXPECT_THAT(complaintAbout(kHead + "height_m = \"tall\"\n"), HasSubstr("scene.toml:3"));
     EXPECT_THAT(complaintAbout(kHead + "\nheight_m = -1\n"),

@@ -63,6 +63,23 @@ TEST(Shot, ABallsVelocityIsLiveAndADropsIsNot) {
     EXPECT_EQ(changeBetween(drop, after), Change::kSolver);
 }
 
+TEST(Shot, AVelocityToBreakAtAsksForANewSolverWithEveryAimOfTheBall) {
+    const Shot before;
+    Shot told = before;
+    told.break_at = 6;
+    EXPECT_EQ(changeBetween(before, told), Change::kSolver);
+    Shot after = before;
+    after.impact.ball_radius = 0.1;
+    EXPECT_EQ(changeBetween(before, after), Change::kLive);
+    after.break_at = told.break_at;
+    EXPECT_EQ(changeBetween(told, after), Change::kSolver) << "another ball needs another strength";
+    after = told;
+    after.impact.velocity = 3;
+    EXPECT_EQ(changeBetween(told, after), Change::kLive);
+    told.break_at = 1000;
+    EXPECT_THROW(validate(told), UsageError);
+}
+
 TEST(Shot, ValidateLooksAtEveryBallOfTheScene) {
     Shot shot;
     shot.balls.resize(2);

@@ -1,0 +1,137 @@
+// Set-up of one body, its ball or its fall, and the criterion.
+#include "app/calibrate/impact_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+#include "app/bridge/fragment_reader.h"
+#include "app/session/ball_flight.h"
+#include "app/session/shot_setup.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kFrameTime = 1.0 / 60;  // s
+constexpr double kFlight = 0.004;   // s before the ball meets the surface: clear of a body that has sagged
+constexpr double kMostDelay = 0.1;  // s, of a ball so slow that it creeps up to the first particle
+
+bool isDrop(const Shot& shot) {
+    return shot.impact.kind == ImpactKind::kDrop;
+}
+
+}  // namespace
+
+Shot trialShot(const Shot& shot) {
+    Shot trial = shot;
+    const TimedBall ball = fastestBall(shot);
+    const size_t hit = isDrop(shot) ? 0 : ball.body;
+    Placement place;
+    if (!shot.bodies.empty()) place = shot.bodies.at(hit);
+    place.position = {};
+    place.variant = 0;
+    trial.bodies = {place};
+    trial.balls = {ball};
+    trial.balls[0].body = 0;
+    trial.phases.clear();
+    trial.hand_over = trial.sleeping = false;
+    trial.fps = 1 / kFrameTime;
+    trial.time_scale = 1;
+    return trial;
+}
+
+ImpactTrial::ImpactTrial(const Shot& shot, std::shared_ptr<const BreakableBody> body,
+                         const TrialOptions& options, const ProgressCallback& progress)
+    : shot_(shot), options_(options) {
+    shot_.impact.velocity = 1;  // above 0, so that a drop is set up as one; every trial has its own
+    setup_ = makeSetup(shot_, {std::move(body)});
+    setup_.params.ledger = false;
+    setup_.params.substeps *= options.finer_steps;
+    setup_.params.step_safety /= options.finer_steps;
+    if (isDrop(shot_)) {
+        setup_.params.gravity = {};
+        return;
+    }
+    solver_ = makeSolver(progress);
+    start_ = solver_->save();
+}
+
+std::unique_ptr<Solver> ImpactTrial::makeSolver(const ProgressCallback& progress) const {
+    return options_.on_gpu ? makeCudaSolver(setup_, progress) : makeCpuSolver(setup_, progress);
+}
+
+/// The lowest point just touches: what the shot shows of the fall before is not simulated.
+void ImpactTrial::placeAboveFloor(double speed) {
+    BodyInstance& instance = setup_.bodies[0];
+    const Quaternion& q = instance.rotation;
+    const glm::dquat rotation(q.w, q.x, q.y, q.z);
+    double lowest = 1e300;
+    for (const Particle& particle : instance.body->particles)
+        lowest =
+            std::min(lowest, (rotation * glm::dvec3(particle.seed.x, particle.seed.y, particle.seed.z)).y -
+                                 particle.depth);
+    instance.position.y = -lowest;
+    instance.velocity = {0, -speed, 0};
+}
+
+Projectile ImpactTrial::ballAt(double speed) const {
+    Shot shot = shot_;
+    shot.impact.velocity = speed;
+    return makeBall(shot, setup_, shot.balls[0], kFlight).ball;
+}
+
+bool ImpactTrial::breaksAt(double speed) {
+    const bool drop = isDrop(shot_);
+    std::unique_ptr<Solver> dropped;
+    if (drop) {
+        placeAboveFloor(speed);
+        dropped = makeSolver({});
+    } else {
+        solver_->restore(start_);
+        solver_->fire(ballAt(speed));
+    }
+    Solver& solver = drop ? *dropped : *solver_;
+    // Particles touch as spheres inside their cells: up to half a spacing later than the surface does.
+    const double gap = 0.5 * setup_.bodies[0].body->spacing;
+    const double delay = std::min(kMostDelay, gap / std::max(speed, 1e-3)) + (drop ? 0 : kFlight);
+    const int frames = static_cast<int>(std::lround((kTrialSeconds + delay) / kFrameTime));
+    for (int frame = 0; frame < frames; ++frame) {
+        const StepStatus status = solver.advanceFrame();
+        if (status != StepStatus::kOk) throw NumericalError(describe(status));
+        simulated_ += kFrameTime;
+        if (broken(solver)) return true;
+    }
+    return false;
+}
+
+bool ImpactTrial::broken(Solver& solver) const {
+    if (!(solver.stats().largest_fragment_fraction < kIntactShare)) return false;
+    if (solver.stats().largest_fragment_fraction < kCrushedShare) return true;
+    const BreakableBody& body = *setup_.bodies[0].body;
+    const std::vector<uint32_t> fragment = readFragments(solver);
+    std::map<uint32_t, double> volume;
+    double whole = 0;
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        volume[fragment[i]] += body.particles[i].volume;
+        whole += body.particles[i].volume;
+    }
+    return std::count_if(volume.begin(), volume.end(),
+                         [&](const auto& piece) { return piece.second >= kPieceShare * whole; }) >= 2;
+}
+
+double ImpactTrial::bodyMass() const {
+    double volume = 0;
+    for (const Particle& particle : setup_.bodies[0].body->particles) volume += particle.volume;
+    return setup_.bodies[0].material.density * volume;
+}
+
+double ImpactTrial::ballMass() const {
+    if (isDrop(shot_)) return 0;
+    const Projectile ball = ballAt(1);
+    return ball.density * 4.0 / 3 * 3.14159265358979323846 * ball.radius * ball.radius * ball.radius;
+}
+
+}  // namespace demolish

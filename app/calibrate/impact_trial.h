@@ -1,0 +1,61 @@
+// One body of a shot, alone, hit again and again at chosen speeds: does it break?
+#pragma once
+#include <memory>
+
+#include "app/session/shot.h"
+#include "sim_cuda/api/solver.h"
+
+namespace demolish {
+
+/// "Broken" (models.md E.2): the largest piece holds less than kIntactShare of the mass and at least two
+/// pieces hold kPieceShare each, or none holds kCrushedShare, as where all is dust; looked for during
+/// kTrialSeconds from the first touch on.
+inline constexpr double kIntactShare = 0.8, kPieceShare = 0.01, kCrushedShare = 0.5, kTrialSeconds = 0.1;
+
+/// The shot reduced to the one impact that a threshold speaks of: the body that the fastest ball hits (the
+/// first one, for a drop) and that ball. Hand-over and sleeping are off. A body that is hit stands under its
+/// weight; one that is dropped weighs nothing during the trial: in kTrialSeconds it would fall by 5 cm, more
+/// than the fall that breaks a fragile body, and its threshold would no longer be proportional to its
+/// strength.
+Shot trialShot(const Shot& shot);
+
+struct TrialOptions {
+    bool on_gpu = false;
+    /// Substeps that many times as many and as long at the same stiffness: how far the result hangs on the
+    /// step.
+    uint32_t finer_steps = 1;
+};
+
+class ImpactTrial {
+  public:
+    /// `shot` as trialShot() gives it, `body` one filling of its model. A ball's trials share one solver,
+    /// settled once; a drop's speed is part of the set-up. Throws the solver's errors, Cancelled.
+    ImpactTrial(const Shot& shot, std::shared_ptr<const BreakableBody> body, const TrialOptions& options,
+                const ProgressCallback& progress = {});
+
+    /// `speed` (m/s) is what the shot's velocity knob would be set to. Throws NumericalError when the state
+    /// blows up.
+    bool breaksAt(double speed);
+
+    /// kg, of the body and of the ball; the ball's is 0 for a drop.
+    double bodyMass() const;
+    double ballMass() const;
+    /// s simulated by all trials so far.
+    double simulated() const { return simulated_; }
+    const SceneSetup& setup() const { return setup_; }
+
+  private:
+    std::unique_ptr<Solver> makeSolver(const ProgressCallback& progress) const;
+    void placeAboveFloor(double speed);
+    Projectile ballAt(double speed) const;
+    bool broken(Solver& solver) const;
+
+    Shot shot_;
+    TrialOptions options_;
+    SceneSetup setup_;
+    std::unique_ptr<Solver> solver_;  ///< of the balls
+    Snapshot start_;
+    double simulated_ = 0;
+};
+
+}  // namespace demolish

@@ -1,0 +1,115 @@
+// Predictions: rows, interpolation, the rule for other bodies, and what follows for a shot.
+#include "app/session/threshold_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/session/built_shot.h"
+#include "app/session/scene_file.h"
+#include "app/session/threshold.h"
+#include "sim_cuda/api/errors.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish {
+namespace {
+
+using test::TemporaryFolder;
+
+const char* const kRows =
+    "version = 1\n"
+    "[[beta]]\ntough_factor = 1\nat_12 = 0.6\nexponent = 0.4\n"
+    "[[beta]]\ntough_factor = 3\nat_12 = 0.4\nexponent = 0.2\n"
+    "[[body]]\nmodel = \"pot\"\nslimness = 0.5\ndrop = 0.3\ndrop_scatter = 0.2\nball = 4\n"
+    "ball_mass_ratio = 0.1\nball_scatter = 0.1\n"
+    "[rule.drop]\nscale = 1\nslimness_exponent = 2\nscatter = 1.5\n"
+    "[rule.ball]\nscale = 0.1\nslimness_exponent = -1\nmass_exponent = -2\nscatter = 2\n";
+
+Material material(double tough_factor, double beta = 0.4) {
+    Material m;
+    m.tough_cells = 40;
+    m.tough_factor = tough_factor;
+    m.beta = beta;
+    return m;
+}
+
+class Table : public testing::Test {
+  protected:
+    TemporaryFolder folder_;
+    ThresholdTable table_{folder_.write("table.toml", kRows)};
+};
+
+TEST_F(Table, BetaFollowsCellsAndFineness) {
+    EXPECT_DOUBLE_EQ(table_.sphereBeta(material(1), 12.4), 0.6);
+    EXPECT_DOUBLE_EQ(table_.sphereBeta(material(2), 12.4), 0.5);
+    EXPECT_DOUBLE_EQ(table_.sphereBeta(material(9), 12.4), 0.4);
+    EXPECT_NEAR(table_.sphereBeta(material(3), 24.8), 0.4 * std::pow(2, 0.2), 1e-12);
+    Material no_cells = material(3);
+    no_cells.tough_cells = 0;
+    EXPECT_DOUBLE_EQ(table_.sphereBeta(no_cells, 12.4), 0.6);
+}
+
+TEST_F(Table, AKnownBodyHasItsRowInEitherMesh) {
+    const auto drop = table_.predict("pot", material(3), {12.4, 0.5, 0});
+    EXPECT_TRUE(drop.is_known);
+    EXPECT_NEAR(drop.share, 0.3, 1e-12);
+    EXPECT_TRUE(table_.predict("pot_paper", material(3), {12.4, 0.52, 0}).is_known);
+    EXPECT_FALSE(table_.predict("pot", material(3), {12.4, 0.8, 0}).is_known) << "another mesh of that name";
+    EXPECT_NEAR(table_.predict("pot", material(3, 0.8), {12.4, 0.5, 0}).share, 0.6, 1e-12);
+}
+
+TEST_F(Table, AHeavierBallBreaksEarlier) {
+    EXPECT_NEAR(table_.predict("pot", material(3), {12.4, 0.5, 0.1}).share, 4, 1e-12);
+    EXPECT_NEAR(table_.predict("pot", material(3), {12.4, 0.5, 0.2}).share, 1, 1e-12);
+}
+
+TEST_F(Table, OtherBodiesFollowTheRule) {
+    const auto drop = table_.predict("cup", material(3), {12.4, 0.5, 0});
+    EXPECT_FALSE(drop.is_known);
+    EXPECT_NEAR(drop.share, 0.25, 1e-12);
+    EXPECT_EQ(drop.scatter, 1.5);
+    EXPECT_NEAR(table_.predict("cup", material(3), {12.4, 0.5, 0.5}).share, 0.1 / 0.5 / 0.25, 1e-12);
+}
+
+TEST_F(Table, RefusesRowsOutOfOrderAndUnknownKeys) {
+    const std::string rows = kRows;
+    EXPECT_THROW(ThresholdTable(folder_.write("a.toml", rows + "speed = 1\n")), InputFileError);
+    EXPECT_THROW(ThresholdTable(folder_.write("b.toml",
+                                              "version = 1\n[[beta]]\ntough_factor = 2\nat_12 = 1\n[[beta]]\n"
+                                              "tough_factor = 1\nat_12 = 1\n")),
+                 InputFileError);
+    EXPECT_THROW(ThresholdTable(folder_.path() / "none.toml"), InputFileError);
+}
+
+TEST(Threshold, TheShippedTableKnowsTheBodiesOfTheScenes) {
+    for (const char* scene : {"bunny", "wolf", "vase", "column", "block"}) {
+        Shot shot = loadScene(scene);
+        shot.fineness.particles = 150;
+        shot.settle_time = 0;
+        shot.device = DeviceChoice::kCpu;
+        const BuiltShot built = buildShot(shot, {.draw_geometry = false}, {});
+        const auto threshold = thresholdOf(shot, *built.body);
+        ASSERT_TRUE(threshold) << scene;
+        EXPECT_TRUE(threshold->is_known_body) << scene;
+        EXPECT_NEAR(built.setup.bodies[0].threshold_share, lowestThresholdShare(shot, *built.body), 0);
+        EXPECT_LE(built.setup.bodies[0].threshold_share,
+                  threshold->predicted / shot.material.critical_velocity + 1e-3);
+    }
+}
+
+TEST(Threshold, BreakAtSetsTheStrength) {
+    Shot shot = loadScene("block");
+    shot.fineness.particles = 150;
+    shot.device = DeviceChoice::kCpu;
+    shot.break_at = 6;
+    const BuiltShot built = buildShot(shot, {.draw_geometry = false}, {});
+    EXPECT_NEAR(thresholdOf(built.shot, *built.body)->predicted, 6, 1e-9);
+    EXPECT_NEAR(built.setup.bodies[0].material.critical_velocity, built.shot.material.critical_velocity, 0);
+    shot.impact.kind = ImpactKind::kNone;
+    EXPECT_THROW(buildShot(shot, {.draw_geometry = false}, {}), UsageError);
+    shot.break_at = -1;
+    EXPECT_THROW(validate(shot), UsageError);
+}
+
+}  // namespace
+}  // namespace demolish
