@@ -56,6 +56,7 @@ class DeviceSolver final : public Solver {
     void runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     uint32_t lookInterval() const;
+    void placeRigid();
     void look(uint32_t lookahead);
     void buildLists();
     bool mustReassign();
@@ -122,6 +123,7 @@ class DeviceSolver final : public Solver {
     StepParams<Real> params_;
     std::vector<Projectile> projectiles_;  ///< in their slots
     Progress progress_;
+    bool place_rigid_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
     FrameStats stats_;
 };
 

@@ -107,6 +107,7 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     stats_.status = status;
     if (status != StepStatus::kOk) {
         frame_start_.putBack(backend_, data_, lists_, regimes_);
+        place_rigid_ = false;
         progress_ = before;
         regimes_.remember(progress_.regimes);
         return status;
@@ -169,7 +170,7 @@ void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
     }
     if (!on || (regimes_.movesBonds() && !regimes_.carries()))
         runner_.run(backend_, data_, contacts, params_, ledger, n);
-    if (on && regimes_.movesRigid()) regimes_.place(data_, clusters_);
+    if (on && regimes_.movesRigid()) place_rigid_ = true;
     progress_.since_build += n;
     progress_.substeps += n;
 }
@@ -211,8 +212,17 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     return static_cast<StepStatus>(words[kLookStatus]);
 }
 
+/// Contact steps move only those particles of a rigid fragment that may touch something; before anybody reads
+/// the state, the others follow.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::placeRigid() {
+    if (place_rigid_) regimes_.place(data_, clusters_);
+    place_rigid_ = false;
+}
+
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
+    placeRigid();
     const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
     backend_.fill(look_words_.span(), 0u);
     const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
@@ -227,6 +237,7 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
+    placeRigid();
     lists_.use(progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{});
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;
