@@ -42,8 +42,9 @@ struct FrameStats {
     double largest_fragment_fraction = 1;  ///< of the mass
     uint32_t awake_particles = 0;   ///< that cost anything in the last frame: bonded_particles and rigid ones
     uint32_t bonded_particles = 0;  ///< stepped with their bonds
-    uint32_t awake_bodies = 0;      ///< with at least one awake particle
-    uint32_t rigid_fragments = 0;   ///< moved by (16)-(18)
+    uint32_t carried_particles = 0;   ///< of rigid fragments, that may touch those
+    uint32_t awake_bodies = 0;        ///< with at least one awake particle
+    uint32_t rigid_fragments = 0;     ///< moved by (16)-(18)
     uint32_t sleeping_fragments = 0;  ///< that cost nothing
     uint32_t list_rebuilds = 0;       ///< neighbour lists built in the last frame
     double mass = 0;                  ///< kg, without projectiles

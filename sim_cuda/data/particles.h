@@ -33,7 +33,7 @@ using StateOut = StateSpans<Vec4<Real>>;
 /// Constants of a particle, one Vec4: what its owner needs every step.
 template <class Real>
 struct ParticleConstants {
-    Real inverse_mass{};     ///< 1/kg; 0: the slot takes part in nothing
+    Real inverse_mass{};  ///< 1/kg; 0: the slot takes part in nothing; < 0: moved in the other kind of step
     Real inverse_inertia{};  ///< 1/(kg m^2), of I = 0.4 m R^2, R = (3 vol/4 pi)^(1/3)
     Real contact_radius{};   ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
     Real floor_radius{};     ///< m, R_w: against planes (models E.4, sole rule)

@@ -16,15 +16,22 @@ DEM_FN uint32_t wordOf(Regime regime) {
     return static_cast<uint32_t>(regime);
 }
 
-/// Which particles a substep moves. Without a list: all.
+/// Substeps of bonds in one contact step of rigid fragments: their contacts are as soft as heavy, and need no
+/// stress waves.
+inline constexpr uint32_t kRigidStride = 10;
+
+/// Which particles a substep moves. Without a list: all. Carried ones belong to rigid fragments that may
+/// touch what is moved with its bonds: substeps move them along their velocity and add up what they feel, for
+/// the contact step of their fragment.
 struct BondedWork {
-    Span<const uint32_t> ids;     ///< particles of bodies, ascending; no data: all of them
-    Span<const uint32_t> count;   ///< one word: how many ids there are
+    Span<const uint32_t> ids;     ///< particles of bodies: bonded, ascending, then carried; no data: all
+    Span<const uint32_t> count;   ///< two words: how many ids are bonded, how many carried
     Span<const uint32_t> bonds;   ///< CPU only: bonds with a particle among the ids
     Span<const uint32_t> regime;  ///< per slot, for the projectiles; no data: all are moved
     uint32_t at_most = 0;         ///< ids that the host knows there cannot be more of
 
     DEM_FN bool all() const { return ids.data == nullptr; }
+    DEM_FN uint32_t listed() const { return count[0] + count[1]; }
     DEM_FN bool movesProjectile(uint32_t slot) const {
         return regime.data == nullptr || regime[slot] == wordOf(Regime::kBonded);
     }
@@ -43,7 +50,14 @@ struct RigidWork {
     uint32_t active_at_most = 0, fragments_at_most = 0;
 };
 
-inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kAsleepCount = 3,
-                          kAwakeBodies = 4, kAwakeCount = 5, kMustBondCount = 6, kWorkWords = 7;
+/// Constants of all particles in contact steps, and in substeps where rigid fragments move too.
+template <class Real>
+struct RigidConstants {
+    Span<Vec4<Real>> in_contact_steps, in_substeps;
+};
+
+inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kCarriedCount = 3,
+                          kAsleepCount = 4, kAwakeBodies = 5, kAwakeCount = 6, kMustBondCount = 7,
+                          kWorkWords = 8;
 
 }  // namespace demolish

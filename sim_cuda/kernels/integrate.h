@@ -41,6 +41,26 @@ DEM_FN void storeState(const StateOut<Real>& out, uint32_t i, const LoadedState<
     out.spin[i] = state.spin;
 }
 
+/// A particle of a rigid fragment in a substep: on along its velocity; what it feels is added up for the
+/// contact step of its fragment. `load`: N, N m.
+template <class Real>
+DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own,
+                                 const Wrench<Real>& load, const StepParams<Real>& params) {
+    LoadedState<Real> next = own.state;
+    const Vec3<Real> velocity = xyz(own.state.velocity);
+    Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
+    addToPosition(params.carry_time * velocity.x, next.position.x, low.x);
+    addToPosition(params.carry_time * velocity.y, next.position.y, low.y);
+    addToPosition(params.carry_time * velocity.z, next.position.z, low.z);
+    next.position.w = low.x;
+    next.velocity.w = low.y;
+    next.spin.w = low.z;
+    Vec4<Real>&force = arrays.carried[2 * size_t{own.id}], &torque = arrays.carried[2 * size_t{own.id} + 1];
+    force = withW(xyz(force) + load.force, Real(0));
+    torque = withW(xyz(torque) + load.torque, Real(0));
+    return next;
+}
+
 /// W: what `part` of a load gives to the particle at the mean velocity of the kick.
 template <class Real>
 DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
@@ -50,12 +70,43 @@ DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
     return dot(part.force, velocity) + dot(part.torque, spin);
 }
 
+/// What is dissipated needs the velocities at which it acted.
 template <class Real>
 DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
                        const LoadedState<Real>& after, Real dt) {
-    ledger.x -= dt * meanPower(tally.damping, before, after);
+    ledger.x += madd(-dt, meanPower(tally.damping, before, after), tally.softened);
     ledger.y -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
     ledger.z += tally.fracture;
+}
+
+/// A carried particle: the velocity at the end of the contact step is not known yet, so that what damps and
+/// rubs is added up for it too.
+template <class Real>
+DEM_FN void bookCarried(const SubstepArrays<Real>& arrays, uint32_t i, const Tally<Real>& tally) {
+    const Vec3<Real> parts[4] = {tally.damping.force, tally.damping.torque, tally.friction.force,
+                                 tally.friction.torque};
+    for (uint32_t k = 0; k < 4; ++k) {
+        Vec4<Real>& sum = arrays.carried_tally[4 * size_t{i} + k];
+        sum = withW(xyz(sum) + parts[k], Real(0));
+    }
+    Vec4<Real>& ledger = arrays.ledger[i];
+    ledger.x += tally.softened;
+    ledger.y -= tally.spring_energy;
+}
+
+/// The sums of bookCarried, cleared.
+template <class Real>
+DEM_FN Tally<Real> takeCarriedTally(const SubstepArrays<Real>& arrays, uint32_t i) {
+    const auto take = [&](uint32_t k) {
+        Vec4<Real>& sum = arrays.carried_tally[4 * size_t{i} + k];
+        const Vec3<Real> taken = xyz(sum);
+        sum = Vec4<Real>{};
+        return taken;
+    };
+    Tally<Real> tally;
+    tally.damping = {take(0), take(1)};
+    tally.friction = {take(2), take(3)};
+    return tally;
 }
 
 }  // namespace demolish

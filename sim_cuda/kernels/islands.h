@@ -1,5 +1,6 @@
-// Which fragments may meet before the next decision, and what follows for how each is moved. Fragments that
-// may touch are of one island, and an island is moved in one way: two step sizes never share a contact.
+// Which fragments may meet before the next decision, and what follows for how each is moved. A fragment that
+// vibrates or is about to be hit hard is moved with its bonds; the others of its island, the fragments that
+// may touch, stay rigid. An island sleeps as a whole.
 //
 //   join fragments that may meet -> flags of each island -> regime of each fragment
 //
@@ -14,9 +15,10 @@
 
 namespace demolish {
 
-inline constexpr uint32_t kMustBond =
-                              1u,  ///< one of the island's fragments vibrates or is about to be hit hard
-    kRestless = 2u;                ///< one of them has not rested long enough
+/// Of an island: one of its fragments vibrates or is about to be hit hard; one has not rested long enough.
+inline constexpr uint32_t kMustBond = 1u, kRestless = 2u;
+/// Of a fragment: it vibrates or is about to be hit hard.
+inline constexpr uint32_t kNeedsBonds = 4u;
 
 /// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;
@@ -174,6 +176,7 @@ struct FlagIslands {
         uint32_t found = i == slot ? ownFlags(slot) : 0;
         if ((found & kMustBond) == 0 && isHitHard(i, slot)) found |= kMustBond;
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
+        if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
     }
 
   private:
@@ -244,6 +247,7 @@ struct ChooseRegimes {
     RegimeRules rules;
     Span<uint32_t> regime, former;
     Span<CalmClock> clock;
+    uint32_t in_bodies = 0;
 
     DEM_FN void operator()(uint32_t slot) const {
         if (label[slot] != slot) return;
@@ -251,14 +255,18 @@ struct ChooseRegimes {
         const Regime chosen = choose(slot);
         former[slot] = before;
         regime[slot] = wordOf(chosen);
-        const bool woken = before != wordOf(Regime::kBonded) && (flags[island[slot]] & kMustBond) != 0;
-        if (chosen == Regime::kBonded && woken) clock[slot] = {};
+        if (chosen == Regime::kBonded && before != wordOf(Regime::kBonded) && needsBonds(slot))
+            clock[slot] = {};
+    }
+    /// A projectile goes along with the bonds that it may touch: it costs no more in either way.
+    DEM_FN bool needsBonds(uint32_t slot) const {
+        const bool with_island = !rules.hand_over || slot >= in_bodies;
+        return (with_island ? flags[island[slot]] & kMustBond : flags[slot] & kNeedsBonds) != 0;
     }
     DEM_FN Regime choose(uint32_t slot) const {
         if (!(constants[slot].x > Real(0))) return Regime::kAsleep;
-        const uint32_t seen = flags[island[slot]];
-        if ((seen & kMustBond) != 0) return Regime::kBonded;
-        if (rules.sleeping && (seen & kRestless) == 0) return Regime::kAsleep;
+        if (needsBonds(slot)) return Regime::kBonded;
+        if (rules.sleeping && (flags[island[slot]] & (kMustBond | kRestless)) == 0) return Regime::kAsleep;
         return rules.hand_over && !rules.all_bonded ? Regime::kRigid : Regime::kBonded;
     }
 };

@@ -80,7 +80,7 @@ struct MeasureEnergy {
         const Vec4<Real> spring = arrays.bond_spring[slot];
         const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
         const BondStiffness<Real> faces =
-            cappedFaces(bond, params, own.constants.inverse_mass + other.inverse_mass, spring.w).stiffness;
+            cappedFaces(bond, params, pairInertia(own.constants, other), spring.w).stiffness;
         return Real(0.5) * (faces.normal * overlap * overlap + faces.shear * length2(xyz(spring)));
     }
 
@@ -92,8 +92,7 @@ struct MeasureEnergy {
         if (!(overlap > Real(0))) return Real(0);
         const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(
-            contactTouchLaw(law, params, overlap, radius, own.constants.inverse_mass + other.inverse_mass,
-                            own.constants.inverse_inertia + other.inverse_inertia, spring.w),
+            contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other), spring.w),
             overlap, spring);
     }
 
@@ -104,10 +103,9 @@ struct MeasureEnergy {
         const Real overlap = own.constants.floor_radius - height;
         if (!(overlap > Real(0))) return Real(0);
         const Vec4<Real> spring = arrays.plane_spring[p * params.total + own.id];
-        return touchEnergy(
-            contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
-                            own.constants.inverse_mass, own.constants.inverse_inertia, spring.w),
-            overlap, spring);
+        return touchEnergy(contactTouchLaw(arrays.wall_laws[own.owner], params, overlap,
+                                           own.constants.floor_radius, againstWall(own.constants), spring.w),
+                           overlap, spring);
     }
 
     /// Of the linear spring (1/2 F delta) or Hertz's (2/5 F delta), and of the tangential spring.

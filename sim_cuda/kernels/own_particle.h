@@ -39,6 +39,9 @@ struct OwnParticle {
     uint32_t owner = 0;
     LoadedState<Real> state;
     ParticleConstants<Real> constants;
+
+    /// In a substep: of a rigid fragment (BondedWork).
+    DEM_FN bool isCarried() const { return constants.inverse_mass < Real(0); }
 };
 
 template <class Real>
@@ -59,12 +62,14 @@ struct Tally {
     Wrench<Real> damping, friction;  ///< parts of the total load
     Real spring_energy{};            ///< J, growth of tangential springs' energy (this particle's half of it)
     Real fracture{};                 ///< J
+    Real softened{};                 ///< J, lost by contacts that grew softer (this particle's half of it)
 
     DEM_FN void operator+=(const Tally& other) {
         add(damping, other.damping);
         add(friction, other.friction);
         spring_energy += other.spring_energy;
         fracture += other.fracture;
+        softened += other.softened;
     }
 };
 

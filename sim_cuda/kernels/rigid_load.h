@@ -38,6 +38,28 @@ DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
     return wrench;
 }
 
+/// A slot of either list, counted also when substeps compute it: those keep its stiffness while it touches.
+/// `j`: the other end.
+template <class Real, class Slot>
+DEM_FN Wrench<Real> countedSlot(const SubstepArrays<Real>& arrays, uint32_t j, const Vec4<Real>& spring,
+                                uint32_t& touching, const Slot& slot) {
+    if (arrays.constants[j].x < Real(0) && spring.w > Real(0)) ++touching;
+    return counted(slot(), touching);
+}
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                    const Span<const uint32_t>& label, const OwnParticle<Real>& own,
+                                    uint32_t slot, RigidLoad<Real>& load) {
+    return countedSlot(arrays, linkedParticle(arrays.link[slot]), arrays.bond_spring[slot], load.touching,
+                       [&] { return rigidBondSlot<kLedger>(arrays, params, label, own, slot, load.tally); });
+}
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                       const OwnParticle<Real>& own, uint32_t slot, RigidLoad<Real>& load) {
+    return countedSlot(arrays, arrays.neighbour[slot], arrays.contact_spring[slot], load.touching,
+                       [&] { return contactSlot<kLedger>(arrays, params, own, slot, load.tally); });
+}
+
 template <bool kLedger, class Real>
 DEM_FN void addPlanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                       const OwnParticle<Real>& own, RigidLoad<Real>& load) {
@@ -59,13 +81,10 @@ struct GatherRigidLoad {
         PartialSums<kPartials, Real> sums;
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            sums.add(slot - first_bond,
-                     counted(rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally),
-                             out.touching));
+            sums.add(slot - first_bond, countedBondSlot<kLedger>(arrays, params, work.label, own, slot, out));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first,
-                     counted(contactSlot<kLedger>(arrays, params, own, slot, out.tally), out.touching));
+            sums.add(slot - first, countedContactSlot<kLedger>(arrays, params, own, slot, out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, own, out);
         load[place] = out;

@@ -45,6 +45,12 @@ DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm
     return {Real(share * (body.inverse_mass + turning)), Real(share * trace), own.z, own.w};
 }
 
+/// Constants in the kind of step that does not move the particle.
+template <class Real>
+DEM_FN Vec4<Real> movedOtherwise(const Vec4<Real>& constants) {
+    return {-constants.x, constants.y, constants.z, constants.w};
+}
+
 template <bool kLedger, class Real>
 struct StepRigid {
     SubstepArrays<Real> arrays;  ///< `in` and `out` are both brought up to date
@@ -52,20 +58,27 @@ struct StepRigid {
     StepParams<Real> params;
     RigidWork work;
     Span<const RigidLoad<Real>> load;
-    Span<Vec4<Real>> constants;  ///< those that contact steps use
+    Span<Vec4<Real>> constants;    ///< those that contact steps use,
+    Span<Vec4<Real>> in_substeps;  ///< and those of carried particles in substeps
     Span<const Vec4<Real>> own_constants;
+    double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
     DEM_FN RigidSums gather(const RigidBody& body, uint32_t entry, uint32_t lane) const {
         RigidSums sums;
         for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {
-            const Wrench<Real> wrench = load[place].wrench;
-            if (isNullWrench(wrench)) continue;
             const uint32_t i = work.active[place];
-            const Vec3<double> force = asDouble(wrench.force);
-            const Vec3<double> arm = exactPosition(arrays.in, i) - body.centre;
-            add(sums, {force, asDouble(wrench.torque) + cross(arm, force), load[place].touching});
+            const Wrench<Real> felt = carriedLoad(i), wrench = load[place].wrench;
+            if (isNullWrench(wrench) && isNullWrench(felt)) continue;
+            const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(wrench.force));
+            const Vec3<double> torque = axpy(carried_share, asDouble(felt.torque), asDouble(wrench.torque));
+            const Vec3<double> arm = rotate(body.turned, work.arm[i]);
+            add(sums, {force, torque + cross(arm, force), load[place].touching});
         }
         return sums;
+    }
+    DEM_FN Wrench<Real> carriedLoad(uint32_t i) const {
+        if (!(carried_share > 0)) return {};
+        return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
     /// What the first lane does with the total.
     DEM_FN void move(RigidBody& body, uint32_t entry, const RigidSums& total) const {
@@ -84,9 +97,16 @@ struct StepRigid {
             placeParticle(state, i, x, v, body.spin);
             placeParticle(arrays.out, i, x, v, body.spin);
             constants[i] = sharedConstants(body, work.arm[i], own_constants[i]);
-            if constexpr (kLedger)
-                bookLedger(arrays.ledger[i], load[place].tally, before,
-                           loadWithoutRotation(arrays.in, arrays.in.position[i], i), params.dt);
+            in_substeps[i] = movedOtherwise(constants[i]);
+            if (carried_share > 0)
+                arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
+            if constexpr (kLedger) {
+                const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+                bookLedger(arrays.ledger[i], load[place].tally, before, after, params.dt);
+                if (carried_share > 0)
+                    bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
+                               Real(carried_share) * params.dt);
+            }
         }
     }
     /// The CPU: all lanes of a fragment in turn.

@@ -23,12 +23,10 @@ __global__ void __launch_bounds__(kSubstepBlock)
         return present ? rows[own.id + end] : 0u;
     };
     gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums, [&](uint32_t slot) {
-        return counted(rigidBondSlot<kLedger>(arrays, params, work.label, own, slot, out.tally),
-                       out.touching);
+        return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, out);
     });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums, [&](uint32_t slot) {
-        return counted(contactSlot<kLedger>(arrays, params, own, slot, out.tally), out.touching);
-    });
+    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
+                 [&](uint32_t slot) { return countedContactSlot<kLedger>(arrays, params, own, slot, out); });
     __syncwarp();
     out.wrench = sums.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)

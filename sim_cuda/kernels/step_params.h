@@ -44,6 +44,7 @@ inline constexpr double kContactStiffnessShare = 0.12;
 template <class Real>
 struct StepParams {
     Real dt{};           ///< s
+    Real carry_time{};   ///< s that carried particles go along their velocity; not always dt
     Vec3<Real> gravity;  ///< m/s^2
     Real velocity_keep{
         1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
@@ -73,7 +74,10 @@ struct SubstepArrays {
     Span<const PairLaw<Real>> wall_laws;                         ///< per owner, against planes
     Span<BondLink> link;                                         ///< own slots only
     Span<Vec4<Real>> bond_spring, contact_spring, plane_spring;  ///< own slots only
-    Span<Vec4<Real>> ledger;  ///< J since it was cleared: (damping, friction, fracture, 0)
+    Span<Vec4<Real>> ledger;   ///< J since it was cleared: (damping, friction, fracture, 0)
+    Span<Vec4<Real>> carried;  ///< two a particle: force and torque that a carried one felt in the substeps
+                               ///< since the last contact step, added up; none: nothing is carried
+    Span<Vec4<Real>> carried_tally;  ///< four a particle, for the ledger: of that, what damps and what rubs
     BondedWork work;
 };
 

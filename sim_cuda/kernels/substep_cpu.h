@@ -23,8 +23,14 @@ class CpuParticleStep {
         if (own.constants.inverse_mass > Real(0))
             for (uint32_t p = 0; p < params_.planes.count; ++p)
                 add(load, planeContact<kLedger>(arrays_, params_, own, p, tally));
-        const LoadedState<Real> next = kickAndDrift(own, load, params_);
-        if constexpr (kLedger) bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
+        const LoadedState<Real> next =
+            own.isCarried() ? carryOn(arrays_, own, load, params_) : kickAndDrift(own, load, params_);
+        if constexpr (kLedger) {
+            if (own.isCarried())
+                bookCarried(arrays_, i, tally);
+            else
+                bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
+        }
         storeState(arrays_.out, i, next);
     }
 
@@ -34,13 +40,16 @@ class CpuParticleStep {
         PartialSums<kCount, Real> sums;
         const uint32_t first_bond = arrays_.bond_row[own.id], last_bond = arrays_.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            sums.add(slot - first_bond, isBonded(arrays_.link[slot])
-                                            ? recorded(slot, tally)
-                                            : formerBondSlot<kLedger>(arrays_, params_, own, slot, tally));
+            sums.add(slot - first_bond, bondSlot(own, slot, tally));
         const uint32_t first = arrays_.contact_row[own.id], last = arrays_.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
             sums.add(slot - first, contactSlot<kLedger>(arrays_, params_, own, slot, tally));
         return sums.total();
+    }
+
+    Wrench<Real> bondSlot(const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) const {
+        if (!isBonded(arrays_.link[slot])) return formerBondSlot<kLedger>(arrays_, params_, own, slot, tally);
+        return own.isCarried() ? Wrench<Real>{} : recorded(slot, tally);
     }
 
     Wrench<Real> recorded(uint32_t slot, Tally<Real>& tally) const {

@@ -36,7 +36,9 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
                                                  const BodyLaw<Real>& law, uint32_t slot,
                                                  Tally<Real>& tally) {
     const BondLink link = arrays.link[slot];
-    if (isBonded(link)) return solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
+    if (isBonded(link))
+        return own.isCarried() ? Wrench<Real>{}
+                               : solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
     return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
 }
 
@@ -119,6 +121,7 @@ __device__ __forceinline__ void sumTally(Tally<Real>& tally) {
         add(tally.friction, shuffledDown(tally.friction, step, T));
         tally.spring_energy += __shfl_down_sync(0xffffffffu, tally.spring_energy, step, T);
         tally.fracture += __shfl_down_sync(0xffffffffu, tally.fracture, step, T);
+        tally.softened += __shfl_down_sync(0xffffffffu, tally.softened, step, T);
     }
 }
 
@@ -130,8 +133,14 @@ __device__ __forceinline__ void finishParticle(const SubstepArrays<Real>& arrays
     if (own.constants.inverse_mass > Real(0))
         for (uint32_t p = 0; p < params.planes.count; ++p)
             add(load, planeContact<kLedger>(arrays, params, own, p, tally));
-    const LoadedState<Real> next = kickAndDrift(own, load, params);
-    if constexpr (kLedger) bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    const LoadedState<Real> next =
+        own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
+    if constexpr (kLedger) {
+        if (own.isCarried())
+            bookCarried(arrays, own.id, tally);
+        else
+            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    }
     storeState(arrays.out, own.id, next);
 }
 
@@ -175,7 +184,7 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
         return;
     }
     const bool all = arrays.work.all();
-    const uint32_t count = all ? params.in_bodies : arrays.work.count[0];
+    const uint32_t count = all ? params.in_bodies : arrays.work.listed();
     if (blockIdx.x * kParticles >= count) return;
     const uint32_t k = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = k < count;

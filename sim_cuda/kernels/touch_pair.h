@@ -15,6 +15,31 @@ namespace demolish {
 /// overshot in every substep, was cut at mu N, and drove piles at rest (1.5 mW in 125 cells, for ever).
 inline constexpr double kShearDampingShare = 0.2;
 
+/// What two particles set against their contact, or one against a plane.
+template <class Real>
+struct PairInertia {
+    Real inverse_mass{};      ///< 1/kg, 1/m_i + 1/m_j
+    Real inverse_inertia{};   ///< 1/(kg m^2), likewise
+    Real stiffness_share{1};  ///< of the stiffness that the step allows,
+    Real damping_share{1};  ///< and of the tangential damper: less where one of the two moves in longer steps
+    bool softens = false;   ///< the contact shall remember how soft it was
+};
+
+/// A particle whose inverse mass is negative stands for its share of a rigid fragment, which answers once in
+/// kRigidStride substeps: a stiffness acts on it kRigidStride^2 times, a damper kRigidStride times as hard.
+template <class Real>
+DEM_FN PairInertia<Real> pairInertia(const ParticleConstants<Real>& i, const ParticleConstants<Real>& j) {
+    if (!(i.inverse_mass < Real(0)) && !(j.inverse_mass < Real(0)))
+        return {i.inverse_mass + j.inverse_mass, i.inverse_inertia + j.inverse_inertia};
+    const bool i_slow = i.inverse_mass < Real(0);
+    const ParticleConstants<Real>&slow = i_slow ? i : j, &fast = i_slow ? j : i;
+    constexpr Real kStride = kRigidStride;
+    const Real inverse = fast.inverse_mass - slow.inverse_mass;
+    return {inverse, madd(kStride, slow.inverse_inertia, fast.inverse_inertia),
+            inverse / (fast.inverse_mass - kStride * kStride * slow.inverse_mass),
+            inverse / (fast.inverse_mass - kStride * slow.inverse_mass), true};
+}
+
 template <class Real>
 struct TouchGeometry {
     Vec3<Real> normal;  ///< unit, from i to j
@@ -35,6 +60,7 @@ struct TouchLaw {
     Real rolling{};         ///< mu_r
     Real radius{};          ///< m, for rolling
     Real inertia{};         ///< kg m^2, for rolling
+    bool softens = false;   ///< as in PairInertia, or a contact step
 };
 
 template <class Real>
@@ -70,45 +96,42 @@ DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchL
     return effect;
 }
 
-/// What is kept with a contact's spring as its last number (N/m, 0: nothing): the least stiffness that a
-/// contact step has given it. A contact stays that soft until it parts, or bonds that wake would find its
-/// overlap loaded with more than it has taken in.
-template <class Real>
-DEM_FN Real keptStiffness(const StepParams<Real>& params, Real kept, Real stiffness) {
-    return params.softening != 0 ? stiffness : kept;
-}
+/// What is kept with a contact's spring as its last number (N/m, 0: nothing) is the least stiffness that a
+/// contact step, or a rigid fragment at one end, has given it. A contact stays that soft until it parts, or
+/// bonds that wake would find its overlap loaded with more than it has taken in.
 template <class Real>
 DEM_FN Real noStifferThan(Real kept, Real stiffness) {
     return kept > Real(0) && kept < stiffness ? kept : stiffness;
 }
 
-/// Contact constants by the law chosen; `inverse_mass` = 1/m_i + 1/m_j, likewise the inertia; R* and overlap
-/// in m; `kept` as above.
+/// Contact constants by the law chosen; R* and overlap in m; `kept` as above.
 template <class Real>
 DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
-                                      Real reduced_radius, Real inverse_mass, Real inverse_inertia,
+                                      Real reduced_radius, const PairInertia<Real>& against,
                                       Real kept = Real(0)) {
-    const Real root = inverseSqrt(inverse_mass), reduced_mass = root * root;
+    const Real root = inverseSqrt(against.inverse_mass), reduced_mass = root * root;
     TouchLaw<Real> law;
+    law.softens = against.softens || params.softening != 0;
     if (params.hertz != 0) {
         const Real a = contactRadius(reduced_radius, overlap);
         law.elastic = hertzForce(pair.modulus, a, overlap);
         law.normal_damping = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
-        const Real stiffness =
-            noStifferThan(kept, minOf(pair.stiffness, params.stiffness_cap * reduced_mass));
+        const Real stiffness = noStifferThan(
+            kept, minOf(pair.stiffness, against.stiffness_share * (params.stiffness_cap * reduced_mass)));
         law.stiffness = stiffness;
         law.elastic = stiffness * overlap;
         law.normal_damping = linearDamping(pair.damping, stiffness, reduced_mass);
         law.shear = Real(kContactShearRatio) * stiffness;
     }
-    law.shear_damping = minOf(law.normal_damping, Real(kShearDampingShare) * reduced_mass / params.dt);
+    law.shear_damping = minOf(law.normal_damping,
+                              against.damping_share * (Real(kShearDampingShare) * reduced_mass / params.dt));
     law.adhesion = adhesionForce(pair.adhesion, reduced_radius, overlap);
     law.friction = pair.friction;
     law.rolling = pair.rolling;
     law.radius = reduced_radius;
-    const Real spin_root = inverseSqrt(inverse_inertia);
+    const Real spin_root = inverseSqrt(against.inverse_inertia);
     law.inertia = spin_root * spin_root;
     return law;
 }
@@ -120,13 +143,13 @@ DEM_FN Real reducedRadius(Real a, Real b) {
     return (a * b) * (root * root);
 }
 
-/// Never stiffer than face_cap allows and than was kept; `inverse_mass` = 1/m_i + 1/m_j. Exact where nothing
-/// is capped.
+/// Never stiffer than the step allows and than was kept. Exact where nothing is capped.
 template <class Real>
 DEM_FN BondConstants<Real> cappedFaces(BondConstants<Real> bond, const StepParams<Real>& params,
-                                       Real inverse_mass, Real kept) {
-    const Real root = inverseSqrt(inverse_mass);
-    const Real limit = noStifferThan(kept, params.face_cap * (root * root));
+                                       const PairInertia<Real>& against, Real kept) {
+    const Real root = inverseSqrt(against.inverse_mass);
+    const Real cap = against.softens ? against.stiffness_share * params.stiffness_cap : params.face_cap;
+    const Real limit = noStifferThan(kept, cap * (root * root));
     if (!(bond.stiffness.normal > limit)) return bond;
     const Real share = limit / bond.stiffness.normal;
     bond.stiffness.normal = limit;
@@ -136,9 +159,11 @@ DEM_FN BondConstants<Real> cappedFaces(BondConstants<Real> bond, const StepParam
 
 /// (14') (15') with the bond's own stiffnesses and dampers.
 template <class Real>
-DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body, Real overlap,
-                                     Real reduced_radius, Real inverse_inertia) {
+DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const BodyLaw<Real>& body,
+                                     const StepParams<Real>& params, Real overlap, Real reduced_radius,
+                                     const PairInertia<Real>& against) {
     TouchLaw<Real> law;
+    law.softens = against.softens || params.softening != 0;
     law.stiffness = bond.stiffness.normal;
     law.elastic = brokenRepulsion(bond.stiffness.normal, overlap);
     law.normal_damping = bond.beta_r * bond.stiffness.normal;
@@ -148,7 +173,7 @@ DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const Body
     law.friction = body.friction;
     law.rolling = body.rolling;
     law.radius = reduced_radius;
-    const Real spin_root = inverseSqrt(inverse_inertia);
+    const Real spin_root = inverseSqrt(against.inverse_inertia);
     law.inertia = spin_root * spin_root;
     return law;
 }

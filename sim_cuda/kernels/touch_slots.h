@@ -34,7 +34,12 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
                                const StepParams<Real>& params, Real share, Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
     const TouchEffect<Real> effect = touchEffect(at, law, pair, before, params.dt);
-    spring = withW(effect.spring, keptStiffness(params, spring.w, law.stiffness));
+    if constexpr (kLedger)
+        if (law.softens && spring.w > law.stiffness && law.stiffness > Real(0)) {
+            const Real held = madd(law.shear / law.stiffness, length2(before), at.overlap * at.overlap);
+            tally.softened += share * (Real(0.5) * (spring.w - law.stiffness) * held);
+        }
+    spring = withW(effect.spring, law.softens ? law.stiffness : spring.w);
     if constexpr (kLedger) {
         add(tally.damping, effect.damping);
         add(tally.friction, effect.friction);
@@ -62,10 +67,9 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                  Vec4<Real>& spring, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    const TouchLaw<Real> law = contactTouchLaw(
-        pair_law, params, maxOf(overlap, Real(0)), reducedRadius(radius, other.contact_radius),
-        own.constants.inverse_mass + other.inverse_mass,
-        own.constants.inverse_inertia + other.inverse_inertia, spring.w);
+    const TouchLaw<Real> law = contactTouchLaw(pair_law, params, maxOf(overlap, Real(0)),
+                                               reducedRadius(radius, other.contact_radius),
+                                               pairInertia(own.constants, other), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law.shear, spring, Real(0.5), tally);
         return {};
@@ -76,6 +80,14 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                params, Real(0.5), tally);
 }
 
+/// Both ends are moved in contact steps and this is a substep, or this is a contact step and the other end is
+/// moved in substeps: the pair is no matter of this step.
+template <class Real>
+DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
+                      const StepParams<Real>& params) {
+    return other.inverse_mass < Real(0) && (own.inverse_mass < Real(0) || params.softening != 0);
+}
+
 /// A slot of the contact list.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
@@ -83,7 +95,8 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
     const uint32_t j = arrays.neighbour[slot];
     const Vec4<Real> position = arrays.in.position[j];
     const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
-    if (outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius))
+    if (outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) ||
+        isLeftOut(own.constants, other, params))
         return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
@@ -98,9 +111,10 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
                                const PairMotion<Real>& pair, const CentreLine<Real>& line, uint32_t slot,
                                Tally<Real>& tally) {
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
+    const PairInertia<Real> against = pairInertia(own.constants, other);
     const BondConstants<Real> bond =
-        cappedFaces(bondConstants(arrays.rest[slot], arrays.link[slot].grade, body), params,
-                    own.constants.inverse_mass + other.inverse_mass, arrays.bond_spring[slot].w);
+        cappedFaces(bondConstants(arrays.rest[slot], arrays.link[slot].grade, body), params, against,
+                    arrays.bond_spring[slot].w);
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
     Vec4<Real>& spring = arrays.bond_spring[slot];
     if (!(overlap > Real(0))) {
@@ -110,8 +124,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
         return {};
     }
     const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
-    const TouchLaw<Real> law =
-        brokenTouchLaw(bond, body, overlap, radius, own.constants.inverse_inertia + other.inverse_inertia);
+    const TouchLaw<Real> law = brokenTouchLaw(bond, body, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
     return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, spring, params,
                                Real(0.5), tally);
@@ -127,12 +140,18 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
     const Vec4<Real> position = arrays.in.position[j];
     const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
     const Real reach = own.constants.contact_radius + other.contact_radius;
+    if (isLeftOut(own.constants, other, params)) return {};
     if (!broken && outOfReach(own.state.position, position, reach)) return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
     const CentreLine<Real> line = centreLine(pair.separation);
     if (broken) return brokenBond<kLedger>(arrays, params, own, other, pair, line, slot, tally);
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
     return plainContact<kLedger>(params, law, own, other, pair, line, arrays.bond_spring[slot], tally);
+}
+
+template <class Real>
+DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
+    return {own.inverse_mass, own.inverse_inertia};
 }
 
 /// Plane p: a wall with R* = R_w, nothing moves on its side.
@@ -145,9 +164,9 @@ DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepPa
     const Real overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
     Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
-    const TouchLaw<Real> law = contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
-                                               own.constants.floor_radius, own.constants.inverse_mass,
-                                               own.constants.inverse_inertia, spring.w);
+    const TouchLaw<Real> law =
+        contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
+                        own.constants.floor_radius, againstWall(own.constants), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law.shear, spring, Real(1), tally);
         return {};

@@ -1,5 +1,6 @@
-// The lists of what is moved (data/regimes.h), made in the order of ids by one scan over three rows of marks:
-// particles of rigid fragments that may touch something, rigid fragments, particles moved with their bonds.
+// The lists of what is moved (data/regimes.h), made in the order of ids by one scan over rows of marks:
+// particles of rigid fragments that may touch something, rigid fragments, particles moved with their bonds,
+// particles of rigid fragments that may touch those.
 #pragma once
 #include "sim_cuda/kernels/start_rigid.h"
 
@@ -20,21 +21,29 @@ struct MarkWork {
     PlacesIn places;
     Span<const uint32_t> regime;
     PlaneSet<Real> planes;
-    Span<uint32_t> active, fragment, bonded;  ///< marks: by place, by slot, by particle
+    Span<uint32_t> active, fragment, bonded, carried;  ///< marks: by place, by slot, by particle, by particle
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = places.particleAt(k);
-        active[k] = isIn(i, Regime::kRigid) && (nearPlane(i) || nearOther(i)) ? 1 : 0;
+        const Near near = isIn(i, Regime::kRigid) ? nearOf(i) : Near{};
+        active[k] = near.anything ? 1 : 0;
+        carried[i] = near.bonded && i < places.in_bodies ? 1 : 0;
         fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
         bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
     }
 
   private:
     DEM_FN bool isIn(uint32_t i, Regime wanted) const { return regime[meetings.label[i]] == wordOf(wanted); }
-    DEM_FN bool nearOther(uint32_t i) const {
-        bool found = false;
-        meetings.visitMeetings(i, false, [&](uint32_t) { found = true; });
-        return found;
+    struct Near {
+        bool anything = false, bonded = false;
+    };
+    DEM_FN Near nearOf(uint32_t i) const {
+        Near near{nearPlane(i), false};
+        meetings.visitMeetings(i, false, [&](uint32_t j) {
+            near.anything = true;
+            near.bonded = near.bonded || isIn(j, Regime::kBonded);
+        });
+        return near;
     }
     /// On the straight path that the contact lists rely on: a particle off it by more than its skin brings
     /// new lists, and with them this question again.
@@ -54,7 +63,9 @@ struct MarkWork {
 /// Contacts of a fragment that has not touched anything as a rigid body yet.
 inline constexpr uint32_t kFirstShare = 4;
 
-/// After the scan of the three rows of marks, one after the other (3 total + 1 sums).
+inline constexpr uint32_t kMarkRows = 4;
+
+/// After the scan of the rows of marks, one after the other (kMarkRows total + 1 sums).
 template <class Real>
 struct WriteWork {
     PlacesIn places;
@@ -64,7 +75,8 @@ struct WriteWork {
     Span<const uint32_t> share;  ///< per slot: contacts of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
-    Span<Vec4<Real>> constants;  ///< of contact steps
+    Span<Vec4<Real>> constants;    ///< of contact steps
+    Span<Vec4<Real>> in_substeps;  ///< of substeps, where rigid fragments move too
 
     DEM_FN uint32_t sum(uint32_t row, uint32_t k) const {
         return sums[row * places.total + k] - sums[row * places.total];
@@ -76,18 +88,23 @@ struct WriteWork {
     DEM_FN void operator()(uint32_t k) const {
         if (marked(0, k)) active[sum(0, k)] = places.particleAt(k);
         if (marked(2, k)) bonded[sum(2, k)] = k;
-        const uint32_t slot = label[k];
-        constants[k] = own_constants[k];
-        if (regime[slot] == wordOf(Regime::kRigid)) {
-            RigidBody start = body[slot];
-            start.contact_share = share[slot] > 0 ? share[slot] : kFirstShare;
-            constants[k] = sharedConstants(start, arm[k], own_constants[k]);
-        }
+        if (marked(3, k)) bonded[sum(2, places.total) + sum(3, k)] = k;
+        writeConstants(k, label[k]);
         if (!marked(1, k)) return;
         const uint32_t entry = sum(1, k);
         fragment[entry] = k;
         first[entry] = sum(0, places.first(k));
         last[entry] = end(k);
+    }
+    DEM_FN void writeConstants(uint32_t k, uint32_t slot) const {
+        const Vec4<Real> own = own_constants[k];
+        constants[k] = regime[slot] == wordOf(Regime::kBonded) ? movedOtherwise(own) : own;
+        in_substeps[k] = own;
+        if (regime[slot] != wordOf(Regime::kRigid)) return;
+        RigidBody start = body[slot];
+        start.contact_share = share[slot] > 0 ? share[slot] : kFirstShare;
+        constants[k] = sharedConstants(start, arm[k], own);
+        in_substeps[k] = movedOtherwise(constants[k]);
     }
     DEM_FN uint32_t end(uint32_t slot) const { return sum(0, places.first(slot) + places.size(slot)); }
 };
@@ -102,13 +119,14 @@ struct TellWork {
         words[kActiveCount] = sums[total];
         words[kFragmentCount] = sums[2 * total] - sums[total];
         words[kBondedCount] = sums[3 * total] - sums[2 * total];
+        words[kCarriedCount] = sums[4 * total] - sums[3 * total];
     }
 };
 
 /// One thread a particle of a body: what sleeps and what does not, counted a fragment at a time.
 struct CountAwake {
     FragmentRows rows;
-    Span<const uint32_t> label, regime, owner, island, flags;
+    Span<const uint32_t> label, regime, owner, flags;
     Span<uint32_t> body_awake;  ///< per body, 0 before
     Span<uint32_t> words;
 
@@ -119,7 +137,7 @@ struct CountAwake {
             return;
         }
         atomicAddU32(&words[kAwakeCount], rows.size[i]);
-        if ((flags[island[i]] & kMustBond) != 0) atomicAddU32(&words[kMustBondCount], rows.size[i]);
+        if ((flags[i] & kNeedsBonds) != 0) atomicAddU32(&words[kMustBondCount], rows.size[i]);
         uint32_t& awake = body_awake[owner[i]];
         if (atomicLoadU32(&awake) == 0 && atomicMaxU32(&awake, 1) == 0) atomicAddU32(&words[kAwakeBodies], 1);
     }

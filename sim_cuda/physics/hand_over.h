@@ -7,9 +7,9 @@
 namespace demolish {
 
 /// Inner vibration has died when the mean square of the particles' speeds against their fragment's rigid
-/// motion is below the square of this share of beta v_c, for kCalmSeconds: half a per cent of the energy at
-/// which the material breaks, and no turning point of a slow swing.
-inline constexpr double kCalmShare = 0.12, kCalmSeconds = 0.03;
+/// motion is below the square of this share of beta v_c for kCalmSeconds, a frame: 1.5 % of the energy at
+/// which the material breaks.
+inline constexpr double kCalmShare = 0.12, kCalmSeconds = 0.016;
 
 /// Pieces of so many particles or fewer, or of this share of their body, are crumbs: whatever swings in them
 /// may stop, and once they are rigid they stay whole.
@@ -24,7 +24,7 @@ inline uint32_t crumbParticles(double particles) {
 
 /// A meeting at this share of the body's threshold velocity or more brings the bonds back before the two
 /// touch.
-inline constexpr double kWakeShare = 0.5;
+inline constexpr double kWakeShare = 0.7;
 
 /// Above all of these speeds (m/s) a meeting is hard: `heavy` however heavy the two are; `light` over the
 /// root of the reduced number of particles, since a crumb of one particle loads the bonds where it hits by v

@@ -15,21 +15,23 @@ class SubstepRunner<CpuBackend, Real> {
     void run(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
              ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
              uint32_t n) {
-        for (uint32_t k = 0; k < n; ++k) {
-            ledger ? runOne<true>(backend, data, contacts, params)
-                   : runOne<false>(backend, data, contacts, params);
-            data.current = 1 - data.current;
-        }
+        for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger);
+    }
+    void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
+                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger) {
+        ledger ? runWith<true>(backend, data, contacts, params)
+               : runWith<false>(backend, data, contacts, params);
+        data.current = 1 - data.current;
     }
 
   private:
     template <bool kLedger>
-    void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
-                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params) {
+    void runWith(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
+                 ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params) {
         const size_t slots = data.bonds.link.size();
         if (record_.size() != slots) record_ = backend.allocate<BondRecord<Real>>(slots);
         if (kLedger && damping_.size() != slots) damping_ = backend.allocate<DampingRecord<Real>>(slots);
-        const SubstepArrays<Real> arrays = data.arrays(contacts);
+        const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
         const BondPairs<Real> pairs{data.bonds.slot_of_bond.view(), data.bonds.twin.view(), record_.span(),
                                     damping_.span()};
         const BondedWork& work = data.work;

@@ -31,12 +31,26 @@ class SubstepRunner<CudaBackend, Real> {
              ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
              uint32_t n) {
         for (; n >= kLookInterval; n -= kLookInterval) runInterval(backend, data, contacts, params, ledger);
-        for (; n > 0; --n) launch(backend.stream(), data, contacts, params, ledger);
+        for (; n > 0; --n) runOne(backend, data, contacts, params, ledger);
+    }
+    void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
+                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger) {
+        const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
+        ledger ? launchWith<true>(backend.stream(), arrays, params)
+               : launchWith<false>(backend.stream(), arrays, params);
+        checkCuda(cudaGetLastError(), "starting a substep");
+        data.current = 1 - data.current;
+    }
+    /// What the launches of a substep depend on.
+    static GraphKey keyOf(SolverData<CudaBackend, Real>& data, ContactArrays<CudaBackend, Real>& contacts,
+                          const StepParams<Real>& params, bool ledger) {
+        return keyOf(data.arraysInSubsteps(contacts), params, ledger);
     }
 
   private:
     static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
         return {keyWord(arrays.in.position),
+                keyWord(arrays.constants),
                 keyWord(arrays.contact_row),
                 keyWord(arrays.neighbour),
                 keyWord(arrays.contact_spring),
@@ -64,18 +78,9 @@ class SubstepRunner<CudaBackend, Real> {
                      ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
                      bool ledger) {
         static_assert(kLookInterval % 2 == 0, "a graph must end on the state it started from");
-        graphs_.run(backend, keyOf(data.arrays(contacts), params, ledger), [&] {
-            for (uint32_t k = 0; k < kLookInterval; ++k)
-                launch(backend.stream(), data, contacts, params, ledger);
+        graphs_.run(backend, keyOf(data, contacts, params, ledger), [&] {
+            for (uint32_t k = 0; k < kLookInterval; ++k) runOne(backend, data, contacts, params, ledger);
         });
-    }
-
-    void launch(cudaStream_t stream, SolverData<CudaBackend, Real>& data,
-                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger) {
-        const SubstepArrays<Real> arrays = data.arrays(contacts);
-        ledger ? launchWith<true>(stream, arrays, params) : launchWith<false>(stream, arrays, params);
-        checkCuda(cudaGetLastError(), "starting a substep");
-        data.current = 1 - data.current;
     }
 
     template <bool kLedger>

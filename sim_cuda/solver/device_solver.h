@@ -53,12 +53,16 @@ class DeviceSolver final : public Solver {
     StepStatus runSubsteps(uint32_t n);
     StepStatus runChunk(uint32_t n);
     void runAwake(uint32_t n);
+    void runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     uint32_t lookInterval() const;
+    void placeRigid();
     void look(uint32_t lookahead);
     void buildLists();
     bool mustReassign();
     void assignRegimes(bool frame_starts, uint32_t remaining);
+    double untilNextDecision(uint32_t remaining) const;
+    void bookSoftening();
     void countAwake();
     void settle(double seconds, const ProgressCallback& progress);
     void setVelocities(bool at_rest);
@@ -119,6 +123,7 @@ class DeviceSolver final : public Solver {
     StepParams<Real> params_;
     std::vector<Projectile> projectiles_;  ///< in their slots
     Progress progress_;
+    bool place_rigid_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
     FrameStats stats_;
 };
 

@@ -44,6 +44,7 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::countAwake() {
     stats_.bonded_particles = regimes_.bondedParticles();
     stats_.awake_particles = regimes_.bondedParticles() + regimes_.activeParticles();
+    stats_.carried_particles = regimes_.carriedParticles();
     stats_.rigid_fragments = regimes_.rigidFragments();
     stats_.sleeping_fragments = regimes_.sleepingFragments();
     stats_.awake_bodies = regimes_.awakeBodies();
@@ -54,10 +55,12 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::measure() {
     if (progress_.rebuild != 0) buildLists();
     const BondedWork work = std::exchange(data_.work, BondedWork{});
+    const auto constants = std::exchange(data_.constants_in_substeps, {});
     dry_run_.keep(backend_, data_, lists_, regimes_);
     runner_.run(backend_, data_, lists_.contacts(), params_, false, 1);
     dry_run_.putBack(backend_, data_, lists_, regimes_);
     data_.work = work;
+    data_.constants_in_substeps = constants;
     const Double3 g = setup_.params.gravity;
     const MeasureEnergy<Real> energy{
         data_.arrays(lists_.contacts()), data_.particles.in(1 - data_.current), params_, {g.x, g.y, g.z}};

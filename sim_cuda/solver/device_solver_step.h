@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/kernels/book_softening.h"
 #include "sim_cuda/kernels/look_at_state.h"
 #include "sim_cuda/solver/device_solver.h"
 
@@ -16,7 +17,7 @@ inline constexpr double kSettleRampShare = 0.3, kSettleDamping = 12;
 template <class Real>
 StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
     StepParams<Real> params;
-    params.dt = static_cast<Real>(tables.time_step);
+    params.dt = params.carry_time = static_cast<Real>(tables.time_step);
     params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
     params.stiffness_cap = static_cast<Real>(kContactStiffnessShare / (tables.time_step * tables.time_step));
     params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;
@@ -106,6 +107,7 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     stats_.status = status;
     if (status != StepStatus::kOk) {
         frame_start_.putBack(backend_, data_, lists_, regimes_);
+        place_rigid_ = false;
         progress_ = before;
         regimes_.remember(progress_.regimes);
         return status;
@@ -161,14 +163,38 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
     auto& contacts = lists_.contacts();
     const bool ledger = setup_.params.ledger, on = regimes_.on();
-    if (!on || regimes_.movesBonds()) runner_.run(backend_, data_, contacts, params_, ledger, n);
     if (on && regimes_.movesRigid()) {
-        rigid_runner_.run(backend_, data_, contacts, params_, regimes_.rigid(), regimes_.rigidConstants(),
-                          ledger, n);
-        regimes_.place(data_, clusters_);
+        const RigidConstants<Real> constants = regimes_.rigidConstants();
+        const RigidStepOf<Backend, Real> step{data_, contacts, params_, regimes_.rigid(), constants, ledger};
+        regimes_.carries() ? runCarrying(step, n) : rigid_runner_.run(backend_, step, n);
     }
+    if (!on || (regimes_.movesBonds() && !regimes_.carries()))
+        runner_.run(backend_, data_, contacts, params_, ledger, n);
+    if (on && regimes_.movesRigid()) place_rigid_ = true;
     progress_.since_build += n;
     progress_.substeps += n;
+}
+
+/// Contact steps with the substeps between their halves: the rigid body answers to the sum of what its
+/// carried particles have felt meanwhile, so that no momentum is lost between the two kinds of step. The
+/// force of a contact step is that of its start; so that what the substeps add up belongs to the same moment,
+/// they see carried particles from half a step before it to half a step after it (each but the first, which
+/// makes the mean exact). Else contacts would lose energy that nobody books.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n) {
+    rigid_runner_.repeat(backend_, step, runner_, n, [&] {
+        for (uint32_t done = 0; done < n;) {
+            const uint32_t stride = std::min(kRigidStride, n - done);
+            StepParams<Real> params = params_;
+            params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
+            rigid_runner_.gather(backend_, step, stride);
+            runner_.runOne(backend_, data_, step.contacts, params, step.ledger);
+            for (uint32_t k = 1; k < stride; ++k)
+                runner_.runOne(backend_, data_, step.contacts, params_, step.ledger);
+            rigid_runner_.move(backend_, step, stride, true);
+            done += stride;
+        }
+    });
 }
 
 /// At most 2 lookInterval() substeps; the look in the middle decides for the end.
@@ -186,8 +212,17 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     return static_cast<StepStatus>(words[kLookStatus]);
 }
 
+/// Contact steps move only those particles of a rigid fragment that may touch something; before anybody reads
+/// the state, the others follow.
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::placeRigid() {
+    if (place_rigid_) regimes_.place(data_, clusters_);
+    place_rigid_ = false;
+}
+
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
+    placeRigid();
     const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
     backend_.fill(look_words_.span(), 0u);
     const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
@@ -202,22 +237,45 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
+    placeRigid();
     lists_.use(progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{});
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;
     progress_.rebuild = 0;
 }
 
+/// s until regimes are decided again at the latest: with the next contact lists, or when the frame is over.
+template <class Backend, class Real>
+double DeviceSolver<Backend, Real>::untilNextDecision(uint32_t remaining) const {
+    const double listed = lists_.horizon() - progress_.since_build * tables_.time_step;
+    return std::clamp(listed, 0.0, remaining * tables_.time_step);
+}
+
 /// `remaining`: substeps of the frame that are still to come.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
-                    remaining * tables_.time_step);
+                    untilNextDecision(remaining));
+    if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();
     progress_.last_assigned = progress_.substeps;
     progress_.shot_started = 0;
     progress_.regimes = regimes_.memory();
     progress_.moves_rigid = regimes_.movesRigid() ? 1 : 0;
     countAwake();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::bookSoftening() {
+    const RigidConstants<Real> constants = regimes_.rigidConstants();
+    MeasureEnergy<Real> bonded{data_.arrays(lists_.contacts()), {}, params_, {}};
+    MeasureEnergy<Real> carried = bonded, rigid = bonded;
+    carried.arrays.constants = Span<const Vec4<Real>>(constants.in_substeps);
+    rigid.arrays.constants = Span<const Vec4<Real>>(constants.in_contact_steps);
+    rigid.params = rigidParams(params_, kRigidStride);
+    backend_.forEach(tables_.counts.total,
+                     BookSoftening<Real>{bonded, carried, rigid, clusters_.fragment(), regimes_.regime(),
+                                         regimes_.former(), data_.ledger.span()},
+                     "book softening");
 }
 
 /// Gravity comes on slowly, velocities decay, nothing breaks; then the bodies get the velocities of the

@@ -27,7 +27,7 @@ struct RegimeMemory {
 
 /// From this share of awake particles on that need their bonds, all are moved with them: two ways of moving
 /// side by side cost more than they save.
-inline constexpr double kAllBondedShare = 0.3;
+inline constexpr double kAllBondedShare = 0.8;
 
 template <class Backend, class Real>
 class Regimes {
@@ -59,10 +59,14 @@ class Regimes {
     void remember(const RegimeMemory& memory) { memory_ = memory; }
 
     const RigidWork& rigid() const { return rigid_; }
-    Span<Vec4<Real>> rigidConstants() { return rigid_constants_.span(); }
+    RigidConstants<Real> rigidConstants() { return {rigid_constants_.span(), in_substeps_.span()}; }
     bool movesBonds() const { return counts_[kBondedCount] > 0 || bonded_shots_; }
     bool movesRigid() const { return counts_[kFragmentCount] > 0; }
+    /// Some rigid fragment may touch what is moved with its bonds: substeps carry it from one contact step to
+    /// the next.
+    bool carries() const { return counts_[kCarriedCount] > 0; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
+    uint32_t carriedParticles() const { return counts_[kCarriedCount]; }
     uint32_t activeParticles() const { return counts_[kActiveCount]; }
     uint32_t rigidFragments() const { return counts_[kFragmentCount]; }
     uint32_t sleepingFragments() const { return counts_[kAsleepCount]; }
@@ -76,6 +80,7 @@ class Regimes {
         visit(share_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
+    Span<const uint32_t> former() const { return former_.view(); }  ///< before the last decision
 
   private:
     MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
@@ -101,8 +106,9 @@ class Regimes {
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
-    Buffer<Vec4<Real>> start_rotation_, rigid_constants_;
-    Buffer<uint32_t> marks_;  ///< of the three lists, then their sums
+    Buffer<Vec4<Real>> start_rotation_, rigid_constants_, in_substeps_;
+    Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
+    Buffer<uint32_t> marks_;                      ///< of the lists, then their sums
     Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, bonds_, body_awake_, words_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
@@ -146,7 +152,10 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     arm_ = backend.template allocate<Vec3<double>>(total);
     start_rotation_ = backend.template allocate<Vec4<Real>>(total);
     rigid_constants_ = backend.template allocate<Vec4<Real>>(total);
-    marks_ = backend.template allocate<uint32_t>(3 * size_t{total} + 1);
+    in_substeps_ = backend.template allocate<Vec4<Real>>(total);
+    carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
+    carried_tally_ = backend.template allocate<Vec4<Real>>(setup.params.ledger ? 4 * size_t{total} : 1);
+    marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
     bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
     words_ = backend.template allocate<uint32_t>(kWorkWords);
     body_awake_ = backend.template allocate<uint32_t>(tables.bodies);
@@ -234,10 +243,11 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
                      FlagIslands<Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(),
                                        wake_.view(), params.planes, params.gravity, rules, flags_.span()},
                      "flag islands");
-    backend_.forEach(total,
-                     ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants,
-                                         rules, regime_.span(), former_.span(), clock_.span()},
-                     "choose regimes");
+    backend_.forEach(
+        total,
+        ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,
+                            regime_.span(), former_.span(), clock_.span(), counts_of_.in_bodies},
+        "choose regimes");
 }
 
 template <class Backend, class Real>
@@ -269,20 +279,21 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(total,
                      MarkWork<Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
-                                    marks.part(total, total), marks.part(2 * size_t{total}, total)},
+                                    marks.part(total, total), marks.part(2 * size_t{total}, total),
+                                    marks.part(3 * size_t{total}, total)},
                      "mark work");
-    backend_.exclusiveScan(marks.part(0, 3 * size_t{total}), marks);
+    backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
     backend_.forEach(
         total,
         WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(), arm_.view(),
                         share_.view(), meetings.constants, active_.span(), fragment_.span(), first_.span(),
-                        last_.span(), bonded_.span(), rigid_constants_.span()},
+                        last_.span(), bonded_.span(), rigid_constants_.span(), in_substeps_.span()},
         "write work");
     backend_.fill(words_.span(), 0u);
     backend_.fill(body_awake_.span(), 0u);
     backend_.forEach(counts_of_.in_bodies,
-                     CountAwake{rows, meetings.label, regime_.view(), meetings.owner, island_.view(),
-                                flags_.view(), body_awake_.span(), words_.span()},
+                     CountAwake{rows, meetings.label, regime_.view(), meetings.owner, flags_.view(),
+                                body_awake_.span(), words_.span()},
                      "count awake");
     backend_.forEach(1, TellWork{marks_.view(), total, words_.span()}, "tell work");
     reader_.start(backend_, words_.view());
@@ -299,11 +310,14 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const bool all = counts_[kBondedCount] == counts_of_.in_bodies;
     data.work = all ? BondedWork{}
                     : BondedWork{bonded_.view(),
-                                 words_.view().part(kBondedCount, 1),
+                                 words_.view().part(kBondedCount, 2),
                                  {},
                                  regime_.view(),
-                                 counts_[kBondedCount]};
+                                 counts_[kBondedCount] + counts_[kCarriedCount]};
     if (all) data.work.regime = regime_.view();
+    data.constants_in_substeps = carries() ? in_substeps_.view() : Span<const Vec4<Real>>{};
+    data.carried = carried_.span();
+    data.carried_tally = carried_tally_.span();
 }
 
 /// A solid bond joins particles of one fragment, so that one end tells.

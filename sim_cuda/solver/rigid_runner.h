@@ -7,10 +7,6 @@
 
 namespace demolish {
 
-/// Substeps of bonds in one contact step of rigid fragments: their contacts are as soft as heavy, and need no
-/// stress waves.
-inline constexpr uint32_t kRigidStride = 10;
-
 /// What a contact step of `stride` substeps changes in the constants of a substep.
 template <class Real>
 StepParams<Real> rigidParams(StepParams<Real> params, uint32_t stride) {
@@ -21,15 +17,37 @@ StepParams<Real> rigidParams(StepParams<Real> params, uint32_t stride) {
     return params;
 }
 
-/// The arrays of a substep as contact steps use them: other constants, and both instants of the state kept
-/// the same.
+/// A contact step as both backends need it. Its loads are gathered before the substeps that carry some of the
+/// particles on, its bodies moved after them.
 template <class Backend, class Real>
-SubstepArrays<Real> rigidArrays(SolverData<Backend, Real>& data, ContactArrays<Backend, Real>& contacts,
-                                Span<const Vec4<Real>> constants) {
-    SubstepArrays<Real> arrays = data.arrays(contacts);
-    arrays.constants = constants;
-    return arrays;
-}
+struct RigidStepOf {
+    SolverData<Backend, Real>& data;
+    ContactArrays<Backend, Real>& contacts;
+    const StepParams<Real>& params;  ///< of substeps
+    const RigidWork& work;
+    const RigidConstants<Real>& constants;
+    bool ledger = false;
+
+    /// The arrays of a substep as contact steps use them: other constants, and both instants of the state
+    /// kept the same.
+    SubstepArrays<Real> arrays() const {
+        SubstepArrays<Real> views = data.arrays(contacts);
+        views.constants = constants.in_contact_steps;
+        return views;
+    }
+    template <bool kLedger>
+    StepRigid<kLedger, Real> mover(Span<const RigidLoad<Real>> load, uint32_t stride, bool carried) const {
+        return {arrays(),
+                data.particles.out(data.current),
+                rigidParams(params, stride),
+                work,
+                load,
+                constants.in_contact_steps,
+                constants.in_substeps,
+                data.particles.constants.view(),
+                carried ? 1.0 / stride : 0.0};
+    }
+};
 
 template <class Backend, class Real>
 class RigidRunner;
@@ -37,32 +55,46 @@ class RigidRunner;
 template <class Real>
 class RigidRunner<CpuBackend, Real> {
   public:
+    using Step = RigidStepOf<CpuBackend, Real>;
+
     /// n substeps' time, in contact steps of kRigidStride substeps and a shorter last one.
-    void run(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
-             ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, const RigidWork& work,
-             Span<Vec4<Real>> constants, bool ledger, uint32_t n) {
-        if (load_.size() < work.active_at_most)
-            load_ = backend.allocate<RigidLoad<Real>>(work.active_at_most + work.active_at_most / 2);
-        const SubstepArrays<Real> arrays = rigidArrays(data, contacts, Span<const Vec4<Real>>(constants));
+    void run(CpuBackend& backend, const Step& step, uint32_t n) {
         for (uint32_t done = 0; done < n;) {
             const uint32_t stride = std::min(kRigidStride, n - done);
-            const StepParams<Real> step = rigidParams(params, stride);
-            ledger ? runOne<true>(backend, data, arrays, step, work, constants)
-                   : runOne<false>(backend, data, arrays, step, work, constants);
+            gather(backend, step, stride);
+            move(backend, step, stride, false);
             done += stride;
         }
+    }
+    /// Does what `steps` starts.
+    template <class Runner, class Steps>
+    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t, const Steps& steps) {
+        steps();
+    }
+    /// The two halves of one contact step; substeps that carry particles stand between them.
+    void gather(CpuBackend& backend, const Step& step, uint32_t stride) {
+        if (load_.size() < step.work.active_at_most)
+            load_ =
+                backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
+        step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
+    }
+    void move(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
+        step.ledger ? moveWith<true>(backend, step, stride, carried)
+                    : moveWith<false>(backend, step, stride, carried);
     }
 
   private:
     template <bool kLedger>
-    void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data, const SubstepArrays<Real>& arrays,
-                const StepParams<Real>& params, const RigidWork& work, Span<Vec4<Real>> constants) {
-        backend.forEach(work.active_at_most,
-                        GatherRigidLoad<kLedger, Real>{arrays, params, work, load_.span()}, "rigid load");
-        backend.forEach(work.fragments_at_most,
-                        StepRigid<kLedger, Real>{arrays, data.particles.out(data.current), params, work,
-                                                 load_.view(), constants, data.particles.constants.view()},
-                        "rigid step");
+    void gatherWith(CpuBackend& backend, const Step& step, uint32_t stride) {
+        backend.forEach(step.work.active_at_most,
+                        GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, stride),
+                                                       step.work, load_.span()},
+                        "rigid load");
+    }
+    template <bool kLedger>
+    void moveWith(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
+        backend.forEach(step.work.fragments_at_most,
+                        step.template mover<kLedger>(load_.view(), stride, carried), "rigid step");
     }
 
     CpuBackend::Buffer<RigidLoad<Real>> load_;

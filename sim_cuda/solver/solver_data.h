@@ -41,12 +41,17 @@ struct SolverData {
     Buffer<PairLaw<Real>> pair_laws, wall_laws;
     uint32_t current = 0;  ///< which of the two states is the present one
     BondedWork work;       ///< which particles a substep moves
+    Span<const Vec4<Real>>
+        constants_in_substeps;                ///< where rigid fragments move too; none: particles.constants
+    Span<Vec4<Real>> carried, carried_tally;  ///< as in SubstepArrays
 
     SolverData(Backend& backend, const SceneTables& tables, uint32_t planes);
 
     void uploadLaws(Backend& backend, const LawTables& laws);
     /// Views for a substep from the present state into the other one.
     SubstepArrays<Real> arrays(ContactArrays<Backend, Real>& contacts);
+    /// The same where carried particles may be among those moved.
+    SubstepArrays<Real> arraysInSubsteps(ContactArrays<Backend, Real>& contacts);
 
   private:
     void uploadParticles(Backend& backend, const SceneTables& tables);
@@ -156,7 +161,16 @@ SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Rea
             contacts.spring.span(),
             plane_spring.span(),
             ledger.span(),
+            carried,
+            carried_tally,
             work};
+}
+
+template <class Backend, class Real>
+SubstepArrays<Real> SolverData<Backend, Real>::arraysInSubsteps(ContactArrays<Backend, Real>& contacts) {
+    SubstepArrays<Real> views = arrays(contacts);
+    if (constants_in_substeps.data != nullptr) views.constants = constants_in_substeps;
+    return views;
 }
 
 }  // namespace demolish

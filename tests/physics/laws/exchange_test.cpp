@@ -98,13 +98,33 @@ TEST(Exchange, ContactLawsOfAPairAreTheSameFromBothSides) {
         params.hertz = hertz;
         params.stiffness_cap = 1e6f;
         const float m_i = 0.3f, m_j = 0.05f, r_i = 0.04f, r_j = 0.02f;
-        const auto a = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_i, r_j), 1 / m_i + 1 / m_j, 7.0f);
-        const auto b = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_j, r_i), 1 / m_j + 1 / m_i, 7.0f);
+        const auto a = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_i, r_j),
+                                       PairInertia<float>{1 / m_i + 1 / m_j, 7.0f});
+        const auto b = contactTouchLaw(pair, params, 1e-3f, reducedRadius(r_j, r_i),
+                                       PairInertia<float>{1 / m_j + 1 / m_i, 7.0f});
         EXPECT_EQ(a.elastic, b.elastic);
         EXPECT_EQ(a.normal_damping, b.normal_damping);
         EXPECT_EQ(a.shear, b.shear);
         EXPECT_EQ(a.adhesion, b.adhesion);
     }
+}
+
+TEST(Exchange, ARigidFragmentsParticleCountsAlikeFromBothSides) {
+    const ParticleConstants<float> fast{3.0f, 700.0f, 0.01f, 0.01f}, slow{-0.5f, 90.0f, 0.01f, 0.01f};
+    const auto a = pairInertia(fast, slow), b = pairInertia(slow, fast);
+    EXPECT_EQ(a.inverse_mass, b.inverse_mass);
+    EXPECT_EQ(a.inverse_inertia, b.inverse_inertia);
+    EXPECT_EQ(a.stiffness_share, b.stiffness_share);
+    EXPECT_EQ(a.damping_share, b.damping_share);
+    EXPECT_TRUE(a.softens && b.softens);
+    EXPECT_FLOAT_EQ(a.inverse_mass, 3.5f);
+    // What the fragment's long step allows, in units of what a short one allows the reduced mass.
+    EXPECT_FLOAT_EQ(a.stiffness_share, 3.5f / (3.0f + 100 * 0.5f));
+    EXPECT_FLOAT_EQ(a.damping_share, 3.5f / (3.0f + 10 * 0.5f));
+    const auto both = pairInertia(fast, fast);
+    EXPECT_EQ(both.stiffness_share, 1);
+    EXPECT_EQ(both.inverse_mass, 6.0f);
+    EXPECT_FALSE(both.softens);
 }
 
 TEST(Exchange, StateOfAPairDependsOnItsDistanceAlone) {

@@ -119,9 +119,9 @@ TEST(Units, ContactLawsOfThePairTable) {
         const PairLaw<double> pair{1e5, 0.7, 0.4, 0.3, 0.2, 2e7, 8e6};
         const PairLaw<double> small_pair{kStiffness * 1e5, 0.7, 0.4, 0.3, kStiffness * 0.2, kPressure * 2e7,
                                          kPressure * 8e6};
-        const auto a = contactTouchLaw(pair, params, 1e-4, 0.02, 3.0, 700.0);
+        const auto a = contactTouchLaw(pair, params, 1e-4, 0.02, PairInertia<double>{3.0, 700.0});
         const auto b = contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
-                                       3.0 / kKilogram, 700.0 / kInertia);
+                                       PairInertia<double>{3.0 / kKilogram, 700.0 / kInertia});
         EXPECT_NEAR(b.elastic / (kForce * a.elastic), 1, 1e-12);
         EXPECT_NEAR(b.normal_damping / (kForce / kVelocity * a.normal_damping), 1, 1e-12);
         EXPECT_NEAR(b.shear / (kStiffness * a.shear), 1, 1e-12);

@@ -117,6 +117,10 @@ struct Outcome {
     uint32_t most_rigid = 0, most_asleep = 0;
 };
 
+double energySum(const EnergyLedger& e) {
+    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+}
+
 Outcome run(const SceneSetup& setup, int frames) {
     auto solver = makeSolver(setup);
     Outcome outcome;
@@ -131,10 +135,8 @@ Outcome run(const SceneSetup& setup, int frames) {
     return outcome;
 }
 
-double energySum(const EnergyLedger& e) {
-    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
-}
-
+/// Bounds as wide as the scatter of runs without the hand-over whose ball starts up to 4 um aside: 1015 to
+/// 1034 bonds broken, 244 to 259 fragments, the largest 0.117 to 0.123.
 TEST_F(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
     const Outcome off = run(with(breakingScene(), {false, false}), 90);
     const Outcome on = run(with(breakingScene(), {true, true}), 90);
@@ -143,7 +145,7 @@ TEST_F(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
     EXPECT_EQ(off.most_rigid + off.most_asleep, 0u);
     EXPECT_LT(on.stats.awake_particles, 640u);
     EXPECT_NEAR(on.stats.bonds_broken, off.stats.bonds_broken, 0.02 * off.stats.bonds_broken);
-    EXPECT_NEAR(on.stats.fragments, off.stats.fragments, 0.03 * off.stats.fragments);
+    EXPECT_NEAR(on.stats.fragments, off.stats.fragments, 0.06 * off.stats.fragments);
     EXPECT_NEAR(on.stats.largest_fragment_fraction, off.stats.largest_fragment_fraction, 0.02);
     const EnergyLedger &a = on.stats.energy, &b = off.stats.energy;
     EXPECT_NEAR(energySum(a), energySum(b), 1e-3 * energySum(b));
@@ -208,6 +210,79 @@ TEST_F(Sleeping, ARestoredStateGoesOnExactly) {
         ASSERT_EQ(other->advanceFrame(), StepStatus::kOk);
         ASSERT_EQ(other->stateHash(), solver->stateHash()) << "frame " << frame;
     }
+}
+
+class Carrying : public OnEitherDevice {};
+
+/// Two bricks in free space; a ball breaks the first, whose pieces fly into the second.
+SceneSetup brickIntoBrick() {
+    SceneSetup setup = freeBody(latticeBody(5, 5, 5, 0.02));
+    setup.bodies[0].material = brittleMaterial();
+    setup.bodies.push_back(setup.bodies[0]);
+    setup.bodies[1].position = {0.16, 0.003, 0.001};
+    setup.params.substeps = 150;
+    Projectile ball;
+    ball.radius = 0.02;
+    ball.position = {-0.2, 0.047, 0.052};
+    ball.velocity = {8, 0, 0};
+    setup.projectiles = {ball};
+    return setup;
+}
+
+TEST_F(Carrying, FragmentsOfBothKindsExchangeMomentaToRoundOff) {
+    auto solver = makeSolver(with(brickIntoBrick(), {true, true}));
+    for (int frame = 0; frame < 2; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    const FrameStats before = solver->stats();
+    uint32_t frames_carrying = 0;
+    for (int frame = 0; frame < 30; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        const FrameStats& now = solver->stats();
+        if (now.carried_particles > 0 && now.bonded_particles > 0) ++frames_carrying;
+    }
+    solver->measure();
+    const FrameStats after = solver->stats();
+    EXPECT_GE(frames_carrying, 3u);
+    EXPECT_GT(after.bonds_broken, 50u);
+    EXPECT_LT(lengthOf(minus(after.linear_momentum, before.linear_momentum)),
+              1e-5 * lengthOf(before.linear_momentum));
+    EXPECT_LT(lengthOf(minus(after.angular_momentum, before.angular_momentum)),
+              1e-3 * lengthOf(before.angular_momentum));
+    EXPECT_NEAR(energySum(after.energy), energySum(before.energy), 2e-3 * energySum(before.energy));
+}
+
+/// Six bricks side by side on the floor, each touching the next.
+SceneSetup rowOfBricks() {
+    SceneSetup setup = freeBody(latticeBody(4, 4, 4, 0.03, 0.2));
+    setup.bodies[0].material = brittleMaterial();
+    for (int k = 1; k < 6; ++k) {
+        setup.bodies.push_back(setup.bodies[0]);
+        setup.bodies[k].position = {0.12 * k, 0, 0};
+    }
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.planes.push_back(Plane{});
+    setup.params.substeps = 150;
+    setup.params.settle_time = 0.3;
+    Projectile ball;
+    ball.radius = 0.02;
+    ball.position = {0.06, 0.3, 0.06};
+    ball.velocity = {0, -6, 0};
+    setup.projectiles = {ball};
+    return setup;
+}
+
+TEST_F(Carrying, AHardHitBringsBackTheBondsOfWhatItHitsAlone) {
+    auto solver = makeSolver(with(rowOfBricks(), {true, true}));
+    uint32_t most_bonded = 0, frames_carrying = 0;
+    for (int frame = 0; frame < 20; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        const FrameStats& now = solver->stats();
+        most_bonded = std::max(most_bonded, now.bonded_particles);
+        if (now.carried_particles > 0) ++frames_carrying;
+    }
+    EXPECT_GT(solver->stats().bonds_broken, 20u);
+    EXPECT_GT(frames_carrying, 2u);
+    EXPECT_LE(most_bonded, 4u * 64u) << "of " << solver->stats().particles;
 }
 
 }  // namespace

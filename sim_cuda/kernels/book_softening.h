@@ -1,0 +1,65 @@
+// What contacts lose when a fragment at one of their ends becomes rigid: from then on they are as soft as
+// contact steps need them, while their overlap stays. For the ledger alone.
+#pragma once
+#include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/measure_energy.h"
+
+namespace demolish {
+
+/// One thread a particle; pairs belong to the lower id, and only those at which a fragment has just come to
+/// rest inside: what they lose later is booked where it happens.
+template <class Real>
+struct BookSoftening {
+    MeasureEnergy<Real> bonded, carried, rigid;  ///< the same state, as each kind of pair sees it
+    Span<const uint32_t> label, regime, former;
+    Span<Vec4<Real>> ledger;
+
+    DEM_FN void operator()(uint32_t i) const {
+        const SubstepArrays<Real>& arrays = bonded.arrays;
+        if (!(arrays.constants[i].x > Real(0))) return;
+        Real lost{};
+        for (uint32_t s = arrays.bond_row[i]; s < arrays.bond_row[i + 1]; ++s) {
+            const BondLink link = arrays.link[s];
+            const uint32_t j = linkedParticle(link);
+            if (isBonded(link) || j < i || arrays.bond_spring[s].w > Real(0)) continue;
+            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
+                return as.bondSlotEnergy(loadOwn(as.arrays, i), s);
+            });
+        }
+        for (uint32_t s = arrays.contact_row[i]; s < arrays.contact_row[i + 1]; ++s) {
+            const uint32_t j = arrays.neighbour[s];
+            const Vec4<Real> spring = arrays.contact_spring[s];
+            if (j < i || spring.w > Real(0)) continue;
+            const PairLaw<Real> law =
+                arrays.pair_laws[arrays.owner[i] * bonded.params.owners + arrays.owner[j]];
+            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
+                return as.contactEnergy(loadOwn(as.arrays, i), j, law, spring);
+            });
+        }
+        lost += lostToPlanes(i);
+        ledger[i].x += lost;
+    }
+
+  private:
+    DEM_FN bool isRigid(uint32_t i) const { return regime[label[i]] == wordOf(Regime::kRigid); }
+    DEM_FN bool becameRigid(uint32_t i) const {
+        return isRigid(i) && former[label[i]] == wordOf(Regime::kBonded);
+    }
+
+    template <class Energy>
+    DEM_FN Real lostBy(uint32_t i, uint32_t j, const Energy& energy) const {
+        if ((!becameRigid(i) && !becameRigid(j)) || label[i] == label[j]) return Real(0);
+        return energy(bonded) - energy(isRigid(i) && isRigid(j) ? rigid : carried);
+    }
+    DEM_FN Real lostToPlanes(uint32_t i) const {
+        Real lost{};
+        if (!becameRigid(i)) return lost;
+        const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
+        for (uint32_t p = 0; p < bonded.params.planes.count; ++p)
+            if (!(bonded.arrays.plane_spring[p * bonded.params.total + i].w > Real(0)))
+                lost += bonded.planeEnergy(before, p) - rigid.planeEnergy(after, p);
+        return lost;
+    }
+};
+
+}  // namespace demolish
