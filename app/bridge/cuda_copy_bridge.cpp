@@ -58,25 +58,31 @@ const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements) {
 }
 
 void CudaCopyBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
-    solver.exportFrame(streamsAt(memory_->device, memory_->bytes, colour), fresh);
+    const FrameChange change = history_.next(solver.stats(), colour, fresh);
+    std::array<void*, kStreamCount> data{};
+    if (change == FrameChange::kAll) data = memory_->device;
+    if (change == FrameChange::kMotion)
+        for (const StreamId id : kMotionStreams)
+            data[static_cast<size_t>(id)] = memory_->device[static_cast<size_t>(id)];
+    RenderStreams streams = streamsAt(data, memory_->bytes, colour);
+    streams.projectiles = projectile_block_.stream();
+    solver.exportFrame(streams, fresh);
     solver.synchronize();
+    projectile_block_.read(projectiles, projectiles_);
+    if (change == FrameChange::kProjectiles) return;
+
     const size_t count = mesh_.particleCount();
-    const auto* particles =
-        reinterpret_cast<const ParticleInstance*>(bring(StreamId::kParticles, count + projectiles));
+    for (const StreamId id : kMotionStreams) bring(id, count);
+    if (change == FrameChange::kMotion) return;
     bring(StreamId::kParticleFragment, count);
-    bring(StreamId::kTransforms, count);
-    const uint32_t broken = solver.stats().bonds_broken;
-    if (fresh || broken != broken_before_) {
-        const auto& commands = *reinterpret_cast<const DrawCommands*>(bring(StreamId::kCommands, 1));
-        const auto* indices =
-            reinterpret_cast<const uint32_t*>(bring(StreamId::kInteriorIndices, commands.interior.count));
-        const DrawListUse use =
-            drawListUse(commands, {indices, indices == nullptr ? 0 : commands.interior.count});
-        bring(StreamId::kInteriorVertices, use.interior_vertices);
-        bring(StreamId::kCrackEdges, use.crack_edges);
-        broken_before_ = broken;
-    }
-    projectiles_.assign(particles + count, particles + count + projectiles);
+    const auto& commands = *reinterpret_cast<const DrawCommands*>(bring(StreamId::kCommands, 1));
+    const auto* indices =
+        reinterpret_cast<const uint32_t*>(bring(StreamId::kInteriorIndices, commands.interior.count));
+    const DrawListUse use =
+        drawListUse(commands, {indices, indices == nullptr ? 0 : commands.interior.count});
+    bring(StreamId::kInteriorVertices, use.interior_vertices);
+    bring(StreamId::kExteriorIndices, use.exterior_indices);
+    bring(StreamId::kCrackEdges, use.crack_edges);
 }
 
 }  // namespace demolish

@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/bridge/cuda_projectiles.h"
 #include "app/bridge/frame_bridge.h"
 #include "app/bridge/stream_layout.h"
 
@@ -25,7 +26,8 @@ class CudaCopyBridge : public FrameBridge {
 
     engine::FractureMesh& mesh_;
     std::unique_ptr<Memory> memory_;
-    uint32_t broken_before_ = 0;
+    ExportHistory history_;
+    CudaProjectiles projectile_block_;
 };
 
 }  // namespace demolish

@@ -6,6 +6,7 @@
 #include <cuda_gl_interop.h>
 
 #include <algorithm>
+#include <span>
 
 #include "app/bridge/cuda_check.h"
 
@@ -32,6 +33,12 @@ bool contextIsOnCudaDevice(std::string& why_not) {
     return true;
 }
 
+constexpr std::array<engine::StreamId, kStreamCount> kAllStreams = [] {
+    std::array<engine::StreamId, kStreamCount> all{};
+    for (uint32_t i = 0; i < all.size(); ++i) all[i] = engine::StreamId{i};
+    return all;
+}();
+
 /// No discard flag: the draw lists keep their contents while nothing breaks.
 cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
     const cudaError_t error = cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsNone);
@@ -44,7 +51,7 @@ cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
 std::unique_ptr<CudaInteropBridge> CudaInteropBridge::tryMake(engine::FractureMesh& mesh,
                                                               std::string& why_not) {
     if (!contextIsOnCudaDevice(why_not)) return nullptr;
-    std::unique_ptr<CudaInteropBridge> bridge(new CudaInteropBridge(mesh.particleCount()));
+    std::unique_ptr<CudaInteropBridge> bridge(new CudaInteropBridge(mesh));
     for (size_t i = 0; i < kStreamCount; ++i) {
         const cudaError_t error =
             registerBuffer(bridge->resources_[i], mesh.stream(static_cast<engine::StreamId>(i)).id());
@@ -60,25 +67,42 @@ CudaInteropBridge::~CudaInteropBridge() {
         if (resource != nullptr) cudaGraphicsUnregisterResource(resource);
 }
 
-void CudaInteropBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
-    checkCuda(cudaGraphicsMapResources(kStreamCount, resources_.data(), nullptr), "mapping GL's buffers");
+void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::StreamId> ids,
+                                     ParticleColour colour, bool fresh) {
+    std::array<cudaGraphicsResource*, kStreamCount> mapped{};
+    for (size_t k = 0; k < ids.size(); ++k) mapped[k] = resources_[static_cast<size_t>(ids[k])];
+    const auto count = static_cast<int>(ids.size());
+    if (count > 0) checkCuda(cudaGraphicsMapResources(count, mapped.data(), nullptr), "mapping GL's buffers");
     std::array<void*, kStreamCount> data{};
     std::array<size_t, kStreamCount> bytes{};
-    for (size_t i = 0; i < kStreamCount; ++i)
+    for (size_t k = 0; k < ids.size(); ++k) {
+        const auto i = static_cast<size_t>(ids[k]);
         checkCuda(cudaGraphicsResourceGetMappedPointer(&data[i], &bytes[i], resources_[i]),
                   "mapping a GL buffer");
-    const RenderStreams streams = streamsAt(data, bytes, colour);
+    }
+    RenderStreams streams = streamsAt(data, bytes, colour);
+    streams.projectiles = projectile_block_.stream();
     solver.exportFrame(streams, fresh);
     solver.synchronize();  // the solver's stream is its own; unmapping orders only stream 0
+    if (count > 0)
+        checkCuda(cudaGraphicsUnmapResources(count, mapped.data(), nullptr), "unmapping GL's buffers");
+}
 
-    const size_t first = std::min(particle_count_, streams.particles.capacity);
-    const size_t last = std::min(particle_count_ + projectiles, streams.particles.capacity);
-    projectiles_.resize(last - first);
-    if (last > first)
-        checkCuda(cudaMemcpy(projectiles_.data(), streams.particles.data + first,
-                             projectiles_.size() * sizeof(ParticleInstance), cudaMemcpyDeviceToHost),
-                  "reading the projectiles");
-    checkCuda(cudaGraphicsUnmapResources(kStreamCount, resources_.data(), nullptr), "unmapping GL's buffers");
+void CudaInteropBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
+    switch (history_.next(solver.stats(), colour, fresh)) {
+        case FrameChange::kAll:
+            exportMapped(solver, kAllStreams, colour, fresh);
+            mesh_.touch();
+            break;
+        case FrameChange::kMotion:
+            exportMapped(solver, kMotionStreams, colour, fresh);
+            mesh_.touch();
+            break;
+        case FrameChange::kProjectiles:
+            exportMapped(solver, {}, colour, fresh);
+            break;
+    }
+    projectile_block_.read(projectiles, projectiles_);
 }
 
 bool interopWorks(std::string& why_not) {

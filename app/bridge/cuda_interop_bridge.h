@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "app/bridge/cuda_projectiles.h"
 #include "app/bridge/frame_bridge.h"
 #include "app/bridge/stream_layout.h"
 
@@ -23,10 +24,15 @@ class CudaInteropBridge : public FrameBridge {
     Transfer kind() const override { return Transfer::kInterop; }
 
   private:
-    explicit CudaInteropBridge(size_t particle_count) : particle_count_(particle_count) {}
+    explicit CudaInteropBridge(engine::FractureMesh& mesh) : mesh_(mesh) {}
+    /// Maps these streams, lets the solver write them, and unmaps them.
+    void exportMapped(Solver& solver, std::span<const engine::StreamId> streams, ParticleColour colour,
+                      bool fresh);
 
+    engine::FractureMesh& mesh_;
     std::array<cudaGraphicsResource*, kStreamCount> resources_{};
-    size_t particle_count_;
+    CudaProjectiles projectile_block_;
+    ExportHistory history_;
 };
 
 /// Tries a small buffer of the current context; `why_not` gets the reason in one clause.

@@ -37,6 +37,21 @@ bool copyAskedFor() {
 #endif
 }  // namespace
 
+FrameChange ExportHistory::next(const FrameStats& stats, ParticleColour colour, bool fresh) {
+    const bool same_lists = !fresh && stats.bonds_broken == broken_;
+    // A frame that was skipped may have moved what sleeps now.
+    const bool no_frame_between = stats.frame == frame_ || stats.frame == frame_ + 1;
+    // A solver that puts nothing to sleep counts neither.
+    const bool all_asleep = stats.awake_particles == 0 && stats.sleeping_fragments > 0;
+    const bool at_rest = was_asleep_ && all_asleep && colour == colour_ && no_frame_between;
+    frame_ = stats.frame;
+    broken_ = stats.bonds_broken;
+    was_asleep_ = all_asleep;
+    colour_ = colour;
+    if (!same_lists) return FrameChange::kAll;
+    return at_rest ? FrameChange::kProjectiles : FrameChange::kMotion;
+}
+
 std::unique_ptr<FrameBridge> makeFrameBridge(engine::FractureMesh& mesh, const Solver& solver) {
 #if DEMOLISH_WITH_CUDA
     if (solver.onGpu()) {

@@ -15,13 +15,35 @@ namespace demolish {
 enum class Transfer { kInterop, kCopy, kHost };
 const char* transferName(Transfer transfer);
 
+/// How much of a frame has to travel.
+enum class FrameChange {
+    kProjectiles,  ///< the bodies are as they were exported last
+    kMotion,       ///< particles and transforms; what is drawn with them stays
+    kAll,
+};
+
+/// Remembers what was brought over last.
+class ExportHistory {
+  public:
+    /// What has to travel now that the solver's frame is `stats`; the caller brings it over. What falls
+    /// asleep travels once more. `fresh` as FrameBridge::transfer().
+    FrameChange next(const FrameStats& stats, ParticleColour colour, bool fresh);
+
+  private:
+    uint64_t frame_ = 0;
+    uint32_t broken_ = 0;
+    bool was_asleep_ = false;
+    ParticleColour colour_ = ParticleColour::kFragment;
+};
+
 class FrameBridge {
   public:
     virtual ~FrameBridge() = default;
 
     /// Brings the solver's present frame into the mesh's streams. `projectiles` is how many the solver has;
     /// `fresh` says that the streams hold nothing of this solver's yet (new solver, restored snapshot,
-    /// replayed frame). The GL context of the mesh must be current. Throws DeviceError.
+    /// replayed frame). What has not changed since the last call stays where it is. The GL context of the
+    /// mesh must be current. Throws DeviceError.
     virtual void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) = 0;
     virtual Transfer kind() const = 0;
 

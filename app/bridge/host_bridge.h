@@ -20,12 +20,12 @@ class HostBridge : public FrameBridge {
     engine::FractureMesh& mesh_;
     std::array<size_t, kStreamCount> bytes_;
     std::array<std::unique_ptr<std::byte[]>, kStreamCount> memory_;  ///< untouched pages cost nothing
-    uint32_t broken_before_ = 0;  ///< bonds broken at the last transfer: the draw lists change with it
+    ExportHistory history_;
 };
 
 /// How much of the draw lists is in use.
 struct DrawListUse {
-    size_t interior_indices = 0, interior_vertices = 0, crack_edges = 0;  ///< elements
+    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
 };
 /// Vertices in use follow from the highest index.
 DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices);

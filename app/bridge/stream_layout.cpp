@@ -22,6 +22,7 @@ RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
     streams.transforms = streamOf<FragmentTransform>(data, bytes, StreamId::kTransforms);
     streams.interior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kInteriorVertices);
     streams.interior_indices = streamOf<uint32_t>(data, bytes, StreamId::kInteriorIndices);
+    streams.exterior_indices = streamOf<uint32_t>(data, bytes, StreamId::kExteriorIndices);
     streams.crack_edges = streamOf<uint32_t>(data, bytes, StreamId::kCrackEdges);
     streams.commands = streamOf<DrawCommands>(data, bytes, StreamId::kCommands);
     streams.colour = colour;

@@ -1,4 +1,4 @@
-// The seven streams in one order, with the size of their elements, so that the three bridges count bytes
+// The eight streams in one order, with the size of their elements, so that the three bridges count bytes
 // alike.
 #pragma once
 #include <array>
@@ -13,9 +13,14 @@ inline constexpr size_t kStreamCount = static_cast<size_t>(engine::StreamId::kCo
 
 inline constexpr std::array<size_t, kStreamCount> kStreamElementBytes = {
     sizeof(ParticleInstance), sizeof(uint32_t), sizeof(FragmentTransform), sizeof(SurfaceVertex),
-    sizeof(uint32_t),         sizeof(uint32_t), sizeof(DrawCommands)};
+    sizeof(uint32_t),         sizeof(uint32_t), sizeof(uint32_t),          sizeof(DrawCommands)};
 
-/// Points the solver's streams at seven blocks of memory, given in the order of StreamId.
+/// Streams that change while nothing breaks; the solver's others are draw lists.
+inline constexpr std::array<engine::StreamId, 2> kMotionStreams = {engine::StreamId::kParticles,
+                                                                   engine::StreamId::kTransforms};
+
+/// Points the solver's streams at eight blocks of memory, given in the order of StreamId; null leaves a
+/// stream out.
 RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
                         const std::array<size_t, kStreamCount>& bytes, ParticleColour colour);
 

@@ -154,6 +154,7 @@ void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetu
     upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
     upload(mesh, StreamId::kInteriorVertices, list.interior_vertices);
     upload(mesh, StreamId::kInteriorIndices, list.interior_indices);
+    upload(mesh, StreamId::kExteriorIndices, drawnExterior(setup, list.particle_fragment));
     upload(mesh, StreamId::kCrackEdges, list.crack_edges);
     upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});
 }

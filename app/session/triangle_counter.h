@@ -15,7 +15,8 @@ class TriangleCounter {
 
   private:
     const engine::FractureMesh* mesh_ = nullptr;
-    uint32_t exterior_indices_ = 0, bonds_broken_ = 0;  ///< of the count below
+    size_t particles_ = 0;  ///< of the mesh: another one may stand at the same address
+    uint32_t bonds_broken_ = 0;
     uint64_t count_ = 0;
 };
 

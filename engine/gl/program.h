@@ -1,5 +1,6 @@
 // Owning shader program made from GLSL files.
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <initializer_list>
 #include <string>
@@ -27,6 +28,7 @@ class Program {
 
     /// Uniforms have explicit locations in the GLSL files; these set the program's, whichever is in use.
     void set(GLint location, float value) { glProgramUniform1f(id(), location, value); }
+    void set(GLint location, uint32_t value) { glProgramUniform1ui(id(), location, value); }
     void set(GLint location, int value) { glProgramUniform1i(id(), location, value); }
     void set(GLint location, glm::vec2 v) { glProgramUniform2f(id(), location, v.x, v.y); }
     void set(GLint location, glm::vec4 v) { glProgramUniform4f(id(), location, v.x, v.y, v.z, v.w); }

@@ -20,25 +20,31 @@ BodyGeometry::BodyGeometry() {
     layout_.floatAttribute(3, 2, GL_HALF_FLOAT, false, kUvOffset);
 }
 
-void BodyGeometry::bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices) {
+BodyTriangles allTriangles(const FractureMesh& mesh) {
+    const gl::Buffer& commands = mesh.stream(StreamId::kCommands);
+    return {&mesh,
+            {&mesh.stream(StreamId::kExteriorIndices), &commands, kExteriorCommand},
+            {&mesh.stream(StreamId::kInteriorIndices), &commands, kInteriorCommand}};
+}
+
+void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, const TriangleList& triangles) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     layout_.setVertices(vertices, kVertexBytes);
-    layout_.setIndices(indices);
+    layout_.setIndices(*triangles.indices);
     layout_.bind();
-}
-
-void BodyGeometry::drawExterior(const FractureMesh& mesh) {
-    if (mesh.exteriorIndexCount() == 0) return;
-    bind(mesh, mesh.exteriorVertices(), mesh.exteriorIndices());
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh.exteriorIndexCount()), GL_UNSIGNED_INT, nullptr);
-}
-
-void BodyGeometry::drawInterior(const FractureMesh& mesh) {
-    bind(mesh, mesh.stream(StreamId::kInteriorVertices), mesh.stream(StreamId::kInteriorIndices));
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, triangles.commands->id());
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(triangles.command * kDrawCommandBytes));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void BodyGeometry::drawExterior(const BodyTriangles& body) {
+    draw(*body.mesh, body.mesh->exteriorVertices(), body.exterior);
+}
+
+void BodyGeometry::drawInterior(const BodyTriangles& body) {
+    draw(*body.mesh, body.mesh->stream(StreamId::kInteriorVertices), body.interior);
 }
 
 }  // namespace demolish::engine

@@ -11,7 +11,6 @@ namespace {
 constexpr std::array<uint32_t, 6> kCorners{0, 1, 2, 2, 1, 3};
 constexpr GLint kWidth = 0;
 constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/common/gbuffer.glsl packs it
-constexpr uintptr_t kCrackCommandOffset = 20;  // behind the command of the broken faces
 
 }  // namespace
 
@@ -38,7 +37,8 @@ void CrackPass::draw(const FractureMesh& mesh, float width) {
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(kCrackCommandOffset));
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(kCrackCommand * kDrawCommandBytes));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);

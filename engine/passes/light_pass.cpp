@@ -23,15 +23,6 @@ glm::vec4 toneCurve() {
     return {kContrast, kShoulder, b, c};
 }
 
-/// Where the driver puts the samples; the scene's framebuffer is bound.
-void setSamplePositions(gl::Program& program, int samples) {
-    for (int i = 0; i < samples; ++i) {
-        float position[2] = {0.5f, 0.5f};
-        if (samples > 1) glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), position);
-        program.set(kSamplePosition + i, glm::vec2(position[0], position[1]));
-    }
-}
-
 void bindInputs(const RenderTargets& targets) {
     targets.material_bits.bind(kMaterialUnit);
     targets.normal_bits.bind(kNormalUnit);
@@ -50,8 +41,8 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality q
                                               : gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
                                                             samples + "#define SHADOW_DRAFT\n");
     program.set(kCurve, toneCurve());
-    targets.scene.bind();
-    setSamplePositions(program, targets.samples);
+    for (int i = 0; i < targets.samples; ++i)
+        program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);
     return program;
 }
 

@@ -23,6 +23,12 @@ ShadowPass::ShadowPass(const std::filesystem::path& shaders)
     plain_.set(GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
+bool ShadowPass::holds(const ShadowScene& scene, int size) {
+    if (map_.height() == size && scene == scene_) return true;
+    scene_ = scene;
+    return false;
+}
+
 void ShadowPass::begin(int size, bool erase_tiles) {
     if (map_.height() != size) {
         map_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, kShadowRegions * size, size);
@@ -42,10 +48,10 @@ void ShadowPass::enter(int region) {
     body_.set(kRegion, region);
 }
 
-void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh) {
+void ShadowPass::drawBody(BodyGeometry& body, const BodyTriangles& triangles) {
     body_.use();
-    body.drawExterior(mesh);
-    body.drawInterior(mesh);
+    body.drawExterior(triangles);
+    body.drawInterior(triangles);
 }
 
 void ShadowPass::finish(bool erase_tiles) {

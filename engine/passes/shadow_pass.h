@@ -1,6 +1,8 @@
 // The sun's depth map, and its binding for the passes that ask whether a point is lit.
 #pragma once
 #include <filesystem>
+#include <glm/glm.hpp>
+#include <vector>
 
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/program.h"
@@ -12,16 +14,28 @@ namespace demolish::engine {
 
 inline constexpr int kShadowRegions = 2;
 
+/// What the map shows: frames that agree in it share the map.
+struct ShadowScene {
+    uint64_t mesh_version = 0;  ///< 0: no mesh
+    bool as_particles = false;
+    std::vector<float> spheres;  ///< position and radius of each
+    glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};
+    bool operator==(const ShadowScene&) const = default;
+};
+
 class ShadowPass {
   public:
     explicit ShadowPass(const std::filesystem::path& shaders);
+    /// Does the map hold this scene, in regions of `size` texels? If not it is remembered: the caller draws
+    /// it.
+    bool holds(const ShadowScene& scene, int size);
     /// Binds and clears the map of two regions of `size` x `size` texels. Then, for each region: enter(), and
     /// the passes that cast shadows draw. Then finish().
     /// `erase_tiles`: only where something was drawn last time (DepthEraser).
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    void drawBody(BodyGeometry& body, const FractureMesh& mesh);
+    void drawBody(BodyGeometry& body, const BodyTriangles& triangles);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;
@@ -33,6 +47,7 @@ class ShadowPass {
     gl::Framebuffer framebuffer_;
     gl::Sampler compare_, plain_;
     DepthEraser eraser_;
+    ShadowScene scene_;
 };
 
 }  // namespace demolish::engine

@@ -11,7 +11,7 @@ namespace demolish::engine {
 class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
-    void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
+    void draw(BodyGeometry& body, const BodyTriangles& triangles, const SurfaceLook& look);
 
   private:
     gl::Program exterior_, interior_;

@@ -2,11 +2,12 @@
 #include "engine/render/fracture_mesh.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace demolish::engine {
 namespace {
 
-constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kCommandBytes = 40;
+constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32;
 
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {
     // A body without, say, crack edges still has a buffer to bind.
@@ -29,10 +30,12 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
             return data.interior_vertex_capacity * kVertexBytes;
         case StreamId::kInteriorIndices:
             return data.interior_index_capacity * sizeof(uint32_t);
+        case StreamId::kExteriorIndices:
+            return data.exterior_indices.size_bytes();
         case StreamId::kCrackEdges:
             return data.crack_capacity * sizeof(uint32_t);
         case StreamId::kCommands:
-            return kCommandBytes;
+            return 3 * kDrawCommandBytes;
         case StreamId::kCount:
             break;
     }
@@ -41,11 +44,14 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
 
 }  // namespace
 
+uint64_t FractureMesh::nextVersion() {
+    static std::atomic<uint64_t> last{0};
+    return ++last;
+}
+
 FractureMesh::FractureMesh(const FractureMeshData& data)
     : exterior_vertices_(fixedBuffer(data.exterior_vertices)),
-      exterior_indices_(fixedBuffer(std::as_bytes(data.exterior_indices))),
       crack_edges_(fixedBuffer(data.crack_edges)),
-      exterior_index_count_(static_cast<uint32_t>(data.exterior_indices.size())),
       particle_count_(data.particle_count),
       particle_capacity_(std::max(data.particle_capacity, data.particle_count)) {
     for (size_t i = 0; i < streams_.size(); ++i) {
@@ -57,6 +63,10 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
     // does not move.
     const float identity[8] = {0, 0, 0, 1, 0, 0, 0, 0};
     stream(StreamId::kTransforms).upload(std::as_bytes(std::span(identity)));
+    stream(StreamId::kExteriorIndices).upload(std::as_bytes(data.exterior_indices));
+    const uint32_t exterior[5] = {static_cast<uint32_t>(data.exterior_indices.size()), 1, 0, 0, 0};
+    stream(StreamId::kCommands)
+        .upload(std::as_bytes(std::span(exterior)), kExteriorCommand * kDrawCommandBytes);
 }
 
 }  // namespace demolish::engine

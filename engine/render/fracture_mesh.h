@@ -13,10 +13,11 @@ namespace demolish::engine {
 struct FractureMeshData {
     std::span<const std::byte>
         exterior_vertices;  ///< 24 B each: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
-    std::span<const uint32_t> exterior_indices;  ///< 3 per triangle
-    std::span<const std::byte> crack_edges;      ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
-    size_t particle_count = 0;                   ///< cells, without projectiles
-    size_t particle_capacity = 0;                ///< instances incl. projectiles
+    std::span<const uint32_t>
+        exterior_indices;  ///< 3 per triangle; what is drawn until the stream says otherwise
+    std::span<const std::byte> crack_edges;  ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
+    size_t particle_count = 0;               ///< cells, without projectiles
+    size_t particle_capacity = 0;            ///< instances incl. projectiles
     size_t interior_vertex_capacity = 0;
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;
@@ -29,29 +30,40 @@ enum class StreamId : uint32_t {
     kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
     kInteriorVertices,  ///< 24 B, as exterior_vertices
     kInteriorIndices,   ///< u32
+    kExteriorIndices,   ///< u32, into the exterior vertices
     kCrackEdges,        ///< u32
-    kCommands,          ///< 40 B: two DrawElementsIndirectCommand: interior, cracks
+    kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
     kCount
 };
+/// Places of the commands in that stream.
+inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
+inline constexpr size_t kDrawCommandBytes = 20;
 
 class FractureMesh {
   public:
     explicit FractureMesh(const FractureMeshData& data);
 
-    gl::Buffer& stream(StreamId id) { return streams_[static_cast<size_t>(id)]; }
+    /// For writing: counts as a change.
+    gl::Buffer& stream(StreamId id) {
+        touch();
+        return streams_[static_cast<size_t>(id)];
+    }
     const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
     const gl::Buffer& exteriorVertices() const { return exterior_vertices_; }
-    const gl::Buffer& exteriorIndices() const { return exterior_indices_; }
     const gl::Buffer& crackEdges() const { return crack_edges_; }
-    uint32_t exteriorIndexCount() const { return exterior_index_count_; }
+    /// The streams were written from outside, by whoever knows the buffers' ids.
+    void touch() { version_ = nextVersion(); }
+    /// Changes with the streams' contents; no two meshes have the same.
+    uint64_t version() const { return version_; }
     size_t particleCount() const { return particle_count_; }
     size_t particleCapacity() const { return particle_capacity_; }
 
   private:
-    gl::Buffer exterior_vertices_, exterior_indices_, crack_edges_;
+    static uint64_t nextVersion();
+    gl::Buffer exterior_vertices_, crack_edges_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
-    uint32_t exterior_index_count_ = 0;
     size_t particle_count_ = 0, particle_capacity_ = 0;
+    uint64_t version_ = nextVersion();
 };
 
 }  // namespace demolish::engine

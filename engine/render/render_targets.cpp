@@ -15,6 +15,13 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
       display(gl::Texture::make2d(GL_RGBA8, width, height)),
       scene({&material, &normals}, &depth),
       depth_only({}, &depth),
-      resolved({&display}, nullptr) {}
+      resolved({&display}, nullptr) {
+    scene.bind();
+    for (int i = 0; i < samples; ++i) {
+        float position[2] = {0.5f, 0.5f};
+        if (samples > 1) glGetMultisamplefv(GL_SAMPLE_POSITION, static_cast<GLuint>(i), position);
+        sample_position[static_cast<size_t>(i)] = {position[0], position[1]};
+    }
+}
 
 }  // namespace demolish::engine

@@ -1,6 +1,9 @@
 // The pictures that a frame is drawn into before it reaches the caller's framebuffer; remade when the size
 // changes.
 #pragma once
+#include <array>
+#include <glm/glm.hpp>
+
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/texture.h"
 
@@ -20,6 +23,7 @@ struct RenderTargets {
     gl::Texture depth;                       ///< 32 bit float, reversed
     gl::Texture display;                     ///< RGBA8, sRGB encoded, single sample
     gl::Framebuffer scene, depth_only, resolved;
+    std::array<glm::vec2, 4> sample_position;  ///< inside the pixel, 0..1, as the driver puts them
 };
 
 }  // namespace demolish::engine

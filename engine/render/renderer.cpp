@@ -3,6 +3,7 @@
 #include "engine/render/renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <optional>
@@ -17,6 +18,7 @@
 #include "engine/passes/shadow_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
+#include "engine/passes/triangle_culler.h"
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
@@ -43,6 +45,7 @@ struct Renderer::Passes {
           occlusion(shaders),
           light(shaders),
           ids(shaders),
+          culler(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
@@ -62,13 +65,19 @@ struct Renderer::Passes {
     }
 
     void uploadFrame(const FrameView& view) {
-        const FrameUniforms frame = makeFrameUniforms(view, shadowMapSize(view.quality));
+        frame = makeFrameUniforms(view, shadowMapSize(view.quality));
         frame_block.upload(std::as_bytes(std::span(&frame, 1)));
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
     }
 
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
+    /// Software renderers draw small triangles about as fast as they compute whether to.
+    static bool culls(const FractureMesh& mesh, const FrameView& view) {
+        return view.quality == RenderQuality::kFull && view.cull_triangles && TriangleCuller::suits(mesh);
+    }
+    ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
+    void chooseTriangles(const FractureMesh* mesh, const FrameView& view);
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
     void computeLight(const FrameView& view, GLuint framebuffer);
@@ -76,6 +85,8 @@ struct Renderer::Passes {
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     BodyGeometry body;
+    std::array<BodyTriangles, static_cast<size_t>(CulledView::kCount)>
+        triangles{};  ///< of the frame's surface
     ShadowPass shadow;
     SurfacePass surface;
     SpherePass spheres;
@@ -84,20 +95,48 @@ struct Renderer::Passes {
     AmbientOcclusionPass occlusion;
     LightPass light;
     IdPass ids;
+    TriangleCuller culler;
     DepthEraser eraser;
     gl::Texture noise;
     gl::Sampler draft_noise;  ///< half the texels: software renderers feel it in every pixel
     gl::Buffer frame_block;
+    FrameUniforms frame{};
+    std::span<const SphereDraw> sphere_draws;  ///< of the frame being drawn
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
     int max_samples = 1;
 };
 
+void Renderer::Passes::chooseTriangles(const FractureMesh* mesh, const FrameView& view) {
+    triangles.fill({});
+    if (mesh == nullptr || view.mode != ViewMode::kSurface) return;
+    triangles.fill(allTriangles(*mesh));
+    if (!culls(*mesh, view)) return;
+    culler.run(*mesh, *targets, shadowMapSize(view.quality));
+    for (uint32_t i = 0; i < triangles.size(); ++i) triangles[i] = culler.triangles(CulledView{i});
+    clock.mark("cull");
+}
+
+ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameView& view) const {
+    ShadowScene scene;
+    scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
+    scene.as_particles = view.mode == ViewMode::kParticles;
+    for (const SphereDraw& sphere : sphere_draws) {
+        scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
+        scene.spheres.push_back(sphere.radius);
+    }
+    std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), scene.light_matrix);
+    return scene;
+}
+
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
+    if (shadow.holds(shadowScene(mesh, view), shadowMapSize(view.quality))) return clock.mark("shadow");
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
-        if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
+        const CulledView of_region = region == 0 ? CulledView::kNearShadow : CulledView::kFarShadow;
+        if (mesh != nullptr && view.mode == ViewMode::kSurface)
+            shadow.drawBody(body, triangles[static_cast<size_t>(of_region)]);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
     }
@@ -112,7 +151,8 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
+    if (mesh != nullptr && view.mode == ViewMode::kSurface)
+        surface.draw(body, triangles[static_cast<size_t>(CulledView::kCamera)], view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     clock.mark("body");
@@ -165,6 +205,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.clock.begin();
     p.prepareTargets(view);
     p.uploadFrame(view);
+    p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
@@ -175,6 +216,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
+    p.chooseTriangles(mesh, view);
     p.drawShadowMap(mesh, view);
     p.drawMaterials(mesh, view);
     glDisable(GL_CULL_FACE);
@@ -186,6 +228,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
         p.computeLight(view, target_framebuffer);
     else
         p.drawLight(target_framebuffer);
+    p.sphere_draws = {};
     p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
     glBindSampler(kNoiseUnit, 0);
@@ -207,6 +250,21 @@ std::vector<uint32_t> Renderer::fragmentIds(const FractureMesh* mesh, std::span<
     std::vector<uint32_t> ids = passes_->ids.readAll(passes_->idScene(mesh, spheres, view), view);
     gl::throwIfError("Drawing fragment ids");
     return ids;
+}
+
+std::array<uint64_t, 3> Renderer::lastTriangles() const {
+    std::array<uint64_t, 3> counts{};
+    for (size_t view = 0; view < counts.size(); ++view) {
+        if (passes_->triangles[view].mesh == nullptr) continue;
+        for (const TriangleList& list :
+             {passes_->triangles[view].exterior, passes_->triangles[view].interior}) {
+            uint32_t indices = 0;
+            list.commands->download(std::as_writable_bytes(std::span(&indices, 1)),
+                                    list.command * kDrawCommandBytes);
+            counts[view] += indices / 3;
+        }
+    }
+    return counts;
 }
 
 double Renderer::lastDrawMs() const {

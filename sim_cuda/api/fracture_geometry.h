@@ -36,10 +36,28 @@ struct CrackEdge {
     uint32_t bond;  ///< kNoBond: shown when cell_a and cell_b are in different fragments only
 };
 
+/// A triangle of the mesh. It is drawn in the parts of its cells where these are of several fragments; else
+/// in one, or, beside triangles that are drawn in parts, in as few as go through the points where those end,
+/// so that no gap opens.
+struct ExteriorTriangle {
+    uint32_t first_index, index_count;  ///< into exterior_indices: the parts of all its cells
+    uint32_t first_cell, cell_count;    ///< into exterior_cells
+    uint32_t first_rim, rim_count;      ///< into exterior_rim: from the first corner counter-clockwise round
+                                        ///< it; rim_count 0: always drawn in parts
+    uint32_t corner_1, corner_2;        ///< places of the other corners in the rim
+    uint32_t neighbour[3];  ///< triangle beyond the side that begins at each corner, or kNoNeighbour
+    uint32_t reserved = 0;
+};
+static_assert(sizeof(ExteriorTriangle) == 48);
+inline constexpr uint32_t kNoNeighbour = 0xffffffffu;
+
 struct FractureGeometry {
-    std::vector<SurfaceVertex> exterior;         ///< X: vertices grouped by cell
-    std::vector<uint32_t> exterior_indices;      ///< three per triangle
-    std::vector<Float3> pool;                    ///< P: unique interior rest positions
+    std::vector<SurfaceVertex> exterior;               ///< X: vertices grouped by cell
+    std::vector<ExteriorTriangle> exterior_triangles;  ///< one per triangle of the mesh
+    std::vector<uint32_t> exterior_cells;              ///< particle ids, ascending for each triangle
+    std::vector<uint32_t> exterior_indices;            ///< three per triangle
+    std::vector<uint32_t> exterior_rim;                ///< exterior vertices
+    std::vector<Float3> pool;                          ///< P: unique interior rest positions
     std::vector<uint8_t> pool_on_surface;        ///< 1: on the outer surface, never moves (keys A, B, C)
     std::vector<InteriorFace> faces;             ///< F
     std::vector<uint32_t> face_vertices;         ///< pool ids, per face

@@ -38,6 +38,7 @@ struct DrawElementsCommand {
 struct DrawCommands {
     DrawElementsCommand interior;  ///< exposed interior faces: count = indices
     DrawElementsCommand cracks;    ///< ribbons: count = 6 corner indices, instance_count = lines shown
+    DrawElementsCommand exterior;  ///< the outside: count = indices
 };
 
 enum class ParticleColour : uint32_t { kFragment, kDamage, kStress, kSpeed };
@@ -51,11 +52,14 @@ struct Stream {
 /// An empty stream is not written. A fragment's slot is the lowest particle id in it.
 struct RenderStreams {
     Stream<ParticleInstance> particles;       ///< one per particle and projectile (projectiles last)
+    Stream<ParticleInstance> projectiles;     ///< those alone, for frames in which nothing else moved
     Stream<uint32_t> particle_fragment;       ///< slot of each particle's fragment
     Stream<FragmentTransform> transforms;     ///< indexed by slot; particle capacity
     Stream<SurfaceVertex> interior_vertices;  ///< exposed faces, rest positions after relaxation
     Stream<uint32_t> interior_indices;
-    Stream<uint32_t> crack_edges;   ///< ids of the crack edges shown
+    Stream<uint32_t>
+        exterior_indices;          ///< into the exterior vertices: mesh triangles, cut where they are cracked
+    Stream<uint32_t> crack_edges;  ///< ids of the crack edges shown
     Stream<DrawCommands> commands;  ///< one
     ParticleColour colour = ParticleColour::kFragment;
 };

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -86,9 +87,13 @@ class Solver {
 
 /// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.
 struct StreamSizes {
-    size_t particles = 0, interior_vertices = 0, interior_indices = 0, crack_edges = 0;
+    size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_indices = 0, crack_edges = 0;
 };
 StreamSizes streamSizes(const SceneSetup& setup);
+
+/// What exporting a frame writes into exterior_indices where particles are in these fragments (one slot a
+/// particle of the bodies).
+std::vector<uint32_t> drawnExterior(const SceneSetup& setup, std::span<const uint32_t> particle_fragment);
 
 /// What the renderer uploads once: exterior, exterior_indices and crack_edges of all bodies, one after the
 /// other, with cells, vertices and bonds numbered through the scene as in the streams; the other members are

@@ -51,7 +51,6 @@ class CornerMerger {
 /// What a run of cells gives, with vertex numbers counted from the run's first vertex.
 struct ExteriorChunk {
     std::vector<SurfaceVertex> vertices;
-    std::vector<uint32_t> indices;
     std::vector<CrackEdge> cracks;
 };
 
@@ -74,16 +73,14 @@ SurfaceVertex cornerVertex(const TriangleMesh& mesh, const CellComplex& complex,
             piece.cell};
 }
 
-/// Triangles of one convex piece, and the crack edges along it that its cell owns.
+/// Vertices of one convex piece, and the crack edges along it that its cell owns. `ring`: the vertices'
+/// numbers.
 void addPiece(const TriangleMesh& mesh, const CellComplex& complex, const BondLookup& bonds,
-              const ExteriorPiece& piece, uint32_t first, CornerMerger& merger, std::vector<uint32_t>& ring,
+              const ExteriorPiece& piece, uint32_t first, CornerMerger& merger, uint32_t* ring,
               ExteriorChunk& chunk) {
-    ring.clear();
     for (uint32_t corner = 0; corner < piece.count; ++corner)
-        ring.push_back(merger.merge(complex.exterior_loop[piece.first + corner],
-                                    cornerVertex(mesh, complex, piece, corner), chunk.vertices, first));
-    for (uint32_t corner = 2; corner < piece.count; ++corner)
-        chunk.indices.insert(chunk.indices.end(), {ring[0], ring[corner - 1], ring[corner]});
+        ring[corner] = merger.merge(complex.exterior_loop[piece.first + corner],
+                                    cornerVertex(mesh, complex, piece, corner), chunk.vertices, first);
     for (uint32_t corner = 0; corner < piece.count; ++corner) {
         const uint32_t across = complex.exterior_across[piece.first + corner];
         if (across == kNoCell || across <= piece.cell) continue;  // the lower cell draws it
@@ -94,9 +91,8 @@ void addPiece(const TriangleMesh& mesh, const CellComplex& complex, const BondLo
 
 void addCells(const TriangleMesh& mesh, const CellComplex& complex, const BondLookup& bonds,
               const std::vector<uint32_t>& piece_start, uint32_t first_cell, uint32_t end_cell,
-              ExteriorChunk& chunk) {
+              std::vector<uint32_t>& corner_vertex, ExteriorChunk& chunk) {
     CornerMerger merger;
-    std::vector<uint32_t> ring;
     for (uint32_t cell = first_cell; cell < end_cell; ++cell) {
         size_t corners = 0;
         for (uint32_t p = piece_start[cell]; p < piece_start[cell + 1]; ++p)
@@ -105,7 +101,8 @@ void addCells(const TriangleMesh& mesh, const CellComplex& complex, const BondLo
         merger.startCell(corners);
         const auto first = static_cast<uint32_t>(chunk.vertices.size());
         for (uint32_t p = piece_start[cell]; p < piece_start[cell + 1]; ++p)
-            addPiece(mesh, complex, bonds, complex.pieces[p], first, merger, ring, chunk);
+            addPiece(mesh, complex, bonds, complex.pieces[p], first, merger,
+                     &corner_vertex[complex.pieces[p].first], chunk);
     }
 }
 
@@ -117,23 +114,26 @@ std::vector<uint32_t> pieceStarts(const CellComplex& complex) {
     return start;
 }
 
-void joinChunks(const std::vector<ExteriorChunk>& chunks, FractureGeometry& geometry) {
+/// `corner_vertex` counts from the first vertex of the corner's chunk, and afterwards from the first of all.
+void joinChunks(const CellComplex& complex, const std::vector<uint32_t>& piece_start,
+                const std::vector<ExteriorChunk>& chunks, std::vector<uint32_t>& corner_vertex,
+                FractureGeometry& geometry) {
     struct Offsets {
-        size_t vertex = 0, index = 0, crack = 0;
+        size_t vertex = 0, crack = 0;
     };
     std::vector<Offsets> offsets(chunks.size() + 1);
     for (size_t c = 0; c < chunks.size(); ++c)
         offsets[c + 1] = {offsets[c].vertex + chunks[c].vertices.size(),
-                          offsets[c].index + chunks[c].indices.size(),
                           offsets[c].crack + chunks[c].cracks.size()};
     geometry.exterior.resize(offsets.back().vertex);
-    geometry.exterior_indices.resize(offsets.back().index);
     geometry.crack_edges.resize(offsets.back().crack);
     tbb::parallel_for(size_t{0}, chunks.size(), [&](size_t c) {
         const auto base = static_cast<uint32_t>(offsets[c].vertex);
         std::copy(chunks[c].vertices.begin(), chunks[c].vertices.end(), geometry.exterior.begin() + base);
-        for (size_t i = 0; i < chunks[c].indices.size(); ++i)
-            geometry.exterior_indices[offsets[c].index + i] = chunks[c].indices[i] + base;
+        const size_t end_cell = std::min((c + 1) * kCellsPerChunk, complex.seeds.size());
+        for (uint32_t p = piece_start[c * kCellsPerChunk]; p < piece_start[end_cell]; ++p)
+            for (uint32_t corner = 0; corner < complex.pieces[p].count; ++corner)
+                corner_vertex[complex.pieces[p].first + corner] += base;
         for (size_t i = 0; i < chunks[c].cracks.size(); ++i) {
             CrackEdge crack = chunks[c].cracks[i];
             crack.vertex_0 += base;
@@ -149,13 +149,15 @@ void makeExterior(const TriangleMesh& mesh, const CellComplex& complex, const Bo
                   FractureGeometry& geometry) {
     const std::vector<uint32_t> piece_start = pieceStarts(complex);
     const auto cell_count = static_cast<uint32_t>(complex.seeds.size());
+    std::vector<uint32_t> corner_vertex(complex.exterior_loop.size());
     std::vector<ExteriorChunk> chunks((cell_count + kCellsPerChunk - 1) / kCellsPerChunk);
     tbb::parallel_for(size_t{0}, chunks.size(), [&](size_t c) {
         const uint32_t first = static_cast<uint32_t>(c) * kCellsPerChunk;
         addCells(mesh, complex, bonds, piece_start, first, std::min(first + kCellsPerChunk, cell_count),
-                 chunks[c]);
+                 corner_vertex, chunks[c]);
     });
-    joinChunks(chunks, geometry);
+    joinChunks(complex, piece_start, chunks, corner_vertex, geometry);
+    listExteriorTriangles(mesh, complex, corner_vertex, geometry);
 }
 
 }  // namespace demolish

@@ -24,6 +24,11 @@ class BondLookup {
 void makeExterior(const TriangleMesh& mesh, const CellComplex& complex, const BondLookup& bonds,
                   FractureGeometry& geometry);
 
+/// Fills exterior_triangles, exterior_cells, exterior_indices and exterior_rim. `corner_vertex`: the exterior
+/// vertex at each entry of complex.exterior_loop.
+void listExteriorTriangles(const TriangleMesh& mesh, const CellComplex& complex,
+                           const std::vector<uint32_t>& corner_vertex, FractureGeometry& geometry);
+
 /// Voronoi edges inside the solid, cut into equal parts no longer than a given length. Cells that share an
 /// edge share the cuts; segments of the outer surface are never cut.
 struct SplitEdges {

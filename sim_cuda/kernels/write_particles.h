@@ -29,11 +29,13 @@ struct WriteParticles {
         shown;  ///< per projectile slot: (where to draw it while it waits, m; radius to draw, m)
     Span<ParticleInstance> instances;
     uint32_t in_bodies = 0;
+    uint32_t first_id = 0;  ///< particle that goes to the beginning of `instances`
     ParticleColour colour = ParticleColour::kFragment;
     Real speed_scale{};  ///< 1/(m/s): colour 1 at this speed
 
-    DEM_FN void operator()(uint32_t i) const {
-        if (i >= instances.size()) return;
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = first_id + k;
+        if (k >= instances.size()) return;
         const OwnParticle<Real> own = loadOwn(arrays, i);
         const bool projectile = i >= in_bodies;
         Vec3<Real> position = positionOf(arrays.in, i);
@@ -49,7 +51,7 @@ struct WriteParticles {
         instance.radius = static_cast<float>(radius);
         instance.fragment = projectile ? i : fragment[i];
         instance.value = projectile ? 0.0f : static_cast<float>(value(own, instance.fragment));
-        instances[i] = instance;
+        instances[k] = instance;
     }
 
     DEM_FN Real value(const OwnParticle<Real>& own, uint32_t slot) const {

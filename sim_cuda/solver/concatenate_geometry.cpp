@@ -1,6 +1,10 @@
 // Offsets, and nothing but offsets: the geometry of a body is copied with its numbers moved.
 #include "sim_cuda/solver/concatenate_geometry.h"
 
+#include <utility>
+
+#include "sim_cuda/kernels/write_exterior_indices.h"
+
 namespace demolish {
 namespace {
 
@@ -26,7 +30,19 @@ void appendExterior(const FractureGeometry& from, const Offsets& offsets, Fractu
     const uint32_t first_vertex = count(to.exterior);
     to.exterior.insert(to.exterior.end(), from.exterior.begin(), from.exterior.end());
     for (uint32_t v = first_vertex; v < to.exterior.size(); ++v) to.exterior[v].cell += offsets.cell;
+    const uint32_t first_index = count(to.exterior_indices), first_rim = count(to.exterior_rim);
+    const uint32_t first_cell = count(to.exterior_cells), first_triangle = count(to.exterior_triangles);
+    for (ExteriorTriangle triangle : from.exterior_triangles) {
+        triangle.first_index += first_index;
+        triangle.first_rim += first_rim;
+        for (uint32_t& beyond : triangle.neighbour)
+            if (beyond != kNoNeighbour) beyond += first_triangle;
+        triangle.first_cell += first_cell;
+        to.exterior_triangles.push_back(triangle);
+    }
+    append(from.exterior_cells, offsets.cell, to.exterior_cells);
     append(from.exterior_indices, first_vertex, to.exterior_indices);
+    append(from.exterior_rim, first_vertex, to.exterior_rim);
     for (const CrackEdge& edge : from.crack_edges)
         to.crack_edges.push_back({edge.vertex_0 + first_vertex, edge.vertex_1 + first_vertex,
                                   edge.cell_a + offsets.cell, edge.cell_b + offsets.cell,
@@ -86,6 +102,38 @@ FractureGeometry sceneExterior(const SceneSetup& setup) {
     return scene;
 }
 
+std::vector<uint32_t> drawnExterior(const SceneSetup& setup, std::span<const uint32_t> particle_fragment) {
+    std::vector<uint32_t> drawn;
+    uint32_t first_vertex = 0;
+    size_t first_cell = 0;
+    for (const BodyInstance& instance : setup.bodies) {
+        const FractureGeometry& geometry = instance.body->geometry;
+        const auto fragment = particle_fragment.subspan(first_cell, instance.body->particles.size());
+        const auto triangles = count(geometry.exterior_triangles);
+        const auto span = [](const auto& values) { return Span(values.data(), values.size()); };
+        const ExteriorMesh mesh{span(geometry.exterior_triangles), span(geometry.exterior_cells),
+                                span(geometry.exterior_indices), span(geometry.exterior_rim)};
+        std::vector<uint8_t> uncut(triangles);
+        std::vector<uint32_t> counts(triangles), first(triangles + 1, 0);
+        for (uint32_t t = 0; t < triangles; ++t)
+            MarkUncut{mesh, span(fragment), Span(uncut.data(), uncut.size())}(t);
+        const Span<const uint8_t> chosen(uncut.data(), uncut.size());
+        const CountExterior count_indices{mesh, chosen, Span(counts.data(), counts.size())};
+        for (uint32_t t = 0; t < triangles; ++t) {
+            count_indices(t);
+            first[t + 1] = first[t] + counts[t];
+        }
+        std::vector<uint32_t> indices(first.back());
+        const WriteExteriorIndices write{mesh, chosen, span(std::as_const(first)),
+                                         Span(indices.data(), indices.size())};
+        for (uint32_t t = 0; t < triangles; ++t) write(t);
+        append(indices, first_vertex, drawn);
+        first_vertex += count(geometry.exterior);
+        first_cell += instance.body->particles.size();
+    }
+    return drawn;
+}
+
 StreamSizes streamSizes(const SceneSetup& setup) {
     StreamSizes sizes;
     sizes.particles = kMaxProjectiles;
@@ -94,6 +142,7 @@ StreamSizes streamSizes(const SceneSetup& setup) {
         sizes.particles += instance.body->particles.size();
         sizes.interior_vertices += 2 * geometry.face_vertices.size();
         sizes.interior_indices += 2 * geometry.face_indices.size();
+        sizes.exterior_indices += geometry.exterior_indices.size();
         sizes.crack_edges += geometry.crack_edges.size();
     }
     return sizes;

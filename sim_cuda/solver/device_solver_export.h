@@ -59,18 +59,20 @@ void DeviceSolver<Backend, Real>::restoreSurface(uint32_t broken, const std::vec
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams& streams, bool streams_fresh) {
     const FragmentRows rows = clusters_.rows();
-    const uint32_t total = tables_.counts.total;
+    const uint32_t total = tables_.counts.total, in_bodies = tables_.counts.in_bodies;
     updateSurface();
-    if (streams.particles.data != nullptr) {
-        showProjectiles();
+    if (streams.particles.data != nullptr || streams.projectiles.data != nullptr) showProjectiles();
+    const auto writeParticles = [&](const Stream<ParticleInstance>& stream, uint32_t first) {
+        if (stream.data == nullptr) return;
         const double speed = 2 * setup_.bodies[0].material.critical_velocity;
-        const Span<ParticleInstance> instances(streams.particles.data, streams.particles.capacity);
-        backend_.forEach(total,
+        backend_.forEach(total - first,
                          WriteParticles<Real>{data_.arrays(lists_.contacts()), clusters_.fragment(),
-                                              shown_projectiles_.view(), instances, tables_.counts.in_bodies,
-                                              streams.colour, static_cast<Real>(1 / speed)},
+                                              shown_projectiles_.view(), Span(stream.data, stream.capacity),
+                                              in_bodies, first, streams.colour, static_cast<Real>(1 / speed)},
                          "write particles");
-    }
+    };
+    writeParticles(streams.particles, 0);
+    writeParticles(streams.projectiles, in_bodies);
     if (streams.particle_fragment.data != nullptr) {
         const Span<uint32_t> slots(streams.particle_fragment.data, streams.particle_fragment.capacity);
         backend_.forEach(std::min<size_t>(total, slots.size()), CopyFragments{clusters_.fragment(), slots},
@@ -78,7 +80,8 @@ void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams& streams, bool
     }
     if (streams.transforms.data != nullptr)
         motion_.writeTransforms(rows, Span(streams.transforms.data, streams.transforms.capacity));
-    if (streams_fresh || written_of_ != progress_.broken) {
+    const bool draws_surface = streams.commands.data != nullptr;
+    if (draws_surface && (streams_fresh || written_of_ != progress_.broken)) {
         surface_.write(streams, clusters_.fragment());
         written_of_ = progress_.broken;
     }

@@ -13,6 +13,7 @@
 // shows depends on the order in which faces were exposed from update to update, because faces that showed
 // before never move again.
 #pragma once
+#include <algorithm>
 #include <cstring>
 #include <utility>
 #include <vector>
@@ -26,6 +27,7 @@
 #include "sim_cuda/kernels/spread_surface_distance.h"
 #include "sim_cuda/kernels/write_crack_list.h"
 #include "sim_cuda/kernels/write_draw_commands.h"
+#include "sim_cuda/kernels/write_exterior_indices.h"
 #include "sim_cuda/kernels/write_interior_indices.h"
 #include "sim_cuda/kernels/write_interior_vertices.h"
 #include "sim_cuda/solver/concatenate_geometry.h"
@@ -47,9 +49,9 @@ class FractureSurface {
     /// Marks what shows now and bends the faces that did not show at the last update.
     void update(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken);
 
-    /// Fills interior_vertices, interior_indices, crack_edges and commands, each unless its stream is empty,
-    /// as of the last update; `fragment` is the one of that update. What would not fit is left out:
-    /// streamSizes() always fits.
+    /// Fills interior_vertices, interior_indices, exterior_indices, crack_edges and commands, each unless its
+    /// stream is empty, as of the last update; `fragment` is the one of that update. What would not fit is
+    /// left out: streamSizes() always fits.
     void write(const RenderStreams& streams, Span<const uint32_t> fragment);
 
     /// Everything whole and at rest again.
@@ -71,7 +73,13 @@ class FractureSurface {
         return {corner_start_.view(), corner_face_.view(), corner_next_.view(), corner_previous_.view()};
     }
     void measureSurfaceDistance(const std::vector<uint8_t>& on_surface);
+    ExteriorMesh exterior() const {
+        return {exterior_triangles_.view(), exterior_cells_.view(), exterior_parts_.view(),
+                exterior_rim_.view()};
+    }
     void bendNewFaces();
+    void chooseExterior(Span<const uint32_t> fragment);
+    void makeExteriorWhole();
     void countShown(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken);
 
     Backend& backend_;
@@ -79,6 +87,9 @@ class FractureSurface {
     Buffer<InteriorFace> faces_;
     Buffer<uint32_t> face_vertices_, face_of_vertex_;
     Buffer<uint16_t> face_indices_;
+    Buffer<ExteriorTriangle> exterior_triangles_;
+    Buffer<uint32_t> exterior_cells_, exterior_parts_, exterior_rim_;
+    size_t cells_;
     Buffer<CrackEdge> crack_edges_;
     Buffer<uint32_t> corner_start_, corner_face_, corner_next_, corner_previous_;
     Buffer<Float3> rest_;
@@ -86,8 +97,9 @@ class FractureSurface {
     Buffer<uint8_t> surface_distance_;  ///< of pool vertices, in edges
     // changing
     Buffer<uint8_t> face_state_, movable_;
+    Buffer<uint8_t> uncut_;  ///< triangles of the mesh
     Buffer<Float3> position_, previous_position_;
-    Buffer<uint32_t> first_vertex_, first_index_,
+    Buffer<uint32_t> first_vertex_, first_index_, first_exterior_,
         crack_place_;  ///< exclusive scans, one longer than what they count
 };
 
@@ -100,6 +112,12 @@ inline std::vector<uint32_t> faceOfVertex(const FractureGeometry& geometry) {
     return face_of_vertex;
 }
 
+/// Cells that have a part of the outside have numbers below this.
+inline size_t cellsOf(const FractureGeometry& geometry) {
+    const auto& cells = geometry.exterior_cells;
+    return cells.empty() ? 0 : size_t{*std::max_element(cells.begin(), cells.end())} + 1;
+}
+
 template <class Backend>
 FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry& scene)
     : backend_(backend),
@@ -107,6 +125,11 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       face_vertices_(backend.uploaded(scene.geometry.face_vertices)),
       face_of_vertex_(backend.uploaded(faceOfVertex(scene.geometry))),
       face_indices_(backend.uploaded(scene.geometry.face_indices)),
+      exterior_triangles_(backend.uploaded(scene.geometry.exterior_triangles)),
+      exterior_cells_(backend.uploaded(scene.geometry.exterior_cells)),
+      exterior_parts_(backend.uploaded(scene.geometry.exterior_indices)),
+      exterior_rim_(backend.uploaded(scene.geometry.exterior_rim)),
+      cells_(cellsOf(scene.geometry)),
       crack_edges_(backend.uploaded(scene.geometry.crack_edges)),
       corner_start_(backend.uploaded(scene.geometry.pool_corner_start)),
       corner_face_(backend.uploaded(scene.geometry.pool_corner_face)),
@@ -117,11 +140,14 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       surface_distance_(backend.template allocate<uint8_t>(rest_.size())),
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
       movable_(backend.template allocate<uint8_t>(rest_.size())),
+      uncut_(backend.template allocate<uint8_t>(exterior_triangles_.size())),
       position_(backend.uploaded(scene.geometry.pool)),
       previous_position_(backend.template allocate<Float3>(rest_.size())),
       first_vertex_(backend.template allocate<uint32_t>(faces_.size() + 1)),
       first_index_(backend.template allocate<uint32_t>(faces_.size() + 1)),
+      first_exterior_(backend.template allocate<uint32_t>(exterior_triangles_.size() + 1)),
       crack_place_(backend.template allocate<uint32_t>(crack_edges_.size() + 1)) {
+    makeExteriorWhole();
     measureSurfaceDistance(scene.geometry.pool_on_surface);
 }
 
@@ -155,9 +181,27 @@ void FractureSurface<Backend>::countShown(Span<const uint32_t> fragment, Span<co
                      "mark exposed faces");
     backend_.forEach(cracks, MarkShownCracks{crack_edges_.view(), fragment, bond_broken, crack_place_.span()},
                      "mark shown cracks");
+
     backend_.exclusiveScan(first_vertex_.view().part(0, faces), first_vertex_.span());
     backend_.exclusiveScan(first_index_.view().part(0, faces), first_index_.span());
     backend_.exclusiveScan(crack_place_.view().part(0, cracks), crack_place_.span());
+    chooseExterior(fragment);
+}
+
+template <class Backend>
+void FractureSurface<Backend>::chooseExterior(Span<const uint32_t> fragment) {
+    const size_t triangles = exterior_triangles_.size();
+    backend_.forEach(triangles, MarkUncut{exterior(), fragment, uncut_.span()}, "mark uncut triangles");
+    backend_.forEach(triangles, CountExterior{exterior(), uncut_.view(), first_exterior_.span()},
+                     "count exterior");
+    backend_.exclusiveScan(first_exterior_.view().part(0, triangles), first_exterior_.span());
+}
+
+template <class Backend>
+void FractureSurface<Backend>::makeExteriorWhole() {
+    const Buffer<uint32_t> fragment = backend_.uploaded(std::vector<uint32_t>(cells_, 0));
+    chooseExterior(fragment.view());
+    backend_.synchronize();  // `fragment` goes out of scope
 }
 
 template <class Backend>
@@ -185,6 +229,7 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
     const auto span = [](const auto& stream) { return Span(stream.data, stream.data ? stream.capacity : 0); };
     const Span<SurfaceVertex> vertices = span(streams.interior_vertices);
     const Span<uint32_t> indices = span(streams.interior_indices), cracks = span(streams.crack_edges);
+    const Span<uint32_t> outside = span(streams.exterior_indices);
     const Span<DrawCommands> commands = span(streams.commands);
     if (!vertices.empty())
         backend_.forEach(
@@ -199,13 +244,17 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
             WriteInteriorIndices{faces_.view(), face_indices_.view(), face_state_.view(),
                                  first_vertex_.view(), first_index_.view(), vertices.size(), indices},
             "write interior indices");
+    if (!outside.empty())
+        backend_.forEach(exterior_triangles_.size(),
+                         WriteExteriorIndices{exterior(), uncut_.view(), first_exterior_.view(), outside},
+                         "write exterior indices");
     if (!cracks.empty())
         backend_.forEach(crack_edges_.size(), WriteCrackList{crack_place_.view(), cracks},
                          "write crack list");
     if (!commands.empty())
         backend_.forEach(1,
-                         WriteDrawCommands{first_index_.view(), crack_place_.view(), indices.size(),
-                                           cracks.size(), commands},
+                         WriteDrawCommands{first_index_.view(), crack_place_.view(), first_exterior_.view(),
+                                           indices.size(), cracks.size(), outside.size(), commands},
                          "write draw commands");
 }
 
@@ -216,6 +265,7 @@ void FractureSurface<Backend>::reset() {
     backend_.fill(first_vertex_.span(), 0u);
     backend_.fill(first_index_.span(), 0u);
     backend_.fill(crack_place_.span(), 0u);
+    makeExteriorWhole();
 }
 
 template <class Backend>

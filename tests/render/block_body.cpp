@@ -213,7 +213,7 @@ void BlockBody::write(FractureMesh& mesh, const std::function<uint32_t(uint32_t)
             cracks.push_back(k);
     }
     const uint32_t commands[10] = {static_cast<uint32_t>(indices.size()), 1, 0, 0, 0, 6,
-                                   static_cast<uint32_t>(cracks.size()),  0, 0, 0};
+                                   static_cast<uint32_t>(cracks.size()),  0, 0, 0};  // the outside stays
     mesh.stream(StreamId::kParticles).upload(std::as_bytes(std::span(particles)));
     mesh.stream(StreamId::kParticleFragment).upload(std::as_bytes(std::span(slots)));
     mesh.stream(StreamId::kTransforms).upload(std::as_bytes(std::span(transforms)));

@@ -1,4 +1,6 @@
 // Light obeys geometry: shadow falls where the sun's ray meets the block, and only there; corners are dimmer.
+#include <glad/gl.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -169,6 +171,53 @@ TEST_F(LightTest, FloorIsDimmerBesideTheBlock) {
         return brightness(draft, x, y) - brightness(full, x, y);
     };
     EXPECT_GT(loss({-0.2f, 0.0f, 0.53f}), loss({-0.2f, 0.0f, 1.0f}) + 5);
+}
+
+/// Writes the block's place as a foreign API does: the mesh does not notice.
+void placeUnnoticed(const FractureMesh& mesh, float x) {
+    const float transform[8] = {0, 0, 0, 1, x, 0, 0, 0};
+    glNamedBufferSubData(mesh.stream(StreamId::kTransforms).id(), 0, sizeof(transform), transform);
+}
+
+TEST_F(LightTest, TheShadowMapIsDrawnAgainOnlyWhenWhatItShowsHasChanged) {
+    for (const RenderQuality quality : {RenderQuality::kDraft, RenderQuality::kFull}) {
+        Scene scene = wholeBlock();
+        scene.view.width = 240;
+        scene.view.height = 135;
+        scene.view.quality = quality;
+        const Image before = drawPicture(renderer(), scene);
+        EXPECT_TRUE(before.pixels == drawPicture(renderer(), scene).pixels);
+        placeUnnoticed(*scene.mesh, 0.4f);
+        const Image old_shadow = drawPicture(renderer(), scene);
+        scene.mesh->touch();
+        const Image after = drawPicture(renderer(), scene);
+        EXPECT_GT(differingPixels(before, after, 20), 500u);
+        EXPECT_GT(differingPixels(old_shadow, after, 20), 100u);
+        Scene anew = wholeBlock();
+        placeUnnoticed(*anew.mesh, 0.4f);
+        anew.view = scene.view;
+        EXPECT_TRUE(after.pixels == drawPicture(renderer(), anew).pixels);
+    }
+}
+
+TEST_F(LightTest, ShadowsFollowBallsAndTheSun) {
+    Scene scene = makeScene("empty_floor");
+    scene.view.width = 240;
+    scene.view.height = 135;
+    const auto drawn = [&] { return drawPicture(renderer(), scene); };
+    const Image empty = drawn();
+    scene.spheres = {{{0, 0.5f, 0}, 0.3f}};
+    const Image ball = drawn();
+    EXPECT_GT(differingPixels(empty, ball, 20), 500u);
+    scene.spheres[0].position[1] = 0.3f;
+    const Image lower = drawn();
+    scene.view.lighting.sun_direction.x *= -1;
+    const Image other_sun = drawn();
+    EXPECT_GT(differingPixels(lower, other_sun, 20), 100u);
+    scene.view.lighting.sun_direction.x *= -1;
+    EXPECT_TRUE(lower.pixels == drawn().pixels);
+    scene.spheres.clear();
+    EXPECT_TRUE(empty.pixels == drawn().pixels);
 }
 
 }  // namespace

@@ -139,6 +139,7 @@ FractureMesh makeRabbitMesh(const BreakableBody& body, const RabbitState& state)
     DrawCommands commands{};
     commands.interior = {static_cast<uint32_t>(broken.indices.size()), 1, 0, 0, 0};
     commands.cracks = {6, static_cast<uint32_t>(state.cracks.size()), 0, 0, 0};
+    commands.exterior = {static_cast<uint32_t>(geometry.exterior_indices.size()), 1, 0, 0, 0};
     upload(mesh, StreamId::kParticleFragment, state.slot);
     upload(mesh, StreamId::kTransforms, transforms);
     upload(mesh, StreamId::kInteriorVertices, broken.vertices);

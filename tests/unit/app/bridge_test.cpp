@@ -42,6 +42,58 @@ TEST(Bridge, UseOfTheDrawListsFollowsFromCountsAndHighestIndex) {
     EXPECT_EQ(use.interior_vertices, 10u);
 }
 
+/// All asleep, `frame` frames on.
+FrameStats asleep(uint64_t frame) {
+    FrameStats stats;
+    stats.frame = frame;
+    stats.fragments = stats.sleeping_fragments = 3;
+    return stats;
+}
+
+TEST(Bridge, WhatSleepsTravelsOnceMoreAndThenOnlyProjectiles) {
+    ExportHistory history;
+    const auto colour = ParticleColour::kFragment;
+    FrameStats moving = asleep(1);
+    moving.awake_particles = 40;
+    EXPECT_EQ(history.next(asleep(0), colour, true), FrameChange::kAll);
+    EXPECT_EQ(history.next(moving, colour, false), FrameChange::kMotion);
+    EXPECT_EQ(history.next(asleep(2), colour, false), FrameChange::kMotion);
+    EXPECT_EQ(history.next(asleep(3), colour, false), FrameChange::kProjectiles);
+    EXPECT_EQ(history.next(asleep(3), colour, false), FrameChange::kProjectiles);
+    moving.frame = 4;
+    EXPECT_EQ(history.next(moving, colour, false), FrameChange::kMotion);
+}
+
+TEST(Bridge, WhatBreaksOrIsFreshTravelsWhole) {
+    ExportHistory history;
+    const auto colour = ParticleColour::kFragment;
+    history.next(asleep(0), colour, true);
+    FrameStats broken = asleep(1);
+    broken.bonds_broken = 1;
+    EXPECT_EQ(history.next(broken, colour, false), FrameChange::kAll);
+    broken.frame = 2;
+    EXPECT_EQ(history.next(broken, colour, false), FrameChange::kProjectiles);
+    EXPECT_EQ(history.next(broken, colour, true), FrameChange::kAll);
+    EXPECT_EQ(history.next(asleep(0), colour, false), FrameChange::kAll) << "a restart heals bonds";
+}
+
+TEST(Bridge, ColoursAndFramesThatWereSkippedAreBroughtOver) {
+    ExportHistory history;
+    history.next(asleep(0), ParticleColour::kFragment, true);
+    EXPECT_EQ(history.next(asleep(1), ParticleColour::kStress, false), FrameChange::kMotion);
+    EXPECT_EQ(history.next(asleep(3), ParticleColour::kStress, false), FrameChange::kMotion);
+    EXPECT_EQ(history.next(asleep(4), ParticleColour::kStress, false), FrameChange::kProjectiles);
+}
+
+TEST(Bridge, ASolverThatPutsNothingToSleepAlwaysTravels) {
+    ExportHistory history;
+    FrameStats stats;
+    stats.fragments = 1;
+    history.next(stats, ParticleColour::kFragment, true);
+    for (stats.frame = 1; stats.frame < 4; ++stats.frame)
+        EXPECT_EQ(history.next(stats, ParticleColour::kFragment, false), FrameChange::kMotion);
+}
+
 TEST(Bridge, VisibleDevicesRenumberCudaOnly) {
     EXPECT_EQ(eglOrdinal(0, nullptr), 0);
     EXPECT_EQ(eglOrdinal(1, nullptr), 1);

@@ -8,6 +8,7 @@ DrawnSurface::DrawnSurface(const SceneSetup& setup)
     const StreamSizes sizes = streamSizes(setup);
     vertices.resize(sizes.interior_vertices);
     indices.resize(sizes.interior_indices);
+    exterior.resize(sizes.exterior_indices);
     cracks.resize(sizes.crack_edges);
     uint32_t first_cell = 0;
     for (const BodyInstance& instance : setup.bodies) {
@@ -31,6 +32,7 @@ void DrawnSurface::writeStreams() {
     RenderStreams streams;
     streams.interior_vertices = {vertices.data(), vertices.size()};
     streams.interior_indices = {indices.data(), indices.size()};
+    streams.exterior_indices = {exterior.data(), exterior.size()};
     streams.crack_edges = {cracks.data(), cracks.size()};
     streams.commands = {&commands, 1};
     surface.write(streams, {fragments.data(), fragments.size()});
@@ -46,7 +48,7 @@ std::vector<Soup> DrawnSurface::soups(uint32_t fragment_count) const {
             made[fragments[u.cell]].push_back({u.position, v.position, w.position});
         }
     };
-    add(scene.geometry.exterior, scene.geometry.exterior_indices, scene.geometry.exterior_indices.size());
+    add(scene.geometry.exterior, exterior, commands.exterior.count);
     add(vertices, indices, commands.interior.count);
     return made;
 }

@@ -30,7 +30,7 @@ class DrawnSurface {
     std::vector<uint8_t> broken;
     std::vector<std::pair<uint32_t, uint32_t>> bond_cells;
     std::vector<SurfaceVertex> vertices;
-    std::vector<uint32_t> indices, cracks;
+    std::vector<uint32_t> indices, exterior, cracks;
     DrawCommands commands{};
 };
 

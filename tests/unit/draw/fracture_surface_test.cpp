@@ -95,6 +95,69 @@ TEST(FractureSurface, BentFragmentsStayClosedAndKeepTheVolumeTogether) {
     }
 }
 
+/// Many cells to a triangle of the mesh.
+std::shared_ptr<const BreakableBody> coarseBody() {
+    return filled(test::makeTorus(0.5, 0.2, 10, 6), 700);
+}
+
+TEST(FractureSurface, AWholeBodyIsDrawnByTheTrianglesOfItsMesh) {
+    const auto body = coarseBody();
+    const SceneSetup setup = test::sceneOf(body);
+    test::DrawnSurface drawn(setup);
+    drawn.fragments.assign(700, 0);
+    drawn.writeStreams();  // before any update
+    EXPECT_EQ(drawn.commands.exterior.count, 3 * body->geometry.exterior_triangles.size());
+    EXPECT_GT(body->geometry.exterior_indices.size(), 10 * drawn.commands.exterior.count);
+    const std::vector<test::Soup> soups = drawn.soups(1);
+    EXPECT_EQ(test::openEdges(soups[0]), 0u);
+    EXPECT_NEAR(test::enclosedVolume(soups[0]), body->mesh_volume, 1e-6 * body->mesh_volume);
+}
+
+TEST(FractureSurface, TrianglesOfTheMeshAreCutWhereTheirCellsParted) {
+    const auto body = coarseBody();
+    const SceneSetup setup = test::sceneOf(body);
+    for (const uint32_t fragment_count : {2u, 9u, 350u}) {
+        SCOPED_TRACE(fragment_count);
+        test::DrawnSurface drawn(setup);
+        drawn.show(test::randomFragments(body->geometry, 700, fragment_count, 5));
+        double volume = 0;
+        for (const test::Soup& soup : drawn.soups(fragment_count)) {
+            EXPECT_EQ(test::openEdges(soup), 0u);
+            volume += test::enclosedVolume(soup);
+        }
+        EXPECT_NEAR(volume, body->mesh_volume, 1e-6 * body->mesh_volume);
+        const uint32_t count = drawn.commands.exterior.count;
+        EXPECT_LE(count, body->geometry.exterior_indices.size());
+        for (uint32_t i = 0; i < count; i += 3) {  // no triangle reaches into another fragment
+            const auto slot = [&](uint32_t corner) {
+                return drawn.fragments[body->geometry.exterior[drawn.exterior[i + corner]].cell];
+            };
+            ASSERT_TRUE(slot(0) == slot(1) && slot(1) == slot(2));
+        }
+        EXPECT_EQ(std::vector(drawn.exterior.begin(), drawn.exterior.begin() + count),
+                  drawnExterior(setup, drawn.fragments));
+        drawn.surface.reset();
+        drawn.fragments.assign(700, 0);
+        drawn.writeStreams();
+        EXPECT_LT(drawn.commands.exterior.count, count);
+    }
+}
+
+TEST(FractureSurface, TwoBodiesAreDrawnByTheirOwnTriangles) {
+    const auto body = coarseBody();
+    SceneSetup setup = test::sceneOf(body);
+    setup.bodies.push_back(setup.bodies[0]);
+    test::DrawnSurface drawn(setup);
+    std::vector<uint32_t> fragment(1400, 0);
+    for (uint32_t cell = 700; cell < 1400; ++cell) fragment[cell] = 1 + cell % 2;
+    drawn.show(fragment);
+    const std::vector<test::Soup> soups = drawn.soups(3);
+    for (const test::Soup& soup : soups) EXPECT_EQ(test::openEdges(soup), 0u);
+    EXPECT_EQ(soups[0].size(), body->geometry.exterior_triangles.size());
+    EXPECT_EQ(std::vector(drawn.exterior.begin(), drawn.exterior.begin() + drawn.commands.exterior.count),
+              drawnExterior(setup, fragment));
+}
+
 TEST(FractureSurface, NoCellTurnsInsideOutWhenAllComeLoose) {
     const auto body = filled(test::makeSphere(0.5, 4), 600);
     test::DrawnSurface drawn(test::sceneOf(body));

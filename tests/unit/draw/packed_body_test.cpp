@@ -112,6 +112,8 @@ TEST(PackedBody, OneThreadAndTwoMakeTheSameDrawData) {
     }
     EXPECT_TRUE(sameBytes(made[0].exterior, made[1].exterior));
     EXPECT_TRUE(sameBytes(made[0].exterior_indices, made[1].exterior_indices));
+    EXPECT_TRUE(sameBytes(made[0].exterior_rim, made[1].exterior_rim));
+    EXPECT_TRUE(sameBytes(made[0].exterior_triangles, made[1].exterior_triangles));
     EXPECT_TRUE(sameBytes(made[0].pool, made[1].pool));
     EXPECT_TRUE(sameBytes(made[0].pool_on_surface, made[1].pool_on_surface));
     EXPECT_TRUE(sameBytes(made[0].faces, made[1].faces));

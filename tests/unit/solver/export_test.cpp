@@ -77,5 +77,44 @@ TEST(SolverExport, ColoursSayWhatWasAskedFor) {
     }
 }
 
+TEST(SolverExport, ProjectilesAloneAreThoseBehindTheParticles) {
+    SceneSetup setup = freeBody(latticeBody(3, 3, 3, 0.1));
+    for (const double x : {3.0, -4.0}) {
+        Projectile ball;
+        ball.position = {x, 1, 2};
+        ball.velocity = {1, 0, 0};
+        ball.radius = 0.1 * std::abs(x);
+        setup.projectiles.push_back(ball);
+    }
+    auto solver = makeCpuSolver(setup);
+    ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    const Frame frame(*solver, 29);
+    std::vector<ParticleInstance> alone(2);
+    RenderStreams streams;
+    streams.projectiles = {alone.data(), alone.size()};
+    solver->exportFrame(streams);
+    for (size_t p = 0; p < 2; ++p) {
+        const ParticleInstance& among = frame.particles[27 + p];
+        EXPECT_EQ(alone[p].position.x, among.position.x);
+        EXPECT_EQ(alone[p].radius, among.radius);
+        EXPECT_EQ(alone[p].fragment, among.fragment);
+        EXPECT_NEAR(alone[p].radius, 0.1 * std::abs(setup.projectiles[p].position.x), 1e-6);
+    }
+}
+
+TEST(SolverExport, AnExportWithoutDrawListsLeavesThemToTheNext) {
+    SceneSetup setup = freeBody(latticeBody(3, 3, 3, 0.1));
+    auto solver = makeCpuSolver(setup);
+    std::vector<uint32_t> fragment(27);
+    RenderStreams slots;
+    slots.particle_fragment = {fragment.data(), fragment.size()};
+    solver->exportFrame(slots);
+    DrawCommands commands{};
+    RenderStreams lists;
+    lists.commands = {&commands, 1};
+    solver->exportFrame(lists);
+    EXPECT_EQ(commands.cracks.count, 6u);
+}
+
 }  // namespace
 }  // namespace demolish::tests
