@@ -18,6 +18,7 @@ inline constexpr int kShadowRegions = 2;
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
     bool as_particles = false;
+    bool culled = false;         ///< drawn without the triangles that no texel shows
     std::vector<float> spheres;  ///< position and radius of each
     glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};
     bool operator==(const ShadowScene&) const = default;

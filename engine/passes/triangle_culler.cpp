@@ -80,7 +80,8 @@ void TriangleCuller::dispatch(gl::Program& program, uint32_t groups) {
         program.set(kSourceCommand, kCommandOf[list]);
         glDispatchCompute(groups, 1, 1);
     }
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT |
+                    GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void TriangleCuller::run(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels) {

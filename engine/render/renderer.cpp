@@ -121,6 +121,7 @@ ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameV
     ShadowScene scene;
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
+    scene.culled = mesh != nullptr && culls(*mesh, view);
     for (const SphereDraw& sphere : sphere_draws) {
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
