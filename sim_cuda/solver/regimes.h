@@ -1,7 +1,7 @@
 // Only what is breaking pays (architecture 9): decides which fragments are moved with their bonds, which as
 // rigid bodies and which not at all, and keeps the lists of each.
 //
-//   fit (16)-(18) of every fragment -> how calm it is -> islands that may meet -> regime of each island
+//   fit (16)-(18) of every fragment -> how calm it is -> islands that may meet -> regime of each fragment
 //   -> rigid bodies, particles made to follow them -> marks -> scan -> lists, their lengths to the host
 //
 // Bonds come to rest only at the start of a frame; they wake whenever contact lists are made, before a hard
