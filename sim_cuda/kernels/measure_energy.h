@@ -24,13 +24,14 @@ DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
 }
 
 /// `next` is the state one substep later: kinetic energy counts the mean of the velocities before and after
-/// the kick (B.1).
+/// the kick (B.1). What sleeps feels no kick, whatever still presses on it.
 template <class Real>
 struct MeasureEnergy {
     SubstepArrays<Real> arrays;  ///< only read
     StateIn<Real> next;
     StepParams<Real> params;
-    Vec3<double> gravity;  ///< m/s^2
+    Vec3<double> gravity;                ///< m/s^2
+    Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps
 
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
@@ -42,14 +43,20 @@ struct MeasureEnergy {
             inDouble(xyz(own.state.position)) +
             inDouble(lowPart(own.state.position, own.state.velocity, own.state.spin));
         const Vec3<double> velocity = inDouble(xyz(own.state.velocity)), spin = inDouble(xyz(own.state.spin));
-        const Vec3<double> mean_velocity = 0.5 * (velocity + inDouble(xyz(next.velocity[i])));
-        const Vec3<double> mean_spin = 0.5 * (spin + inDouble(xyz(next.spin[i])));
+        const bool kicked = !sleeps(i);
+        const Vec3<double> mean_velocity =
+            kicked ? 0.5 * (velocity + inDouble(xyz(next.velocity[i]))) : velocity;
+        const Vec3<double> mean_spin = kicked ? 0.5 * (spin + inDouble(xyz(next.spin[i]))) : spin;
         sums.kinetic = 0.5 * (mass * length2(mean_velocity) + inertia * length2(mean_spin));
         sums.potential = -mass * dot(gravity, position);
         sums.linear = mass * velocity;
         sums.angular = mass * cross(position, velocity) + inertia * spin;
         sums.elastic = elasticEnergy(own);
         return sums;
+    }
+
+    DEM_FN bool sleeps(uint32_t i) const {
+        return regime.data != nullptr && regime[label[i]] == wordOf(Regime::kAsleep);
     }
 
     DEM_FN double elasticEnergy(const OwnParticle<Real>& own) const {

@@ -62,8 +62,16 @@ void DeviceSolver<Backend, Real>::measure() {
     data_.work = work;
     data_.constants_in_substeps = constants;
     const Double3 g = setup_.params.gravity;
-    const MeasureEnergy<Real> energy{
-        data_.arrays(lists_.contacts()), data_.particles.in(1 - data_.current), params_, {g.x, g.y, g.z}};
+    MeasureEnergy<Real> energy{data_.arrays(lists_.contacts()),
+                               data_.particles.in(1 - data_.current),
+                               params_,
+                               {g.x, g.y, g.z},
+                               {},
+                               {}};
+    if (regimes_.on()) {
+        energy.label = clusters_.fragment();
+        energy.regime = regimes_.regime();
+    }
     const MechanicalSums sums = backend_.reduce(tables_.counts.total, MechanicalSums{}, energy,
                                                 SumInto<MechanicalSums>{}, "measure energies");
     stats_.energy.kinetic = sums.kinetic;
