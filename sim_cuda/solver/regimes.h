@@ -21,7 +21,7 @@ namespace demolish {
 
 /// What a decision leaves to the next; part of a snapshot.
 struct RegimeMemory {
-    uint32_t awake = 0, must_bond = 0;  ///< particles: that do not sleep; of islands that need their bonds
+    uint32_t awake = 0, must_bond = 0;  ///< particles: that do not sleep; of fragments that need their bonds
     uint32_t all_bonded = 0;            ///< 1: this frame all that is awake is moved with its bonds
 };
 
