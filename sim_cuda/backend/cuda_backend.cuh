@@ -114,6 +114,8 @@ class CudaBackend {
     void copy(Span<const T> from, Span<T> to) {
         if (from.count > 0) transfer(to.data, from.data, from.count * sizeof(T), cudaMemcpyDeviceToDevice);
     }
+    /// All of them, in one launch; none overlaps another. Memory comes from Buffer, so that it is aligned.
+    void copyAll(const std::vector<CopyRange>& ranges);
     template <class T>
     struct FillKernel {
         Span<T> to;
@@ -176,7 +178,7 @@ class CudaBackend {
         /// Waits for them, and not for what was started later.
         const std::vector<uint32_t>& wait();
 
-        static constexpr size_t kWords = 8;
+        static constexpr size_t kWords = 12;
 
       private:
         uint32_t* pinned_ = nullptr;

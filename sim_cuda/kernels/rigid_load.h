@@ -21,17 +21,7 @@ DEM_FN bool isNullWrench(const Wrench<Real>& a) {
     return !(length2(a.force) > Real(0)) && !(length2(a.torque) > Real(0));
 }
 
-/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
-template <bool kLedger, class Real>
-DEM_FN Wrench<Real> rigidBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                  const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                  uint32_t slot, Tally<Real>& tally) {
-    const BondLink link = arrays.link[slot];
-    if (isBonded(link) || label[linkedParticle(link)] == label[own.id]) return {};
-    return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
-}
-
-/// The same, counted when it gives anything.
+/// Counted when it gives anything.
 template <class Real>
 DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
     if (!isNullWrench(wrench)) ++touching;
@@ -46,12 +36,16 @@ DEM_FN Wrench<Real> countedSlot(const SubstepArrays<Real>& arrays, uint32_t j, c
     if (arrays.constants[j].x < Real(0) && spring.w > Real(0)) ++touching;
     return counted(slot(), touching);
 }
+/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                     const Span<const uint32_t>& label, const OwnParticle<Real>& own,
                                     uint32_t slot, RigidLoad<Real>& load) {
-    return countedSlot(arrays, linkedParticle(arrays.link[slot]), arrays.bond_spring[slot], load.touching,
-                       [&] { return rigidBondSlot<kLedger>(arrays, params, label, own, slot, load.tally); });
+    const BondLink link = arrays.link[slot];
+    const uint32_t j = linkedParticle(link);
+    if (isBonded(link) || label[j] == label[own.id]) return {};
+    return countedSlot(arrays, j, arrays.bond_spring[slot], load.touching,
+                       [&] { return formerBondSlot<kLedger>(arrays, params, own, slot, load.tally); });
 }
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,

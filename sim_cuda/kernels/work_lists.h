@@ -15,7 +15,8 @@ struct PlacesIn {
     DEM_FN uint32_t size(uint32_t slot) const { return slot < in_bodies ? rows.size[slot] : 1; }
 };
 
-template <class Real>
+/// kThreads threads a place; the marks that they may set are 0 before.
+template <uint32_t kThreads, class Real>
 struct MarkWork {
     MeetingsIn<Real> meetings;
     PlacesIn places;
@@ -23,13 +24,16 @@ struct MarkWork {
     PlaneSet<Real> planes;
     Span<uint32_t> active, fragment, bonded, carried;  ///< marks: by place, by slot, by particle, by particle
 
-    DEM_FN void operator()(uint32_t k) const {
-        const uint32_t i = places.particleAt(k);
-        const Near near = isIn(i, Regime::kRigid) ? nearOf(i) : Near{};
-        active[k] = near.anything ? 1 : 0;
-        carried[i] = near.bonded && i < places.in_bodies ? 1 : 0;
-        fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
-        bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
+    DEM_FN void operator()(uint32_t thread) const {
+        const uint32_t k = thread / kThreads, part = thread % kThreads, i = places.particleAt(k);
+        if (part == 0) {
+            fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
+            bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
+        }
+        if (!isIn(i, Regime::kRigid)) return;
+        const Near near = nearOf(i, part);
+        if (near.anything) atomicOrU32(&active[k], 1);
+        if (near.bonded && i < places.in_bodies) atomicOrU32(&carried[i], 1);
     }
 
   private:
@@ -37,9 +41,9 @@ struct MarkWork {
     struct Near {
         bool anything = false, bonded = false;
     };
-    DEM_FN Near nearOf(uint32_t i) const {
-        Near near{nearPlane(i), false};
-        meetings.visitMeetings(i, false, [&](uint32_t j) {
+    DEM_FN Near nearOf(uint32_t i, uint32_t part) const {
+        Near near{part == 0 && nearPlane(i), false};
+        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             near.anything = true;
             near.bonded = near.bonded || isIn(j, Regime::kBonded);
         });
@@ -75,6 +79,8 @@ struct WriteWork {
     Span<const uint32_t> share;  ///< per slot: contacts of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
+    Span<uint32_t> large;          ///< entries with long rows, in any order
+    Span<uint32_t> words;          ///< kWorkWords, 0 before
     Span<Vec4<Real>> constants;    ///< of contact steps
     Span<Vec4<Real>> in_substeps;  ///< of substeps, where rigid fragments move too
 
@@ -95,6 +101,7 @@ struct WriteWork {
         fragment[entry] = k;
         first[entry] = sum(0, places.first(k));
         last[entry] = end(k);
+        if (last[entry] - first[entry] > kShortRigidRow) large[atomicAddU32(&words[kLargeCount], 1)] = entry;
     }
     DEM_FN void writeConstants(uint32_t k, uint32_t slot) const {
         const Vec4<Real> own = own_constants[k];
@@ -113,7 +120,7 @@ struct WriteWork {
 struct TellWork {
     Span<const uint32_t> sums;
     uint32_t total = 0;
-    Span<uint32_t> words;  ///< kWorkWords; the last is counted already
+    Span<uint32_t> words;  ///< kWorkWords; those after the first four are counted already
 
     DEM_FN void operator()(uint32_t) const {
         words[kActiveCount] = sums[total];

@@ -49,13 +49,21 @@ class RigidRunner<CudaBackend, Real> {
     GraphKey keyOf(const Step& step) const {
         const SubstepArrays<Real> arrays = step.arrays();
         const StepParams<Real>& params = step.params;
-        return {keyWord(arrays.in.position),         keyWord(arrays.contact_row),
-                keyWord(arrays.neighbour),           keyWord(arrays.contact_spring),
-                keyWord(arrays.body_laws),           keyWord(arrays.pair_laws),
-                keyWord(arrays.wall_laws),           keyWord(load_.view()),
-                keyWord(double(params.gravity.x)),   keyWord(double(params.gravity.y)),
-                keyWord(double(params.gravity.z)),   uint64_t{step.ledger},
-                roundedUp(step.work.active_at_most), roundedUp(step.work.fragments_at_most)};
+        return {keyWord(arrays.in.position),
+                keyWord(arrays.contact_row),
+                keyWord(arrays.neighbour),
+                keyWord(arrays.contact_spring),
+                keyWord(arrays.body_laws),
+                keyWord(arrays.pair_laws),
+                keyWord(arrays.wall_laws),
+                keyWord(load_.view()),
+                keyWord(double(params.gravity.x)),
+                keyWord(double(params.gravity.y)),
+                keyWord(double(params.gravity.z)),
+                uint64_t{step.ledger},
+                roundedUp(step.work.active_at_most),
+                roundedUp(step.work.fragments_at_most),
+                roundedUp(step.work.large_at_most, 1)};
     }
 
   private:
@@ -77,9 +85,11 @@ class RigidRunner<CudaBackend, Real> {
     }
     template <bool kLedger>
     void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
-        rigidStepKernel<kLedger, Real>
-            <<<roundedUp(step.work.fragments_at_most), kRigidLanes, 0, backend.stream()>>>(
-                step.template mover<kLedger>(load_.view(), stride, carried));
+        constexpr uint32_t kWarps = kRigidLanes / kWarp;
+        const uint32_t large = roundedUp(step.work.large_at_most, 1);
+        const uint32_t small = (roundedUp(step.work.fragments_at_most) + kWarps - 1) / kWarps;
+        rigidStepKernel<kLedger, Real><<<large + small, kRigidLanes, 0, backend.stream()>>>(
+            step.template mover<kLedger>(load_.view(), stride, carried), large);
         checkCuda(cudaGetLastError(), "starting a contact step");
     }
 

@@ -231,7 +231,7 @@ void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& searc
     };
     if constexpr (!Backend::kOnGpu)
         find.template operator()<1>();
-    else if (counts_.in_bodies <= kFew)
+    else if (counts_.in_bodies <= (getenv("DEMOLISH_FEW") ? uint32_t(atoi(getenv("DEMOLISH_FEW"))) : kFew))
         find.template operator()<4 * kCellRows>();
     else
         find.template operator()<kCellRows>();
