@@ -30,6 +30,13 @@ struct GridMembersIn {
     }
 };
 
+/// Three neighbouring cells: members first .. last-1, and 0 .. wrapped-1 where the last bucket is followed by
+/// the first. Strangers of other rows may be among them.
+struct RowOfCells {
+    uint64_t row = 0;
+    uint32_t first = 0, last = 0, wrapped = 0;
+};
+
 /// What all passes read.
 template <class Real>
 struct NeighbourSearch {
@@ -64,13 +71,23 @@ struct NeighbourSearch {
         return low < end && linkedParticle(link[low]) == j;
     }
 
-    /// visit(j) for those members first, first + step, ... before `last` that lie in the row of cells and
-    /// meet `own`.
+    /// Row `which` of the cells about a particle's own.
+    DEM_FN RowOfCells rowAbout(uint64_t own_key, uint32_t which) const {
+        GridCell cell = cellOf(own_key);
+        cell.x -= 1;
+        cell.y += static_cast<int32_t>(which % 3) - 1;
+        cell.z += static_cast<int32_t>(which / 3) - 1;
+        const uint64_t wanted = cellKey(cell);
+        const uint32_t bucket = bucketOf(wanted, mask), buckets = mask + 1, end = bucket + 3;
+        return {cellRow(wanted), bucket_start[bucket], bucket_start[end < buckets ? end : buckets],
+                end > buckets ? bucket_start[end - buckets] : 0};
+    }
+    /// visit(j) for those members first .. last-1 that lie in the row of cells and meet `own`.
     template <class Visit>
     DEM_FN void visitMembers(const GridMember<Real>& own, uint64_t row, uint32_t first, uint32_t last,
-                             uint32_t step, Visit& visit) const {
+                             Visit& visit) const {
         const Real horizon = frame[0].horizon;
-        for (uint32_t at = first; at < last; at += step) {
+        for (uint32_t at = first; at < last; ++at) {
             if (!ballsTouch(own.ball, member.ball[at])) continue;
             const uint32_t j = member.id[at];
             const uint64_t cell = member.key[at];
@@ -79,30 +96,23 @@ struct NeighbourSearch {
             if (meeting && j != own.id && cellRow(cell) == row && !hasBondRecord(own.id, j)) visit(j);
         }
     }
-    /// visit(j) for every step-th particle of a body in the three cells of row `which` about its own.
-    template <class Visit>
-    DEM_FN void visitRow(const GridMember<Real>& own, uint32_t which, uint32_t offset, uint32_t step,
-                         Visit& visit) const {
-        GridCell cell = cellOf(own.key);
-        cell.x -= 1;
-        cell.y += static_cast<int32_t>(which % 3) - 1;
-        cell.z += static_cast<int32_t>(which / 3) - 1;
-        const uint64_t wanted = cellKey(cell), row = cellRow(wanted);
-        const uint32_t bucket = bucketOf(wanted, mask), buckets = mask + 1, end = bucket + 3;
-        visitMembers(own, row, bucket_start[bucket] + offset, bucket_start[end < buckets ? end : buckets],
-                     step, visit);
-        if (end > buckets) visitMembers(own, row, offset, bucket_start[end - buckets], step, visit);
-    }
     /// visit(j) for every neighbour in a body, in any order.
     template <class Visit>
     DEM_FN void visitNeighbours(const GridMember<Real>& own, Visit& visit) const {
-        for (uint32_t row = 0; row < kCellRows; ++row) visitRow(own, row, 0, 1, visit);
+        for (uint32_t which = 0; which < kCellRows; ++which) {
+            const RowOfCells row = rowAbout(own.key, which);
+            visitMembers(own, row.row, row.first, row.last, visit);
+            visitMembers(own, row.row, 0, row.wrapped, visit);
+        }
     }
-    /// visit(p) for every step-th projectile from slot `first` on, ascending.
+    DEM_FN bool meetsProjectile(uint32_t i, uint32_t p) const {
+        return p != i && takesPart(p) && meets(i, p);
+    }
+    /// visit(p) for every projectile, ascending.
     template <class Visit>
-    DEM_FN void visitProjectiles(uint32_t i, uint32_t first, uint32_t step, Visit& visit) const {
-        for (uint32_t p = in_bodies + first; p < total; p += step)
-            if (p != i && takesPart(p) && meets(i, p)) visit(p);
+    DEM_FN void visitProjectiles(uint32_t i, Visit& visit) const {
+        for (uint32_t p = in_bodies; p < total; ++p)
+            if (meetsProjectile(i, p)) visit(p);
     }
 };
 

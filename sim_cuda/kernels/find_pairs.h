@@ -27,57 +27,31 @@ struct ProjectileBits {
     uint32_t words = 0;
 };
 
-/// kThreads threads a particle: a part of its rows of cells each, or all of them (1). Projectile slots come
-/// after the particles of bodies. Threads follow the order of the buckets, so that neighbouring ones read the
-/// same members.
-template <uint32_t kThreads, class Real>
+DEM_FN void markProjectile(const ProjectileBits& rows, uint32_t slot, uint32_t i) {
+    const uint32_t word = slot * rows.words + i / kBitsPerWord;
+    atomicOrU32(&rows.bits[word], 1u << i % kBitsPerWord);
+    atomicAddU32(&rows.count[word], 1);
+}
+
+/// One thread a member of the buckets, then one a projectile slot: the CPU. The GPU: find_pairs_cuda.cuh.
+template <class Real>
 struct FindPairs {
-    static_assert(kThreads == 1 || kThreads % kCellRows == 0);
     NeighbourSearch<Real> search;
     RowDrafts drafts;
     ProjectileBits projectiles;
 
-    DEM_FN void operator()(uint32_t k) const {
-        const uint32_t at = k / kThreads, part = k % kThreads;
-        if (at >= search.in_bodies) return meetProjectiles(at, part, nullptr);
-        if (at >= search.members()) return;
-        const GridMember<Real> own = search.member[at];
+    DEM_FN void operator()(uint32_t at) const {
+        if (at < search.in_bodies && at >= search.members()) return;
+        const uint32_t i = at < search.in_bodies ? search.member.id[at] : at;
         uint32_t count = 0;
-        Append append{drafts, own.id, &count};
-        if constexpr (kThreads == 1) {
-            search.visitNeighbours(own, append);
-        } else {
-            constexpr uint32_t kStep = kThreads / kCellRows;
-            search.visitRow(own, part / kStep, part % kStep, kStep, append);
-        }
-        meetProjectiles(own.id, part, &append);
-        if constexpr (kThreads == 1) drafts.count[own.id] = count;
-    }
-
-  private:
-    struct Append {
-        RowDrafts drafts;
-        uint32_t i;
-        uint32_t* count;  ///< of the one thread
-        DEM_FN void operator()(uint32_t j) {
-            drafts.put(i, kThreads == 1 ? (*count)++ : atomicAddU32(&drafts.count[i], 1), j);
-        }
-    };
-    struct MarkProjectile {
-        ProjectileBits rows;
-        uint32_t i, in_bodies;
-        Append* row;  ///< null for a projectile, whose row is made of its bits
-        DEM_FN void operator()(uint32_t p) {
-            const uint32_t word = (p - in_bodies) * rows.words + i / kBitsPerWord;
-            atomicOrU32(&rows.bits[word], 1u << i % kBitsPerWord);
-            atomicAddU32(&rows.count[word], 1);
-            if (row != nullptr) (*row)(p);
-        }
-    };
-    DEM_FN void meetProjectiles(uint32_t i, uint32_t part, Append* row) const {
-        if (!search.takesPart(i)) return;
-        MarkProjectile mark{projectiles, i, search.in_bodies, row};
-        search.visitProjectiles(i, part, kThreads, mark);
+        const auto append = [&](uint32_t j) { drafts.put(i, count++, j); };
+        if (at < search.in_bodies) search.visitNeighbours(search.member[at], append);
+        const auto mark = [&](uint32_t p) {
+            markProjectile(projectiles, p - search.in_bodies, i);
+            if (at < search.in_bodies) append(p);
+        };
+        if (search.takesPart(i)) search.visitProjectiles(i, mark);
+        if (at < search.in_bodies) drafts.count[i] = count;
     }
 };
 

@@ -23,11 +23,18 @@ __global__ void __launch_bounds__(kSubstepBlock)
     const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
         return present ? rows[own.id + end] : 0u;
     };
-    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums, [&](uint32_t slot) {
-        return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, out);
-    });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-                 [&](uint32_t slot) { return countedContactSlot<kLedger>(arrays, params, own, slot, out); });
+    gatherRow<T>(
+        row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
+        [&](uint32_t slot) { return arrays.link[slot]; },
+        [&](uint32_t slot, const BondLink& link) {
+            return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
+        });
+    gatherRow<T>(
+        row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
+        [&](uint32_t slot) { return contactEnd(arrays, slot); },
+        [&](uint32_t slot, const ContactEnd<Real>& end) {
+            return countedContactSlot<kLedger>(arrays, params, own, slot, end, out);
+        });
     __syncwarp();
     out.wrench = sums.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)

@@ -33,9 +33,8 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                                 const BodyLaw<Real>& law, uint32_t slot,
+                                                 const BodyLaw<Real>& law, uint32_t slot, BondLink link,
                                                  Tally<Real>& tally) {
-    const BondLink link = arrays.link[slot];
     if (isBonded(link))
         return own.isCarried() ? Wrench<Real>{}
                                : solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
@@ -86,17 +85,21 @@ class LanePartials {
     Wrench<Real> sums_[kKept];
 };
 
-/// Adds slots first .. last-1 of one list, T at a time, to the right partials. `rounds`: the same for the
-/// whole warp.
-template <uint32_t T, class Real, class Slot>
+/// Adds slots first .. last-1 of one list, T at a time, to the right partials: slot(k, peek(k)), where the
+/// peek at a slot is taken while the one before is computed, since the way to memory is what takes time.
+template <uint32_t T, class Real, class Peek, class Slot>
 __device__ __forceinline__ void gatherRow(uint32_t first, uint32_t last, uint32_t lane,
-                                          LanePartials<T, Real>& sums, const Slot& slot) {
+                                          LanePartials<T, Real>& sums, const Peek& peek, const Slot& slot) {
     constexpr uint32_t kKept = LanePartials<T, Real>::kKept;
     uint32_t k = first + lane;
+    decltype(peek(k)) ahead{};
+    if (k < last) ahead = peek(k);
     const auto next = [&] {
-        const Wrench<Real> value = k < last ? slot(k) : Wrench<Real>{};
+        const uint32_t at = k;
+        const auto seen = ahead;
         k += T;
-        return value;
+        if (k < last) ahead = peek(k);
+        return at < last ? slot(at, seen) : Wrench<Real>{};
     };
     const auto more = [&] {
         if constexpr (T > kPartials) return __any_sync(0xffffffffu, k < last) != 0;
@@ -158,8 +161,13 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     Wrench<Real> sum;
     Tally<Real> tally;
     const uint32_t first = arrays.contact_row[i], last = arrays.contact_row[i + 1];
-    for (uint32_t k = first + lane; k < last; k += kLongPartials)
-        add(sum, contactSlot<kLedger>(arrays, params, own, k, tally));
+    ContactEnd<Real> ahead;
+    if (first + lane < last) ahead = contactEnd(arrays, first + lane);
+    for (uint32_t k = first + lane; k < last; k += kLongPartials) {
+        const ContactEnd<Real> end = ahead;
+        if (k + kLongPartials < last) ahead = contactEnd(arrays, k + kLongPartials);
+        add(sum, contactSlot<kLedger>(arrays, params, own, k, end, tally));
+    }
     sums[lane] = sum;
     if constexpr (kLedger) tallies[lane] = tally;
     for (uint32_t step = kLongPartials / 2; step > 0; step /= 2) {
@@ -171,10 +179,16 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     if (lane == 0) finishParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
 }
 
+/// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
+/// registers are worth more than blocks.
+constexpr int blocksAtOnce(uint32_t threads) {
+    return threads >= 8 ? 5 : 7;
+}
+
 /// The first blocks do the bodies' particles (all, or those of the work list), the last kMaxProjectiles one
 /// projectile each.
 template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
     const uint32_t body_blocks = gridDim.x - kMaxProjectiles;
@@ -197,10 +211,18 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
     const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
         return present ? rows[own.id + end] : 0u;
     };
-    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
-                 [&](uint32_t slot) { return bondSlot<kLedger>(arrays, params, own, law, slot, tally); });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-                 [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, tally); });
+    gatherRow<T>(
+        row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
+        [&](uint32_t slot) { return arrays.link[slot]; },
+        [&](uint32_t slot, const BondLink& link) {
+            return bondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
+        });
+    gatherRow<T>(
+        row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
+        [&](uint32_t slot) { return contactEnd(arrays, slot); },
+        [&](uint32_t slot, const ContactEnd<Real>& end) {
+            return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
+        });
     if constexpr (T > 1) __syncwarp();
     const Wrench<Real> load = sums.total();
     if constexpr (kLedger) sumTally<T>(tally);

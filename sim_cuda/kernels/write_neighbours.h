@@ -93,7 +93,7 @@ struct WriteNeighbours {
         const Vec4<Real> position = search.paths.position[i], velocity = search.paths.velocity[i];
         search.visitNeighbours(
             {i, search.key[i], ballAroundPath(search.frame[0], position, velocity), position, velocity}, row);
-        search.visitProjectiles(i, 0, 1, row);
+        search.visitProjectiles(i, row);
         finish(i, first, row);
     }
     /// Sorts the row and carries its springs over; both rows are ascending.

@@ -17,6 +17,7 @@
 #include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/start_paths.h"
 #include "sim_cuda/kernels/write_neighbours.h"
+#include "sim_cuda/solver/pair_finder.h"
 
 namespace demolish {
 
@@ -92,8 +93,6 @@ class NeighbourLists {
 
     /// Rows up to this length are kept from the search; longer ones are searched twice.
     static constexpr uint32_t kDraftLength = 32;
-    /// Particles up to which more threads share the search for one.
-    static constexpr uint32_t kFew = 100'000;
 
     Backend& backend_;
     ParticleCounts counts_;
@@ -225,16 +224,7 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
 /// The total and the horizon are on their way to the host after this.
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& search) {
-    const auto find = [&]<uint32_t kThreads>() {
-        backend_.forEach(size_t{counts_.total} * kThreads,
-                         FindPairs<kThreads, Real>{search, drafts(), projectileBits()}, "find pairs");
-    };
-    if constexpr (!Backend::kOnGpu)
-        find.template operator()<1>();
-    else if (counts_.in_bodies <= (getenv("DEMOLISH_FEW") ? uint32_t(atoi(getenv("DEMOLISH_FEW"))) : kFew))
-        find.template operator()<4 * kCellRows>();
-    else
-        find.template operator()<kCellRows>();
+    PairFinder<Backend, Real>::find(backend_, search, drafts(), projectileBits());
     backend_.exclusiveScan(rowCounts(), sums_.span().part(0, rowCounts().count + 1));
     reader_.start(backend_, sums_.view().part(rowCounts().count, 1 + kHorizonWords));
 }
