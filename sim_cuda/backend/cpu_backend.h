@@ -170,6 +170,11 @@ class CpuBackend {
         void start(CpuBackend&, Span<const uint32_t> words) {
             words_.assign(words.data, words.data + words.count);
         }
+        /// The same, and sets them to 0.
+        void take(CpuBackend& backend, Span<uint32_t> words) {
+            start(backend, words);
+            std::fill(words.data, words.data + words.count, 0u);
+        }
         /// Waits for them, and not for what was started later.
         const std::vector<uint32_t>& wait() const { return words_; }
 

@@ -132,10 +132,33 @@ CudaBackend::Reader::~Reader() {
     cudaFreeHost(pinned_);
 }
 
-void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
+namespace {
+
+/// One warp. `cleared`: the words once more, or null.
+__global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, uint32_t* cleared) {
+    const uint32_t k = threadIdx.x;
+    if (k >= count) return;
+    host[k] = words[k];
+    if (cleared != nullptr) cleared[k] = 0;
+}
+
+}  // namespace
+
+void CudaBackend::Reader::send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared) {
+    static_assert(kWords <= 32);
     words_.resize(words.count < kWords ? words.count : kWords);
-    backend.transfer(pinned_, words.data, words_.size() * sizeof(uint32_t), cudaMemcpyDeviceToHost);
+    tellHost<<<1, 32, 0, backend.stream_>>>(words.data, static_cast<uint32_t>(words_.size()), pinned_,
+                                            cleared);
+    checkCuda(cudaGetLastError(), "reading flags");
     checkCuda(cudaEventRecord(arrived_, backend.stream_), "reading flags");
+}
+
+void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
+    send(backend, words, nullptr);
+}
+
+void CudaBackend::Reader::take(CudaBackend& backend, Span<uint32_t> words) {
+    send(backend, words, words.data);
 }
 
 const std::vector<uint32_t>& CudaBackend::Reader::wait() {

@@ -79,11 +79,17 @@ struct MeetingsIn {
 /// the way to memory, and whatever is found is joined or marked in any order.
 inline constexpr uint32_t kMeetingThreads = 8;
 
+/// One thread a slot. Also clears what later kernels of a decision add to.
 struct StartIslands {
     Span<uint32_t> island, flags;
+    Span<uint32_t> active, carried;    ///< marks
+    Span<uint32_t> words, body_awake;  ///< no longer than there are slots
+
     DEM_FN void operator()(uint32_t slot) const {
         island[slot] = slot;
-        flags[slot] = 0;
+        flags[slot] = active[slot] = carried[slot] = 0;
+        if (slot < words.count) words[slot] = 0;
+        if (slot < body_awake.count) body_awake[slot] = 0;
     }
 };
 

@@ -1,4 +1,4 @@
-// Contact steps on the GPU: kLoadThreads threads gather the row of a particle; a warp moves a small fragment,
+// Contact steps on the GPU: some threads gather the row of a particle; a warp moves a small fragment,
 // a block a large one.
 #pragma once
 #include "sim_cuda/kernels/rigid_step.h"
@@ -6,13 +6,12 @@
 
 namespace demolish {
 
-inline constexpr uint32_t kLoadThreads = 16;
-
-template <bool kLedger, class Real>
+/// T threads a particle.
+template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock)
     rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
                     const Span<RigidLoad<Real>> load) {
-    constexpr uint32_t T = kLoadThreads, kParticles = kSubstepBlock / T;
+    constexpr uint32_t kParticles = kSubstepBlock / T;
     const uint32_t count = work.counts[kActiveCount];
     if (blockIdx.x * kParticles >= count) return;
     const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
@@ -20,18 +19,11 @@ __global__ void __launch_bounds__(kSubstepBlock)
     const OwnParticle<Real> own = loadOwn(arrays, work.active[present ? place : count - 1]);
     LanePartials<T, Real> sums;
     RigidLoad<Real> out;
-    const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
-        return present ? rows[own.id + end] : 0u;
-    };
-    gatherRow<T>(
-        row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
-        [&](uint32_t slot) { return arrays.link[slot]; },
+    gatherRows<T>(
+        arrays, own.id, present, lane, sums,
         [&](uint32_t slot, const BondLink& link) {
             return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
-        });
-    gatherRow<T>(
-        row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-        [&](uint32_t slot) { return contactEnd(arrays, slot); },
+        },
         [&](uint32_t slot, const ContactEnd<Real>& end) {
             return countedContactSlot<kLedger>(arrays, params, own, slot, end, out);
         });

@@ -67,6 +67,9 @@ class RigidRunner<CudaBackend, Real> {
     }
 
   private:
+    /// Particles up to which more threads share the rows of one.
+    static constexpr uint32_t kFewActive = 8192;
+
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
         backend.synchronize();  // what was started before may still use it
@@ -75,10 +78,17 @@ class RigidRunner<CudaBackend, Real> {
 
     template <bool kLedger>
     void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride) {
-        if (step.work.active_at_most == 0) return;
-        constexpr uint32_t kParticles = kSubstepBlock / kLoadThreads;
         const uint32_t active = roundedUp(step.work.active_at_most);
-        rigidLoadKernel<kLedger, Real>
+        if (step.work.active_at_most == 0) return;
+        if (active <= kFewActive)
+            launchGather<16, kLedger>(backend, step, stride, active);
+        else
+            launchGather<4, kLedger>(backend, step, stride, active);
+    }
+    template <uint32_t T, bool kLedger>
+    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active) {
+        constexpr uint32_t kParticles = kSubstepBlock / T;
+        rigidLoadKernel<T, kLedger, Real>
             <<<(active + kParticles - 1) / kParticles, kSubstepBlock, 0, backend.stream()>>>(
                 step.arrays(), rigidParams(step.params, stride), step.work, load_.span());
         checkCuda(cudaGetLastError(), "starting a contact step");

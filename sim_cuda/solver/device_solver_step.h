@@ -251,7 +251,6 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
     placeRigid();
     const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
-    backend_.fill(look_words_.span(), 0u);
     const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
                                  look_words_.span().part(kLookRebuild, 1), seconds(progress_.since_build),
                                  seconds(lookahead)};
@@ -259,7 +258,7 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
                      LookAtState<Real>{paths, data_.particles.constants.view(), look_words_.span(),
                                        static_cast<Real>(setup_.params.scene_radius)},
                      "look at the state");
-    reader_.start(backend_, look_words_.view());
+    reader_.take(backend_, look_words_.span());
 }
 
 template <class Backend, class Real>

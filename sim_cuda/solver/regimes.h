@@ -238,7 +238,11 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
     if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
     const RegimeRules rules{hand_over_,     sleeping_,      frame_starts, memory_.all_bonded != 0,
                             calm_substeps_, rest_substeps_, crumb_};
-    backend_.forEach(total, StartIslands{island_.span(), flags_.span()}, "start islands");
+    const Span<uint32_t> marks = marks_.span();
+    backend_.forEach(total,
+                     StartIslands{island_.span(), flags_.span(), marks.part(0, total),
+                                  marks.part(3 * size_t{total}, total), words_.span(), body_awake_.span()},
+                     "start islands");
     backend_.forEach(size_t{total} * kThreads, JoinIslands<kThreads, Real>{meetings, island_.span()},
                      "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
@@ -281,8 +285,6 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const uint32_t total = counts_of_.total;
     const PlacesIn places{rows, counts_of_.in_bodies, total};
     const Span<uint32_t> marks = marks_.span();
-    backend_.fill(marks, 0u);
-    backend_.fill(words_.span(), 0u);
     backend_.forEach(
         size_t{total} * kThreads,
         MarkWork<kThreads, Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
@@ -290,19 +292,28 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                                  marks.part(3 * size_t{total}, total)},
         "mark work");
     backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
-    backend_.forEach(
-        total,
-        WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(), arm_.view(),
-                        share_.view(), meetings.constants, active_.span(), fragment_.span(), first_.span(),
-                        last_.span(), bonded_.span(), large_.span(), words_.span(), rigid_constants_.span(),
-                        in_substeps_.span()},
-        "write work");
-    backend_.fill(body_awake_.span(), 0u);
-    backend_.forEach(counts_of_.in_bodies,
-                     CountAwake{rows, meetings.label, regime_.view(), meetings.owner, flags_.view(),
-                                body_awake_.span(), words_.span()},
-                     "count awake");
-    backend_.forEach(1, TellWork{marks_.view(), total, words_.span()}, "tell work");
+    backend_.forEach(total,
+                     WriteWork<Real>{places,
+                                     meetings.label,
+                                     regime_.view(),
+                                     marks_.view(),
+                                     meetings.owner,
+                                     flags_.view(),
+                                     body_.view(),
+                                     arm_.view(),
+                                     share_.view(),
+                                     meetings.constants,
+                                     active_.span(),
+                                     fragment_.span(),
+                                     first_.span(),
+                                     last_.span(),
+                                     bonded_.span(),
+                                     large_.span(),
+                                     words_.span(),
+                                     body_awake_.span(),
+                                     rigid_constants_.span(),
+                                     in_substeps_.span()},
+                     "write work");
     reader_.start(backend_, words_.view());
     const std::vector<uint32_t>& told = reader_.wait();
     std::copy(told.begin(), told.end(), counts_);
