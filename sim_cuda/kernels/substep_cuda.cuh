@@ -208,12 +208,16 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     Wrench<Real> sum;
     Tally<Real> tally;
     const uint32_t first = arrays.contact_row[i], last = arrays.contact_row[i + 1];
-    ContactEnd<Real> ahead;
-    if (first + lane < last) ahead = contactEnd(arrays, first + lane);
-    for (uint32_t k = first + lane; k < last; k += kLongPartials) {
-        const ContactEnd<Real> end = ahead;
-        if (k + kLongPartials < last) ahead = contactEnd(arrays, k + kLongPartials);
-        add(sum, contactSlot<kLedger>(arrays, params, own, k, end, tally));
+    constexpr uint32_t kBatch = 4, kStep = kBatch * kLongPartials;
+    for (uint32_t base = first + lane; base < last; base += kStep) {
+        ContactEnd<Real> ends[kBatch];  // read together: of a long row hardly any touches
+#pragma unroll
+        for (uint32_t b = 0; b < kBatch; ++b)
+            if (base + b * kLongPartials < last) ends[b] = contactEnd(arrays, base + b * kLongPartials);
+#pragma unroll
+        for (uint32_t b = 0; b < kBatch; ++b)
+            if (base + b * kLongPartials < last)
+                add(sum, contactSlot<kLedger>(arrays, params, own, base + b * kLongPartials, ends[b], tally));
     }
     sums[lane] = sum;
     if constexpr (kLedger) tallies[lane] = tally;
@@ -232,25 +236,25 @@ constexpr int blocksAtOnce(uint32_t threads) {
     return threads >= 8 ? 5 : 7;
 }
 
-/// The first blocks do the bodies' particles (all, or those of the work list), the last kMaxProjectiles one
-/// projectile each.
+/// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
+/// bodies' particles: all, or those of the work list.
 template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
-    const uint32_t body_blocks = gridDim.x - kMaxProjectiles;
-    if (blockIdx.x >= body_blocks) {
-        const uint32_t shot = params.in_bodies + (blockIdx.x - body_blocks);
+    if (blockIdx.x < kMaxProjectiles) {
+        const uint32_t shot = params.in_bodies + blockIdx.x;
         if (arrays.work.movesProjectile(shot)) stepProjectile<kLedger>(arrays, params, shot);
         return;
     }
     const bool all = arrays.work.all();
-    const uint32_t k = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    const uint32_t first = (blockIdx.x - kMaxProjectiles) * kParticles;
+    const uint32_t k = first + threadIdx.x / T, lane = threadIdx.x % T;
     // Ids beyond the list are old ones, and are read together with its length.
     const uint32_t last = params.in_bodies - 1, place = k < last ? k : last;
     const uint32_t id = all ? place : arrays.work.ids[place];
     const uint32_t count = all ? params.in_bodies : arrays.work.listed();
-    if (blockIdx.x * kParticles >= count) return;
+    if (first >= count) return;
     const bool present = k < count;
     const OwnParticle<Real> own = loadOwn(arrays, id);
     // Read here: stores to links keep it from leaving the loop.

@@ -19,7 +19,7 @@ inline uint32_t threadsPerParticle(uint32_t particles) {
         const auto threads = static_cast<uint32_t>(std::atoi(wish));
         if (std::has_single_bit(threads) && threads <= 16) return threads;
     }
-    if (particles < 16'000) return 16;
+    if (particles < 8'000) return 16;
     return particles < 40'000 ? 8 : 4;
 }
 
