@@ -94,6 +94,7 @@ class DeviceSolver final : public Solver {
         uint64_t substeps = 0, frames = 0;
         uint32_t since_build = 0;               ///< substeps since the contact lists were built
         uint32_t lists_last = 10'000;           ///< substeps that lists have lasted of late
+        uint32_t left_paths = 0;                ///< 1: somebody had left his path when they were last made
         uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
         uint32_t last_frame = 0;                ///< substeps in the last frame
         uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided

@@ -235,7 +235,8 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     runAwake(second);
     const std::vector<uint32_t>& words = reader_.wait();
     const double needed = (progress_.since_build + static_cast<double>(next)) * tables_.time_step;
-    if (words[kLookRebuild] != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
+    progress_.left_paths = words[kLookRebuild] != 0 ? 1 : 0;
+    if (progress_.left_paths != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
     return static_cast<StepStatus>(words[kLookStatus]);
 }
 
@@ -269,6 +270,7 @@ void DeviceSolver<Backend, Real>::buildLists() {
         progress_.lists_last = std::max(progress_.since_build, progress_.lists_last / 2);
     const double wanted = kHorizonLives * std::max(progress_.lists_last, kLeastHorizon) * tables_.time_step;
     settings.longest_horizon = std::min(settings.longest_horizon, wanted);
+    settings.set_apart = progress_.left_paths == 0;
     lists_.use(settings);
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;

@@ -27,6 +27,7 @@ struct NeighbourSettings {
     double travel_share = 1;     ///< largest travel within a horizon over the largest reach of two particles
     double longest_horizon = 1;  ///< s, at rest
     double shot_travel = 4;      ///< largest travel of a projectile over that reach
+    bool set_apart = true;       ///< the few fast ones, where they would shorten the horizon
 };
 
 /// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
@@ -76,6 +77,7 @@ class NeighbourLists {
     void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
                     const BondRowsIn<Real>& bonds);
     void chooseFrame(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
+    void seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
     void fillGrid();
     void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
@@ -197,6 +199,19 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
                                                 Span<const Vec4<Real>> constants) {
+    if (settings_.set_apart) seekFast(state, constants);
+    backend_.forEach(
+        1,
+        ChooseFrame<Real>{ranges_.view(), slow_.view(), fastCount(), frame_.span(),
+                          sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
+                          2 * largest_radius_ * (1 + settings_.skin_share), settings_.travel_share,
+                          settings_.longest_horizon, settings_.shot_travel},
+        "choose frame");
+}
+
+/// Leaves no fast ones counted where it is not called.
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
     const uint32_t samples = (counts_.in_bodies + kSampleEvery - 1) / kSampleEvery;
     backend_.forEach(samples, SampleVelocities<Real>{state, constants, ranges_.view(), velocityBins()},
                      "sample velocities");
@@ -205,13 +220,6 @@ void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
         counts_.in_bodies,
         CountFast<Real>{state, constants, ranges_.view(), slow_.view(), place_kind_.view(), fastCount()},
         "count the fast");
-    backend_.forEach(
-        1,
-        ChooseFrame<Real>{ranges_.view(), slow_.view(), fastCount(), frame_.span(),
-                          sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
-                          2 * largest_radius_ * (1 + settings_.skin_share), settings_.travel_share,
-                          settings_.longest_horizon, settings_.shot_travel},
-        "choose frame");
 }
 
 template <class Backend, class Real>
