@@ -295,7 +295,8 @@ void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t rema
                     untilNextDecision(remaining));
     if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();
     progress_.last_assigned = progress_.substeps;
-    progress_.decide_at = regimes_.hitsLater() ? progress_.substeps + kDecisionInterval : ~uint64_t{0};
+    progress_.decide_at =
+        regimes_.hitsLater() ? progress_.substeps + regimes_.decisionInterval() : ~uint64_t{0};
     progress_.shot_started = 0;
     progress_.regimes = regimes_.memory();
     progress_.moves_rigid = regimes_.movesRigid() ? 1 : 0;

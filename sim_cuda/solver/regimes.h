@@ -14,6 +14,7 @@
 #include "sim_cuda/physics/hand_over.h"
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fragment_motion.h"
+#include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/solver_data.h"
 
@@ -25,9 +26,9 @@ struct RegimeMemory {
     uint32_t all_bonded = 0;            ///< 1: this frame all that is awake is moved with its bonds
 };
 
-/// Substeps after which is decided anew while hard hits are ahead. Bonds that wake a whole frame before they
-/// are hit cost more than the decisions.
-inline constexpr uint32_t kDecisionInterval = 40;
+/// s after which is decided anew while hard hits are ahead: bonds that wake a whole frame before they are hit
+/// cost more than the decisions.
+inline constexpr double kDecisionSeconds = 0.003;
 
 /// From this share of awake particles on that need their bonds, all are moved with them: two ways of moving
 /// side by side cost more than they save.
@@ -70,8 +71,9 @@ class Regimes {
     /// the next.
     bool carries() const { return counts_[kCarriedCount] > 0; }
     /// Somebody will be hit hard before the next decision but not at once, and has not been woken for it:
-    /// decide anew within kDecisionInterval substeps.
+    /// decide anew within decisionInterval() substeps.
     bool hitsLater() const { return counts_[kHitsLater] != 0; }
+    uint32_t decisionInterval() const { return decision_substeps_; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
     uint32_t carriedParticles() const { return counts_[kCarriedCount]; }
     uint32_t activeParticles() const { return counts_[kActiveCount]; }
@@ -108,6 +110,7 @@ class Regimes {
     Backend& backend_;
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
+    uint32_t decision_substeps_;
     double at_once_;  ///< s
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
@@ -134,7 +137,10 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       counts_of_(tables.counts),
       hand_over_(setup.params.hand_over),
       sleeping_(setup.params.sleeping),
-      at_once_((kDecisionInterval + kRigidStride) * tables.time_step),
+      decision_substeps_(
+          kRigidStretch.length() *
+          static_cast<uint32_t>(std::ceil(kDecisionSeconds / (kRigidStretch.length() * tables.time_step)))),
+      at_once_((decision_substeps_ + kRigidStride) * tables.time_step),
       calm_substeps_(static_cast<uint32_t>(std::ceil(kCalmSeconds / tables.time_step))),
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
       crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
