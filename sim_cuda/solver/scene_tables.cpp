@@ -247,6 +247,14 @@ double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_
     return dt;
 }
 
+/// 1/s^2. Bonds of a step safety below the usual one are softer than their step admits; contacts stay as soft
+/// in proportion, or a ball would grow harder by nothing but finer steps. Never more than the step admits.
+double contactCap(double step_safety, double dt) {
+    constexpr double kUsualSafety = SolverParams{}.step_safety;
+    const double share = std::min(1.0, step_safety / kUsualSafety);
+    return kContactStiffnessShare / (dt * dt) * (share * share);
+}
+
 void report(const ProgressCallback& progress, double fraction, const char* stage) {
     if (progress && !progress(fraction, stage)) throw Cancelled();
 }
@@ -275,6 +283,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     const double dt = chooseTimeStep(setup, omega);
     tables.substeps = static_cast<uint32_t>(std::max(1.0, std::ceil(setup.params.frame_time / dt - 1e-9)));
     tables.time_step = setup.params.frame_time / tables.substeps;
+    tables.contact_cap = contactCap(setup.params.step_safety, tables.time_step);
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         tables.body.push_back(bodyConstants(setup.bodies[b], setup.params, omega[b], tables.time_step));
         finishBody(first[b], first[b + 1] - first[b], tables.body[b], setup.bodies[b].body->spacing, tables);
