@@ -163,13 +163,22 @@ double effectiveModulusOf(const Material& material, double bond_modulus) {
     return kSpheresModulusShare * bond_modulus;
 }
 
+/// Of the strength that holds the critical velocity; in steps of 1/256, the same on every machine, whatever
+/// its pow() gives.
+double thinWallShareOf(const BreakableBody& body) {
+    if (!(body.mesh_area > 0)) return 1;  // particles without a surface
+    return std::round(256 * thinWallShare(cellsThroughWall(body.mesh_volume, body.mesh_area, body.spacing))) /
+           256;
+}
+
 /// sigma_c, Pa, of a bond of mean area: (13), or the rule that holds the critical velocity.
 double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
     const Material& material = instance.material;
     if (material.fracture_energy > 0)
         return griffithStrength(report.bond_modulus, material.poisson_ratio, material.fracture_energy,
                                 meanBondRadius(*instance.body));
-    return bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
+    return thinWallShareOf(*instance.body) *
+           bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
 }
 
 /// Modulus, strength and damping from the step (softened) or from the material.
