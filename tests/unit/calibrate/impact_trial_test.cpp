@@ -95,9 +95,13 @@ TEST_F(Calibrated, BreaksWhereItWasToldTo) {
         const double natural = calibrate(shot, body, {.tolerance = 0.03}, {}).velocity();
         // Weaker, not stronger: at twice its threshold this ball comes with 0.4 of the softened wave speed.
         shot.break_at = 0.6 * natural;
-        const Calibration told = calibrate(shot, body, {.tolerance = 0.01}, {});
+        const Calibration told = calibrate(shot, body, {.tolerance = 0.03}, {});
         EXPECT_FALSE(told.from_cache);
         EXPECT_NEAR(told.velocity() / *shot.break_at, 1, 0.10);
+        // The same strength again, and the same threshold beside it.
+        EXPECT_NEAR(criticalVelocityFor(shot, *body, told.velocity()) / told.shot.material.critical_velocity,
+                    1, 1e-6);
+        EXPECT_NEAR(thresholdOf(told.shot, *body)->measured.value(), told.velocity(), 1e-9);
     }
 }
 
