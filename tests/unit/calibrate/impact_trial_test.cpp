@@ -35,8 +35,18 @@ TEST(ImpactTrial, HoldsWhenSlowBreaksWhenFastInAnyOrder) {
         EXPECT_FALSE(trial.breaksAt(1));
         EXPECT_TRUE(trial.breaksAt(100));
         EXPECT_FALSE(trial.breaksAt(1)) << "a trial must not leave its mark on the next one";
-        EXPECT_GE(trial.simulated(), 2 * kTrialSeconds);
+        EXPECT_GE(trial.simulated(), 2 * trialSeconds(kind, 1, 1));
     }
+}
+
+TEST(ImpactTrial, LastsAsLongAsTheImpactTakes) {
+    EXPECT_EQ(trialSeconds(ImpactKind::kBall, 1, 50), kLeastTrial);
+    EXPECT_NEAR(trialSeconds(ImpactKind::kBall, 0.5, 4), 0.25, 1e-12);
+    EXPECT_NEAR(trialSeconds(ImpactKind::kBall, 0.5, 8) * 8, trialSeconds(ImpactKind::kBall, 0.5, 4) * 4,
+                1e-12)
+        << "the same way, so that thresholds are proportional to the strength";
+    EXPECT_NEAR(trialSeconds(ImpactKind::kDrop, 0.5, 1), 0.25, 1e-12);
+    EXPECT_EQ(trialSeconds(ImpactKind::kDrop, 2, 0.1), kLongestTrial);
 }
 
 TEST(ImpactTrial, AsksForTheBodyThatTheFastestBallHits) {
