@@ -32,7 +32,7 @@ void bracketFrom(double speed, const std::function<bool(double speed)>& breaks, 
         if (bracket.holds > 0 && bracket.breaks > 0) return;
         if (broke && speed <= kThresholdRange.least)
             throw NumericalError("the body breaks at " + metresPerSecond(speed) +
-                                 ", by its own weight; choose a stronger material");
+                                 ", by its own weight or the ball's; choose a stronger material");
         if (!broke && speed >= kThresholdRange.most)
             throw NumericalError("the body does not break up to " + metresPerSecond(speed) +
                                  "; choose a weaker material or a larger ball");
