@@ -61,7 +61,7 @@ class DeviceSolver final : public Solver {
     void placeRigid();
     void look(uint32_t lookahead);
     void buildLists();
-    bool mustReassign();
+    bool mustReassign(uint32_t remaining);
     void assignRegimes(bool frame_starts, uint32_t remaining);
     double untilNextDecision(uint32_t remaining) const;
     void bookSoftening();

@@ -157,7 +157,7 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
         startProjectiles();
         if (progress_.rebuild != 0) {
             buildLists();
-            if (mustReassign()) assignRegimes(false, n);
+            if (mustReassign(n)) assignRegimes(false, n);
         }
         if (nothingMoves()) {
             const uint32_t quiet = substepsUntilNextStart(n);
@@ -180,9 +180,10 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
 /// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and what
 /// comes near a sleeper wakes it.
 template <class Backend, class Real>
-bool DeviceSolver<Backend, Real>::mustReassign() {
+bool DeviceSolver<Backend, Real>::mustReassign(uint32_t remaining) {
     if (!regimes_.on() || progress_.last_assigned == progress_.substeps) return false;
-    return progress_.shot_started != 0 || regimes_.movesRigid() || regimes_.stirs(data_, lists_, clusters_);
+    return progress_.shot_started != 0 || regimes_.movesRigid() ||
+           regimes_.stirs(data_, lists_, clusters_, untilNextDecision(remaining));
 }
 
 /// n substeps of what is moved with its bonds, and the same time of what is rigid.

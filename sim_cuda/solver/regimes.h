@@ -47,9 +47,9 @@ class Regimes {
                 const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
                 const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
     /// Contact lists were made within a frame, and nothing is rigid: does something that is awake come near
-    /// something asleep, so that all must be decided anew? Waits.
+    /// something asleep within `soon`, so that all must be decided anew? Waits.
     bool stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
-               const Clustering<Backend>& clusters);
+               const Clustering<Backend>& clusters, double soon);
     /// All particles of rigid fragments put where those are. Does not wait.
     void place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// The bodies have stood still for long: they may sleep at once.
@@ -117,7 +117,7 @@ class Regimes {
     RigidWork rigid_;
     uint32_t counts_[kWorkWords] = {};
     RegimeMemory memory_;
-    bool bonded_shots_ = false;
+    bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
 };
 
 template <class Backend, class Real>
@@ -202,13 +202,14 @@ MeetingsIn<Real> Regimes<Backend, Real>::meetingsOf(SolverData<Backend, Real>& d
 
 template <class Backend, class Real>
 bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
-                                   const Clustering<Backend>& clusters) {
+                                   const Clustering<Backend>& clusters, double soon) {
     if (counts_[kAsleepCount] == 0) return false;
     const Span<uint32_t> word = flags_.span().part(0, 1);
     backend_.fill(word, 0u);
-    backend_.forEach(size_t{counts_of_.total} * kThreads,
-                     SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, 0), regime_.view(), word},
-                     "see sleepers");
+    backend_.forEach(
+        size_t{counts_of_.total} * kThreads,
+        SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, soon), regime_.view(), word},
+        "see sleepers");
     reader_.start(backend_, word);
     return reader_.wait()[0] != 0;
 }
