@@ -5,10 +5,12 @@
 #include <cmath>
 #include <string>
 
+#include "engine/passes/surface_pass.h"
+
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kCurve = 0, kSamplePosition = 1;
+constexpr GLint kCurve = 0, kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
 
 /// y = x^a, then y / (y^d b + c): contrast a in the middle, shoulder d towards white; b and c follow from
@@ -33,22 +35,23 @@ void bindInputs(const RenderTargets& targets) {
 
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality quality) {
-    gl::Program& program = programs_[{targets.samples, quality}];
+gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
+    gl::Program& program = programs_[{targets.samples, way}];
     if (program.id() != 0) return program;
     const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
-    program = quality == RenderQuality::kFull ? gl::Program(shaders_, {"light.comp"}, samples)
-                                              : gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
-                                                            samples + "#define SHADOW_DRAFT\n");
+    if (way == Way::kDrawn)
+        program =
+            gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, samples + "#define SHADOW_DRAFT\n");
+    else
+        program =
+            gl::Program(shaders_, {"light.comp"}, samples + (way == Way::kFound ? "#define COMPUTED\n" : ""));
     program.set(kCurve, toneCurve());
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);
     return program;
 }
 
-void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
-    programFor(targets, RenderQuality::kFull).use();
-    bindInputs(targets);
+void LightPass::dispatch(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
     occlusion.bind(kOcclusionUnit);
     glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
     glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
@@ -56,8 +59,22 @@ void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusi
                     GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
+void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
+    programFor(targets, Way::kComputed).use();
+    bindInputs(targets);
+    dispatch(targets, occlusion, picture);
+}
+
+void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& occlusion,
+                             const SurfaceLook& look, GLuint picture) {
+    gl::Program& program = programFor(targets, Way::kFound);
+    setBodyMaterial(program, kBodyMaterial, look);
+    program.use();
+    dispatch(targets, occlusion, picture);
+}
+
 void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {
-    programFor(targets, RenderQuality::kDraft).use();
+    programFor(targets, Way::kDrawn).use();
     bindInputs(targets);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);

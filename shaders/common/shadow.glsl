@@ -1,6 +1,16 @@
 // Soft sun shadow: blockers are looked for first, the penumbra grows with their distance (percentage-closer soft shadows).
-layout(binding = 0) uniform sampler2DShadow shadow_compare;
 layout(binding = 1) uniform sampler2D shadow_depth;
+#ifdef COMPUTED
+// No depth format can be written by a compute pass, so that texels are compared and blended here.
+float litTap(vec3 p) {
+    vec2 size = vec2(textureSize(shadow_depth, 0)), at = p.xy * size - 0.5, first = floor(at), f = at - first;
+    vec4 lit = vec4(greaterThanEqual(textureGather(shadow_depth, (first + 1.0) / size), vec4(p.z)));
+    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+}
+#else
+layout(binding = 0) uniform sampler2DShadow shadow_compare;
+float litTap(vec3 p) { return texture(shadow_compare, p); }
+#endif
 
 #ifndef SHADOW_TAPS
 #define SHADOW_TAPS 20
@@ -56,7 +66,7 @@ float litShare(Region region, vec3 p) {
     float lit = 0.0;
     for (int k = 0; k < 4; ++k) {
         vec2 offset = (vec2(k & 1, k >> 1) - 0.5) * 1.5 * region.texel / region.width;
-        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), p.z));
+        lit += litTap(vec3(inMap(region, p.xy + offset), p.z));
     }
     return 0.25 * lit;
 }
@@ -86,7 +96,7 @@ float litShare(Region region, vec3 p, vec2 slope, float angle) {
     float lit = 0.0;
     for (int k = 0; k < SHADOW_TAPS; ++k) {
         vec2 offset = radius * discPoint(k, SHADOW_TAPS, angle);
-        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), receiverDepth(p.z, slope, offset)));
+        lit += litTap(vec3(inMap(region, p.xy + offset), receiverDepth(p.z, slope, offset)));
     }
     return lit / float(SHADOW_TAPS);
 }

@@ -1,0 +1,45 @@
+// Finds in compute passes what every sample of the picture and every texel of the shadow map shows.
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "engine/gl/pass_clock.h"
+#include "engine/gl/program.h"
+#include "engine/gl/texture.h"
+#include "engine/passes/shadow_pass.h"
+#include "engine/passes/sphere_pass.h"
+#include "engine/render/render_targets.h"
+
+namespace demolish::engine {
+
+class ComputedRaster {
+  public:
+    /// Throws gl::GlError.
+    explicit ComputedRaster(const std::filesystem::path& shaders);
+
+    /// Has the driver as many and as large storage bindings as this picture of this mesh takes?
+    static bool suits(const FractureMesh& mesh, int width, int height, int samples);
+
+    /// For the frame whose uniforms are bound. The shadow map is made anew when it does not hold `scene`, in
+    /// regions of `shadow_texels` squared. All that later passes read stays bound, but for bindShadowMap().
+    void run(const FractureMesh& mesh, const SpherePass& balls, const RenderTargets& targets,
+             const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
+    /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
+    void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
+    /// To unit 1, as shaders/common/shadow.glsl has it.
+    void bindShadowMap() const;
+
+  private:
+    void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
+    void bind(const FractureMesh& mesh, const SpherePass& balls) const;
+    void setViews(const RenderTargets& targets, int shadow_texels);
+    void clear(int shadow_texels);
+    void rasterise(const SpherePass& balls, bool naming, bool with_shadows);
+
+    gl::Program clear_, triangles_, squares_, balls_, cracks_;
+    gl::Buffer visible_, found_, tasks_;
+    gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
+    std::optional<ShadowScene> shadow_scene_;
+};
+
+}  // namespace demolish::engine
