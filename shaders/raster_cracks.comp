@@ -38,13 +38,13 @@ void darken(ivec2 pixel, int i, uint steps) { atomicAdd(visible[crackWord(pixel,
 struct Ribbon {
     End ends[2];
     vec2 along, across;  // unit
-    float length;        // px
+    float extent;        // px
 };
 
 // `place`: x from the first end on, y across.
 bool isInside(Ribbon r, vec2 place) {
-    float t = clamp(place.x / r.length, 0.0, 1.0);
-    return place.x >= -0.5 * r.ends[0].half_width && place.x <= r.length + 0.5 * r.ends[1].half_width &&
+    float t = clamp(place.x / r.extent, 0.0, 1.0);
+    return place.x >= -0.5 * r.ends[0].half_width && place.x <= r.extent + 0.5 * r.ends[1].half_width &&
            abs(place.y) <= mix(r.ends[0].half_width, r.ends[1].half_width, t) + 1.0;
 }
 
@@ -58,15 +58,15 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     for (int i = 0; i < sample_count; ++i) {
         vec2 place = placeOf(r, vec2(pixel) + sample_position[i]);
         if (!isInside(r, place)) continue;
-        float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.length);
+        float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.extent);
         if (depth >= uintBitsToFloat(visible[sampleIndex(pixel, sample_count, i)])) covered |= 1u << i;
     }
     if (covered == 0u) return;
     vec2 place = placeOf(r, vec2(pixel) + 0.5);
     // As far along the edge itself.
-    float t = place.x / r.length, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
+    float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
     t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
-    noise_footprint = distance(r.ends[0].rest, r.ends[1].rest) / r.length;
+    noise_footprint = distance(r.ends[0].rest, r.ends[1].rest) / r.extent;
     float left = 1.0 - crackCover(mix(r.ends[0].rest, r.ends[1].rest, t), width, place.y,
                                   mix(r.ends[0].half_width, r.ends[1].half_width, t),
                                   mix(r.ends[0].strength, r.ends[1].strength, t));
@@ -102,7 +102,7 @@ void drawEdge(CrackEdge edge) {
     if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
     if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
     vec2 way = r.ends[1].window - r.ends[0].window;
-    r.length = max(length(way), 1e-3);
+    r.extent = max(length(way), 1e-3);
     r.along = length(way) > 1e-4 ? way / length(way) : vec2(1.0, 0.0);
     r.across = vec2(-r.along.y, r.along.x);
     paint(r);
