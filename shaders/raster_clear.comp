@@ -9,7 +9,10 @@ layout(location = 7) uniform int shadow_texels;  // along a region; 0: the map s
 
 void main() {
     uint lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x, lane = gl_GlobalInvocationID.x;
-    if (lane == 0u) found_count = task_count = 0u;
+    if (lane == 0u) {
+        found_count = 0u;
+        task_count = 0u;
+    }
     for (uint k = lane; k < fours; k += lanes) visible[k] = uvec4(0u);
     int width = 2 * shadow_texels;
     for (int k = int(lane); k < width * shadow_texels; k += int(lanes))
