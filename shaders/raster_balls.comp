@@ -24,13 +24,16 @@ Box cameraBox(vec4 ball) {
 }
 
 void seeFromCamera(vec4 ball, uint name, ivec2 pixel) {
-    for (int i = 0; i < sample_count; ++i) {
+    for (int i = 0; i < SAMPLES; ++i) {
         vec3 ray = rayThrough(vec2(pixel) + vec2(sample_at[i]) / float(kGrid));
         float along = ballAlong(ball, ray);
         if (along <= 0.0) continue;
         vec4 clip = frame.view_projection * vec4(frame.eye.xyz + along * ray, 1.0);
         precise float depth = clip.z / clip.w;
-        putCamera(pixel, i, depth, name);
+        uint place = sampleIndex(pixel, SAMPLES, i), bits = floatBitsToUint(depth);
+        if (depth <= 0.0 || depth > 1.0) continue;
+        if (naming == 0) atomicMax(visible[place], bits);
+        else if (bits == visible[place]) atomicMax(visible[sampleTotal(SAMPLES) + place], name);
     }
 }
 

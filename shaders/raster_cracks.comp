@@ -9,8 +9,7 @@ layout(local_size_x = 128) in;
 #include "common/visible.glsl"
 #include "common/crack.glsl"
 #include "common/crack_cover.glsl"
-layout(location = 1) uniform int sample_count;
-layout(location = 2) uniform vec2 sample_position[4];  // inside the pixel, 0..1
+layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 
 // One end of the ribbon.
 struct End {
@@ -33,7 +32,7 @@ End endOf(uint vertex, FragmentTransform t, uint fragment, uint other) {
     return end;
 }
 
-void darken(ivec2 pixel, int i, uint steps) { atomicAdd(visible[crackWord(pixel, sample_count, i)], steps << (16 * (i & 1))); }
+void darken(ivec2 pixel, int i, uint steps) { atomicAdd(visible[crackWord(pixel, SAMPLES, i)], steps << (16 * (i & 1))); }
 
 struct Ribbon {
     End ends[2];
@@ -55,11 +54,11 @@ vec2 placeOf(Ribbon r, vec2 at) {
 
 void paintPixel(Ribbon r, ivec2 pixel) {
     uint covered = 0u;
-    for (int i = 0; i < sample_count; ++i) {
+    for (int i = 0; i < SAMPLES; ++i) {
         vec2 place = placeOf(r, vec2(pixel) + sample_position[i]);
         if (!isInside(r, place)) continue;
         float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.extent);
-        if (depth >= uintBitsToFloat(visible[sampleIndex(pixel, sample_count, i)])) covered |= 1u << i;
+        if (depth >= uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)])) covered |= 1u << i;
     }
     if (covered == 0u) return;
     vec2 place = placeOf(r, vec2(pixel) + 0.5);
@@ -72,7 +71,7 @@ void paintPixel(Ribbon r, ivec2 pixel) {
                                   mix(r.ends[0].strength, r.ends[1].strength, t));
     uint steps = uint(-log2(max(left, 0.02)) * kCrackSteps + 0.5);
     if (steps == 0u) return;
-    for (int i = 0; i < sample_count; ++i) {
+    for (int i = 0; i < SAMPLES; ++i) {
         if ((covered >> i & 1u) != 0u) darken(pixel, i, steps);
     }
 }

@@ -1,39 +1,46 @@
 #version 450 core
-// One thread a triangle: those that are small on the picture are done at once, larger ones become tasks.
-layout(local_size_x = 256) in;
-#include "common/raster_square.glsl"
-layout(location = 9) uniform int most_pixels;  // of a box that one thread goes through
-layout(location = 11) uniform uint task_room;
+// One lane a triangle: those that are small on the picture are done at once, larger ones become tasks.
+layout(local_size_x = 128) in;
+#include "common/raster.glsl"
 
 shared uint found_here, task_here, found_base, task_base;
 
-bool isSmall(Flat f) {
-    ivec2 box = boxOf(f);
-    return box.x * box.y <= most_pixels && all(lessThanEqual(abs(f.at[1] - f.at[0]), ivec2(64 * kGrid))) &&
-           all(lessThanEqual(abs(f.at[2] - f.at[0]), ivec2(64 * kGrid)));
-}
-
+// One loop and not two, or a group of lanes would take as long as the tallest box times the widest.
 bool fillCamera(Flat f, uint name) {
-    vec2 slope = depthSlope(f);
+    NearEdges e = nearEdges(f);
+    ivec3 row = e.at_low, here = row, right = kGrid * e.along_x, up = kGrid * e.along_y;
+    ivec2 pixel = f.low, box = boxOf(f);
     bool shows = false;
-    for (int y = f.low.y; y <= f.high.y; ++y) {
-        for (int x = f.low.x; x <= f.high.x; ++x) {
-            for (int i = 0; i < sample_count; ++i) {
-                ivec2 at = kGrid * ivec2(x, y) + sample_at[i];
-                if (coversNear(f, at)) shows = putCamera(ivec2(x, y), i, depthAt(f, slope, at), name) || shows;
-            }
+    for (int left = box.x * box.y; left > 0; --left) {
+        uint covered = 0u;
+        for (int i = 0; i < SAMPLES; ++i) {
+            if (isInside(here + sample_at[i].x * e.along_x + sample_at[i].y * e.along_y)) covered |= 1u << i;
+        }
+        if (covered != 0u) shows = putCamera(f, pixel, covered, name) || shows;
+        ++pixel.x;
+        here += right;
+        if (pixel.x > f.high.x) {
+            pixel = ivec2(f.low.x, pixel.y + 1);
+            row += up;
+            here = row;
         }
     }
     return shows;
 }
 
 void fillShadow(Flat f, int region) {
-    vec2 slope = depthSlope(f);
-    float shift = shadowShift(f, slope);
-    for (int y = f.low.y; y <= f.high.y; ++y) {
-        for (int x = f.low.x; x <= f.high.x; ++x) {
-            ivec2 at = kGrid * ivec2(x, y) + kGrid / 2;
-            if (coversNear(f, at)) putShadow(ivec2(x, y), region, depthAt(f, slope, at) + shift);
+    NearEdges e = nearEdges(f);
+    ivec3 row = e.at_low + kGrid / 2 * (e.along_x + e.along_y), here = row, right = kGrid * e.along_x, up = kGrid * e.along_y;
+    ivec2 texel = f.low, box = boxOf(f);
+    float shift = shadowShift(f);
+    for (int left = box.x * box.y; left > 0; --left) {
+        if (isInside(here)) putShadow(texel, region, depthAt(f, kGrid * texel + kGrid / 2) + shift);
+        ++texel.x;
+        here += right;
+        if (texel.x > f.high.x) {
+            texel = ivec2(f.low.x, texel.y + 1);
+            row += up;
+            here = row;
         }
     }
 }
@@ -44,69 +51,51 @@ ivec4 squaresOf(ivec2 low, ivec2 high) {
     return ivec4(first, high / kTaskEdge - first + 1);
 }
 
-// What is left of a triangle to do in each view: squares of tasks.
-struct Work {
-    ivec4 squares[3];
-    bool shows;
-};
-
-void nothingIn(out Work work) {
-    for (int view = 0; view < 3; ++view) work.squares[view] = ivec4(0);
-    work.shows = false;
-}
-
-void lookFromCamera(vec3 p[3], uint name, inout Work work) {
-    vec4 clip[3];
-    int beyond = 0;  // of the near plane
-    for (int k = 0; k < 3; ++k) {
-        clip[k] = frame.view_projection * vec4(p[k], 1.0);
-        beyond += int(clip[k].z <= clip[k].w);
-    }
-    if (beyond == 0) return;
+// What is left to do, in squares; true: the triangle is done and may show.
+bool lookFromCamera(vec3 p[3], uint name, out ivec4 squares) {
+    squares = ivec4(0);
+    vec4 a = frame.view_projection * vec4(p[0], 1.0), b = frame.view_projection * vec4(p[1], 1.0),
+         c = frame.view_projection * vec4(p[2], 1.0);
+    int beyond = int(a.z <= a.w) + int(b.z <= b.w) + int(c.z <= c.w);  // of the near plane
+    if (beyond == 0) return false;
     if (beyond < 3) {
-        work.squares[kCamera] = squaresOf(ivec2(0), ivec2(frame.viewport.xy) - 1);
-        return;
+        squares = squaresOf(ivec2(0), ivec2(frame.viewport.xy) - 1);
+        return false;
     }
-    Flat f = cameraFlat(clip);
-    if (isEmpty(f)) return;
-    if (isSmall(f)) work.shows = fillCamera(f, name);
-    else work.squares[kCamera] = squaresOf(f.low, f.high);
+    Flat f = cameraFlat(a, b, c);
+    if (!f.shows) return false;
+    if (isLanesWork(f)) return fillCamera(f, name);
+    squares = squaresOf(f.low, f.high);
+    return false;
 }
 
-void lookFromSun(vec3 p[3], int region, inout Work work) {
+ivec4 lookFromSun(vec3 p[3], int region) {
+    if (shadow_texels == 0) return ivec4(0);
     Flat f = shadowFlat(p, region);
-    if (isEmpty(f)) return;
-    if (isSmall(f)) fillShadow(f, region);
-    else work.squares[1 + region] = squaresOf(f.low, f.high);
+    if (!f.shows) return ivec4(0);
+    if (!isLanesWork(f)) return squaresOf(f.low, f.high);
+    fillShadow(f, region);
+    return ivec4(0);
 }
 
-uint tasksIn(Work work) {
-    uint count = 0u;
-    for (int view = 0; view < 3; ++view) count += uint(work.squares[view].z * work.squares[view].w);
-    return count;
-}
-
-// Does all by itself where there is no room; a task of nobody is empty.
-void writeTasks(Work work, uint name, uint place, bool has_room) {
-    for (int view = 0; view < 3; ++view) {
-        ivec4 squares = work.squares[view];
-        for (int k = 0; k < squares.z * squares.w; ++k, ++place) {
-            ivec2 square = ivec2(squares.x + k % squares.z, squares.y + k / squares.z);
-            uvec2 task = uvec2(name, uint(view) << 30 | uint(square.y) << 15 | uint(square.x));
-            if (place < task_room) tasks[place] = has_room ? task : uvec2(0u);
-            if (!has_room) fillSquare(name, view, square, 0, 1);
+// Tasks beyond the room are lost; then nobody reads tasks (raster_squares.comp).
+uint writeTasks(uint place, ivec4 squares, int view, uint name) {
+    for (int y = 0; y < squares.w; ++y) {
+        for (int x = 0; x < squares.z; ++x, ++place) {
+            uvec2 square = uvec2(squares.xy + ivec2(x, y));
+            if (place < task_room) tasks[place] = uvec2(name, uint(view) << 30 | square.y << 15 | square.x);
         }
     }
+    return place;
 }
 
 void nameFound() {
-    for (uint k = gl_GlobalInvocationID.x; k < found_count; k += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
+    uint lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint k = gl_GlobalInvocationID.x; k < found_count; k += lanes) {
         vec3 p[3];
         cornersOf(found[k], p);
-        Work work;
-        nothingIn(work);
-        lookFromCamera(p, found[k], work);
-        writeTasks(work, found[k], task_room, false);
+        ivec4 squares;
+        lookFromCamera(p, found[k], squares);
     }
 }
 
@@ -115,36 +104,38 @@ void main() {
         nameFound();
         return;
     }
-    uint thread = gl_LocalInvocationIndex, triangles = triangleCount();
-    for (uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x; first < triangles; first += gl_NumWorkGroups.x * gl_WorkGroupSize.x) {
-        if (thread == 0u) found_here = task_here = 0u;
-        barrier();
-        Work work;
-        nothingIn(work);
-        uint t = first + thread, own = 0u;
-        if (t < triangles) {
-            own = nameOfTriangle(t);
-            vec3 p[3];
-            cornersOf(own, p);
-            lookFromCamera(p, own, work);
-            if (shadow_texels > 0) {
-                lookFromSun(p, 0, work);
-                lookFromSun(p, 1, work);
-            }
+    uint lane = gl_LocalInvocationIndex, triangles = triangleCount(), lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x; first < triangles; first += lanes) {
+        if (lane == 0u) {
+            found_here = 0u;
+            task_here = 0u;
         }
-        uint own_tasks = tasksIn(work);
-        uint task_place = own_tasks > 0u ? atomicAdd(task_here, own_tasks) : 0u;
         barrier();
-        if (thread == 0u) task_base = task_here > 0u ? atomicAdd(task_count, task_here) : 0u;
+        ivec4 camera = ivec4(0), near = ivec4(0), far = ivec4(0);
+        uint name = 0u;
+        bool shows = false;
+        if (first + lane < triangles) {
+            name = nameOfTriangle(first + lane);
+            vec3 p[3];
+            cornersOf(name, p);
+            shows = lookFromCamera(p, name, camera);
+            near = lookFromSun(p, 0);
+            far = lookFromSun(p, 1);
+        }
+        uint count = uint(camera.z * camera.w + near.z * near.w + far.z * far.w);
+        uint found_place = shows ? atomicAdd(found_here, 1u) : 0u;
+        uint task_place = count > 0u ? atomicAdd(task_here, count) : 0u;
         barrier();
-        task_place += task_base;
-        bool has_room = task_place + own_tasks <= task_room;
-        if (own_tasks > 0u) writeTasks(work, own, task_place, has_room);
-        bool to_be_named = work.shows || (!has_room && work.squares[kCamera].z > 0);
-        uint found_place = to_be_named ? atomicAdd(found_here, 1u) : 0u;
+        if (lane == 0u) {
+            found_base = found_here > 0u ? atomicAdd(found_count, found_here) : 0u;
+            task_base = task_here > 0u ? atomicAdd(task_count, task_here) : 0u;
+        }
         barrier();
-        if (thread == 0u) found_base = found_here > 0u ? atomicAdd(found_count, found_here) : 0u;
-        barrier();
-        if (to_be_named) found[found_base + found_place] = own;
+        if (shows) found[found_base + found_place] = name;
+        if (count > 0u) {
+            uint place = writeTasks(task_base + task_place, camera, kCamera, name);
+            place = writeTasks(place, near, 1, name);
+            writeTasks(place, far, 2, name);
+        }
     }
 }

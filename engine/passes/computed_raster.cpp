@@ -3,24 +3,24 @@
 #include "engine/passes/computed_raster.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
+#include <string>
 
 namespace demolish::engine {
 namespace {
 
 // As shaders/common/raster.glsl.
-constexpr GLint kNaming = 0, kSampleCount = 1, kSampleAt = 2, kSampleBox = 6, kShadowTexels = 7,
-                kShadowOffset = 8, kMostPixels = 9, kTaskRoom = 11;
+constexpr GLint kNaming = 0, kSampleAt = 1, kSampleBox = 6, kShadowTexels = 7, kShadowOffset = 8,
+                kLanePixels = 9, kTaskRoom = 10;
 constexpr GLint kFours = 0, kCrackWidth = 0;
 constexpr float kGrid = 256;
-constexpr int kNearShadows = 3;  // views: the camera and two regions
+constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
-constexpr GLuint kTriangleGroups = 2048, kSquareGroups = 4096, kCrackGroups = 1024, kBallGroups = 64;
+constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kCrackGroups = 1024, kBallGroups = 64,
+                 kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
-constexpr int kLanePixels = 48;
-constexpr size_t kTaskCount = size_t{1} << 19, kTaskBytes = 8, kFoundHeaderBytes = 8;
+constexpr int kMostLanePixels = 24;
+constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 8;
 constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
 
 size_t triangleRoom(const FractureMesh& mesh) {
@@ -35,24 +35,39 @@ size_t visibleFours(int width, int height, int samples) {
     return (pixels * (2 * static_cast<size_t>(samples) + 2) + 3) / 4;
 }
 
-glm::ivec2 onGrid(glm::vec2 place) {
-    return glm::ivec2(glm::round(place * kGrid));
-}
-
 }  // namespace
 
-ComputedRaster::ComputedRaster(const std::filesystem::path& shaders)
-    : clear_(shaders, {"raster_clear.comp"}),
-      triangles_(shaders, {"raster_triangles.comp"}),
-      squares_(shaders, {"raster_squares.comp"}),
-      balls_(shaders, {"raster_balls.comp"}),
-      cracks_(shaders, {"raster_cracks.comp"}, "#define COMPUTED\n"),
-      tasks_(gl::Buffer::immutable(kTaskCount * kTaskBytes)) {
-    for (gl::Program* program : {&triangles_, &squares_}) {
-        program->set(kShadowOffset, glm::vec2(kShadowSlopes, kShadowSteps));
-        program->set(kTaskRoom, static_cast<uint32_t>(kTaskCount));
+ComputedRaster::ComputedRaster(const std::filesystem::path& shaders, size_t task_room)
+    : shaders_(shaders),
+      clear_(shaders, {"raster_clear.comp"}),
+      tasks_(gl::Buffer::immutable(task_room * kTaskBytes)),
+      task_room_(task_room) {}
+
+ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targets) {
+    Programs& programs = programs_[targets.samples];
+    if (programs.cracks.id() != 0) return programs;
+    const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    programs = {gl::Program(shaders_, {"raster_triangles.comp"}, samples),
+                gl::Program(shaders_, {"raster_squares.comp"}, samples),
+                gl::Program(shaders_, {"raster_balls.comp"}, samples),
+                gl::Program(shaders_, {"raster_cracks.comp"}, samples + "#define COMPUTED\n")};
+    glm::ivec2 least(static_cast<int>(kGrid)), most(0);
+    for (int i = 0; i < targets.samples; ++i) {
+        const glm::vec2 place = targets.sample_position[static_cast<size_t>(i)];
+        const glm::ivec2 at(glm::round(place * kGrid));
+        least = glm::min(least, at);
+        most = glm::max(most, at);
+        for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
+            program->set(kSampleAt + i, at);
+        programs.cracks.set(kSampleAt + i, place);
     }
-    triangles_.set(kMostPixels, kLanePixels);
+    for (gl::Program* program : {&programs.triangles, &programs.squares}) {
+        program->set(kSampleBox, glm::ivec4(least, most));
+        program->set(kShadowOffset, glm::vec2(kShadowSlopes, kShadowSteps));
+        program->set(kLanePixels, kMostLanePixels);
+        program->set(kTaskRoom, static_cast<uint32_t>(task_room_));
+    }
+    return programs;
 }
 
 bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int samples) {
@@ -96,41 +111,26 @@ void ComputedRaster::bind(const FractureMesh& mesh, const SpherePass& balls) con
     glBindImageTexture(0, shadow_bits_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
 }
 
-void ComputedRaster::setViews(const RenderTargets& targets, int shadow_texels) {
-    glm::ivec2 least(static_cast<int>(kGrid)), most(0);
-    for (int i = 0; i < targets.samples; ++i) {
-        const glm::ivec2 at = onGrid(targets.sample_position[static_cast<size_t>(i)]);
-        least = glm::min(least, at);
-        most = glm::max(most, at);
-    }
-    for (gl::Program* program : {&triangles_, &squares_, &balls_}) {
-        program->set(kSampleCount, targets.samples);
-        for (int i = 0; i < targets.samples; ++i)
-            program->set(kSampleAt + i, onGrid(targets.sample_position[static_cast<size_t>(i)]));
-        program->set(kSampleBox, glm::ivec4(least, most));
-        program->set(kShadowTexels, shadow_texels);
-    }
-}
-
 void ComputedRaster::clear(int shadow_texels) {
     clear_.set(kFours, static_cast<uint32_t>(visible_.size() / 16));
     clear_.set(kShadowTexels, shadow_texels);
     clear_.use();
-    glDispatchCompute(kTriangleGroups, 1, 1);
+    glDispatchCompute(kClearGroups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void ComputedRaster::rasterise(const SpherePass& balls, bool naming, bool with_shadows) {
-    for (gl::Program* program : {&triangles_, &squares_, &balls_}) program->set(kNaming, naming ? 1 : 0);
-    triangles_.use();
+void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows) {
+    for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
+        program->set(kNaming, naming ? 1 : 0);
+    programs.triangles.use();
     glDispatchCompute(kTriangleGroups, 1, 1);
     if (balls.sphereCount() > 0) {
-        balls_.use();
+        programs.balls.use();
         glDispatchCompute(kBallGroups, static_cast<GLuint>(balls.sphereCount()),
-                          with_shadows ? kNearShadows : 1);
+                          with_shadows ? kShadowViews : 1);
     }
     if (!naming) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the first dispatch wrote the tasks
-    squares_.use();
+    programs.squares.use();
     glDispatchCompute(kSquareGroups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -141,13 +141,15 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     makeRoom(mesh, targets, shadow_texels);
     const bool with_shadows = shadow_scene_ != scene;
     if (with_shadows) shadow_scene_ = scene;
+    Programs& programs = programsFor(targets);
+    for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
+        program->set(kShadowTexels, with_shadows ? shadow_texels : 0);
     bind(mesh, balls);
-    setViews(targets, with_shadows ? shadow_texels : 0);
     clear(with_shadows ? shadow_texels : 0);
     clock.mark("clear");
-    rasterise(balls, false, with_shadows);
+    rasterise(programs, balls, false, with_shadows);
     clock.mark("depths");
-    rasterise(balls, true, false);
+    rasterise(programs, balls, true, false);
     clock.mark("names");
 }
 
@@ -155,11 +157,9 @@ void ComputedRaster::addCracks(const FractureMesh& mesh, const RenderTargets& ta
     bindStorage(StorageBinding::kCrackList, mesh.stream(StreamId::kCrackEdges));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
-    cracks_.set(kCrackWidth, width);
-    cracks_.set(kSampleCount, targets.samples);
-    for (int i = 0; i < targets.samples; ++i)
-        cracks_.set(kSampleAt + i, targets.sample_position[static_cast<size_t>(i)]);
-    cracks_.use();
+    gl::Program& program = programsFor(targets).cracks;
+    program.set(kCrackWidth, width);
+    program.use();
     glDispatchCompute(kCrackGroups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     bindStorage(StorageBinding::kInteriorIndices, mesh.stream(StreamId::kInteriorIndices));

@@ -1,6 +1,7 @@
 // Finds in compute passes what every sample of the picture and every texel of the shadow map shows.
 #pragma once
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "engine/gl/pass_clock.h"
@@ -14,8 +15,9 @@ namespace demolish::engine {
 
 class ComputedRaster {
   public:
+    /// `task_room`: squares of large triangles, 8 bytes each; where they do not suffice it goes slower.
     /// Throws gl::GlError.
-    explicit ComputedRaster(const std::filesystem::path& shaders);
+    ComputedRaster(const std::filesystem::path& shaders, size_t task_room);
 
     /// Has the driver as many and as large storage bindings as this picture of this mesh takes?
     static bool suits(const FractureMesh& mesh, int width, int height, int samples);
@@ -32,14 +34,20 @@ class ComputedRaster {
   private:
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
     void bind(const FractureMesh& mesh, const SpherePass& balls) const;
-    void setViews(const RenderTargets& targets, int shadow_texels);
+    struct Programs {
+        gl::Program triangles, squares, balls, cracks;
+    };
+    Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
-    void rasterise(const SpherePass& balls, bool naming, bool with_shadows);
+    static void rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows);
 
-    gl::Program clear_, triangles_, squares_, balls_, cracks_;
+    std::filesystem::path shaders_;
+    gl::Program clear_;
+    std::map<int, Programs> programs_;  ///< by samples, made when first needed
     gl::Buffer visible_, found_, tasks_;
     gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
     std::optional<ShadowScene> shadow_scene_;
+    size_t task_room_;
 };
 
 }  // namespace demolish::engine

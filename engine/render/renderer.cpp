@@ -37,8 +37,9 @@ int shadowMapSize(RenderQuality quality) {
 }  // namespace
 
 struct Renderer::Passes {
-    explicit Passes(const std::filesystem::path& shaders)
+    Passes(const std::filesystem::path& shaders, size_t task_count)
         : shader_folder(shaders),
+          raster_tasks(task_count),
           in_software(describeCurrentContext({}).software),
           shadow(shaders),
           surface(shaders),
@@ -85,6 +86,7 @@ struct Renderer::Passes {
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     std::filesystem::path shader_folder;
+    size_t raster_tasks;
     bool in_software;
     BodyGeometry body;
     ShadowPass shadow;
@@ -178,7 +180,7 @@ void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, b
 }
 
 void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
-    if (!computed) computed.emplace(shader_folder);
+    if (!computed) computed.emplace(shader_folder, raster_tasks);
     computed->run(mesh, spheres, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality), clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
     clock.mark("cracks");
@@ -217,8 +219,8 @@ IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const Sphe
     return {mesh, body, spheres, view.show_floor ? &floor : nullptr};
 }
 
-Renderer::Renderer(const std::filesystem::path& shader_folder)
-    : passes_(std::make_unique<Passes>(shader_folder)) {
+Renderer::Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks)
+    : passes_(std::make_unique<Passes>(shader_folder, raster_tasks)) {
     gl::throwIfError("Setting up the renderer");
 }
 

@@ -1,5 +1,6 @@
 // Draws one frame of a shot into the current framebuffer: the list of passes, in order.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -67,8 +68,10 @@ inline constexpr uint32_t kBackgroundId = 0xffffffffu, kFloorId = 0xfffffffeu, k
 
 class Renderer {
   public:
-    /// `shader_folder` holds the GLSL files. Throws GlError with the file and the compiler's message.
-    explicit Renderer(const std::filesystem::path& shader_folder);
+    /// `shader_folder` holds the GLSL files. `raster_tasks`: for how many squares of large triangles
+    /// (8 bytes each) Rasteriser::kCompute has memory; where they do not suffice it goes slower. Throws
+    /// GlError with the file and the compiler's message.
+    explicit Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks = size_t{1} << 20);
     ~Renderer();
 
     /// Draws into `target_framebuffer` (0: the window) of size view.width x view.height.

@@ -36,26 +36,25 @@ vec3 nearestInside(vec2 w) {
 }
 
 void makeBody(ivec2 pixel, uint name, inout Surface s) {
-    uvec3 words = cornerWords(name);
-    FragmentTransform t = motionOf(name, words[0]);
-    vec3 rest[3], normal = vec3(0.0);
-    for (int k = 0; k < 3; ++k) rest[k] = restOf(name, words[k]);
-    vec3 first = moved(t, rest[0]);
-    Corners corners = Corners(first, moved(t, rest[1]) - first, moved(t, rest[2]) - first);
+    BodyVertex v[3];
+    fetchTriangle(name, v);
+    FragmentTransform t = motionOf(v[0]);  // all corners are of one fragment
+    vec3 first = moved(t, v[0].rest);
+    Corners corners = Corners(first, moved(t, v[1].rest) - first, moved(t, v[2].rest) - first);
     // As a drawing pass has it: in the middle of the pixel, but never off the triangle.
     vec3 ray = rayThrough(vec2(pixel) + 0.5);
     vec2 w = weightsAt(corners, ray);
     vec2 right = weightsAt(corners, ray + 2.0 * frame.viewport.z * frame.ray_right.xyz) - w;
     vec2 up = weightsAt(corners, ray + 2.0 * frame.viewport.w * frame.ray_up.xyz) - w;
-    vec3 weights = nearestInside(w);
+    vec3 weights = nearestInside(w), normal = vec3(0.0), at_rest = vec3(0.0);
     vec2 relief = vec2(0.0);
     for (int k = 0; k < 3; ++k) {
-        normal += weights[k] * decodeOctahedral(unpackSnorm2x16(vertexWord(name, words[k] + 3u)));
-        relief += weights[k] * unpackHalf2x16(vertexWord(name, words[k] + 4u));
+        at_rest += weights[k] * v[k].rest;
+        normal += weights[k] * decodeOctahedral(unpackSnorm2x16(v[k].normal));
+        relief += weights[k] * unpackHalf2x16(v[k].uv);
     }
-    mat2x3 edges = mat2x3(rest[1] - rest[0], rest[2] - rest[0]);
+    mat2x3 edges = mat2x3(v[1].rest - v[0].rest, v[2].rest - v[0].rest);
     noise_footprint = max(length(edges * right), length(edges * up));
-    vec3 at_rest = weights.x * rest[0] + weights.y * rest[1] + weights.z * rest[2];
     s.geometric_normal = normalize(rotate(t.rotation, normal));
     s.normal = s.geometric_normal;
     s.metalness = 0.0;

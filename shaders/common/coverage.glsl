@@ -4,66 +4,82 @@ const int kGrid = 256;  // steps along a pixel
 
 // A triangle on a picture.
 struct Flat {
-    ivec2 at[3];            // corners, grid steps
-    vec3 depth;             // at the corners
-    ivec2 low, high;        // px, pixels that may hold covered samples, cut to the picture; low > high: none
-    dvec2 edge_01, edge_02; // from the first corner, grid steps
-    double area;            // twice the area, grid steps squared; <= 0: faces away
+    ivec2 at_0, at_1, at_2;      // corners, grid steps
+    ivec2 low, high;             // px, pixels that may hold covered samples, cut to the picture
+    float depth, least, most;    // at the first corner; within these of all corners
+    vec2 slope;                  // of depth, along a grid step
+    bool shows;                  // faces the viewer, and the box is not empty
 };
 
 const float kFarthest = 1048576.0;  // px; beyond it corners are moved, so that products stay exact
 
-// `window`: corners in px; samples of a pixel lie between `least` and `most` grid steps from its corner.
-Flat flatten(vec2 window[3], vec3 depth, ivec2 least, ivec2 most, ivec2 size) {
+ivec2 onGrid(vec2 window) { return ivec2(floor(clamp(window, -kFarthest, kFarthest) * float(kGrid) + 0.5)); }
+
+// `w_`: corners in px; `z`: their depths; samples of a pixel lie between `least_at` and `most_at` grid steps from its corner.
+Flat flatten(vec2 w_0, vec2 w_1, vec2 w_2, vec3 z, ivec2 least_at, ivec2 most_at, ivec2 size) {
     Flat f;
-    for (int k = 0; k < 3; ++k) f.at[k] = ivec2(floor(clamp(window[k], -kFarthest, kFarthest) * float(kGrid) + 0.5));
-    f.depth = depth;
-    ivec2 first = min(f.at[0], min(f.at[1], f.at[2])), last = max(f.at[0], max(f.at[1], f.at[2]));
-    f.low = max((first - most + kGrid - 1) >> 8, ivec2(0));
-    f.high = min((last - least) >> 8, size - 1);
-    f.edge_01 = dvec2(f.at[1] - f.at[0]);
-    f.edge_02 = dvec2(f.at[2] - f.at[0]);
-    f.area = f.edge_01.x * f.edge_02.y - f.edge_01.y * f.edge_02.x;
+    f.at_0 = onGrid(w_0);
+    f.at_1 = onGrid(w_1);
+    f.at_2 = onGrid(w_2);
+    f.low = max((min(f.at_0, min(f.at_1, f.at_2)) - most_at + kGrid - 1) >> 8, ivec2(0));
+    f.high = min((max(f.at_0, max(f.at_1, f.at_2)) - least_at) >> 8, size - 1);
+    dvec2 a = dvec2(f.at_1 - f.at_0), b = dvec2(f.at_2 - f.at_0);
+    float area = float(a.x * b.y - a.y * b.x);
+    f.shows = all(lessThanEqual(f.low, f.high)) && area > 0.0;
+    vec2 to_1 = vec2(a), to_2 = vec2(b);
+    float rise_1 = z.y - z.x, rise_2 = z.z - z.x;
+    f.slope = vec2(rise_1 * to_2.y - rise_2 * to_1.y, rise_2 * to_1.x - rise_1 * to_2.x) / max(area, 1.0);
+    f.depth = z.x;
+    f.least = min(z.x, min(z.y, z.z));
+    f.most = max(z.x, max(z.y, z.z));
     return f;
 }
 
-bool isEmpty(Flat f) { return any(greaterThan(f.low, f.high)) || f.area <= 0.0; }
-
 ivec2 boxOf(Flat f) { return f.high - f.low + 1; }
 
-// Change of depth a grid step along x and y.
-vec2 depthSlope(Flat f) {
-    float to_1 = f.depth[1] - f.depth[0], to_2 = f.depth[2] - f.depth[0];
-    vec2 a = vec2(f.edge_01), b = vec2(f.edge_02);
-    return vec2(to_1 * b.y - to_2 * a.y, to_2 * a.x - to_1 * b.x) / float(f.area);
+// The slope of a sliver is not known well.
+float depthAt(Flat f, ivec2 sample_at) {
+    precise float depth = f.depth + dot(f.slope, vec2(sample_at - f.at_0));
+    return clamp(depth, f.least, f.most);
 }
 
-float depthAt(Flat f, vec2 slope, ivec2 sample_at) {
-    precise float depth = f.depth[0] + dot(slope, vec2(sample_at - f.at[0]));
-    // The slope of a sliver is not known well.
-    return clamp(depth, min(f.depth[0], min(f.depth[1], f.depth[2])), max(f.depth[0], max(f.depth[1], f.depth[2])));
+// Edges of which a sample on them is inside: those to the left and the upper ones. 0, otherwise 1.
+int edgeIsOut(ivec2 edge) { return edge.y < 0 || (edge.y == 0 && edge.x < 0) ? 0 : 1; }
+
+// On which side of its edges a point is: >= 0 inside. Exact up to a box of 64 px.
+struct NearEdges {
+    ivec3 along_x, along_y;  // change along a grid step
+    ivec3 at_low;            // at the lower left corner of pixel `low`
+};
+
+int sideOf(ivec2 from, ivec2 to, ivec2 point) {
+    ivec2 edge = to - from, away = point - from;
+    return edge.x * away.y - edge.y * away.x - edgeIsOut(edge);
 }
 
-// Edges of which a sample on them is inside: those to the left and the upper ones.
-bool keepsItsEdge(ivec2 edge) { return edge.y < 0 || (edge.y == 0 && edge.x < 0); }
-
-// Exact up to a box of 64 px.
-bool coversNear(Flat f, ivec2 sample_at) {
-    for (int k = 0; k < 3; ++k) {
-        ivec2 edge = f.at[(k + 1) % 3] - f.at[k], to = sample_at - f.at[k];
-        int side = edge.x * to.y - edge.y * to.x;
-        if (side < (keepsItsEdge(edge) ? 0 : 1)) return false;
-    }
-    return true;
+bool isNear(Flat f) {
+    ivec2 a = abs(f.at_1 - f.at_0), b = abs(f.at_2 - f.at_0);
+    return max(max(a.x, a.y), max(b.x, b.y)) <= 64 * kGrid;
 }
+
+NearEdges nearEdges(Flat f) {
+    ivec2 corner = kGrid * f.low;
+    NearEdges e;
+    e.along_x = ivec3(f.at_0.y - f.at_1.y, f.at_1.y - f.at_2.y, f.at_2.y - f.at_0.y);
+    e.along_y = ivec3(f.at_1.x - f.at_0.x, f.at_2.x - f.at_1.x, f.at_0.x - f.at_2.x);
+    e.at_low = ivec3(sideOf(f.at_0, f.at_1, corner), sideOf(f.at_1, f.at_2, corner), sideOf(f.at_2, f.at_0, corner));
+    return e;
+}
+
+bool isInside(ivec3 sides) { return (sides.x | sides.y | sides.z) >= 0; }
 
 // Exact for any triangle.
+bool isInsideOf(ivec2 from, ivec2 to, ivec2 point) {
+    dvec2 edge = dvec2(to - from), away = dvec2(point - from);
+    return edge.x * away.y - edge.y * away.x >= double(edgeIsOut(to - from));
+}
+
 bool covers(Flat f, ivec2 sample_at) {
-    for (int k = 0; k < 3; ++k) {
-        ivec2 edge = f.at[(k + 1) % 3] - f.at[k];
-        dvec2 along = dvec2(edge), to = dvec2(sample_at - f.at[k]);
-        double side = along.x * to.y - along.y * to.x;
-        if (side < (keepsItsEdge(edge) ? 0.0 : 1.0)) return false;
-    }
-    return true;
+    return isInsideOf(f.at_0, f.at_1, sample_at) && isInsideOf(f.at_1, f.at_2, sample_at) &&
+           isInsideOf(f.at_2, f.at_0, sample_at);
 }

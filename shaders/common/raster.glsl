@@ -6,7 +6,7 @@
 #include "common/visible.glsl"
 layout(binding = 0, r32ui) uniform coherent uimage2D shadow_map;  // depths as bits, two regions side by side
 
-// Triangles that cover samples, but for those in tasks: to be named.
+// Triangles that one lane has done and that may show: to be named.
 layout(std430, binding = 8) buffer Found {
     uint found_count;
     uint task_count;
@@ -14,57 +14,58 @@ layout(std430, binding = 8) buffer Found {
 };
 // Triangles that are more than one lane's work, in squares of kTaskEdge px: name; view, y and x of the square.
 layout(std430, binding = 9) buffer Tasks { uvec2 tasks[]; };
-const int kTaskEdge = 64;
+const int kTaskEdge = 16;
 
-layout(location = 0) uniform int naming;            // 0: depths, 1: names
-layout(location = 1) uniform int sample_count;
-layout(location = 2) uniform ivec2 sample_at[4];    // inside the pixel, grid steps
-layout(location = 6) uniform ivec4 sample_box;      // least and most of these
-layout(location = 7) uniform int shadow_texels;     // along a region; 0: the map is not drawn
-layout(location = 8) uniform vec2 shadow_offset;    // slopes, least steps of depth
+layout(location = 0) uniform int naming;               // 0: depths, 1: names
+layout(location = 1) uniform ivec2 sample_at[SAMPLES]; // inside the pixel, grid steps
+layout(location = 6) uniform ivec4 sample_box;         // least and most of these
+layout(location = 7) uniform int shadow_texels;        // along a region; 0: the map is not drawn
+layout(location = 8) uniform vec2 shadow_offset;       // slopes, least steps of depth
+layout(location = 9) uniform int lane_pixels;          // of a box that one lane goes through
+layout(location = 10) uniform uint task_room;
 
 const int kCamera = 0;  // views; 1 and 2 are the regions
 
-// World to window; `w` along the view axis. True: the near plane cuts the triangle.
-Flat cameraFlat(vec4 clip[3]) {
-    vec2 window[3];
-    vec3 depth;
-    for (int k = 0; k < 3; ++k) {
-        window[k] = (clip[k].xy / clip[k].w * 0.5 + 0.5) * frame.viewport.xy;
-        depth[k] = clip[k].z / clip[k].w;
-    }
-    return flatten(window, depth, sample_box.xy, sample_box.zw, ivec2(frame.viewport.xy));
+Flat cameraFlat(vec4 a, vec4 b, vec4 c) {
+    vec2 size = frame.viewport.xy;
+    return flatten((a.xy / a.w * 0.5 + 0.5) * size, (b.xy / b.w * 0.5 + 0.5) * size, (c.xy / c.w * 0.5 + 0.5) * size,
+                   vec3(a.z / a.w, b.z / b.w, c.z / c.w), sample_box.xy, sample_box.zw, ivec2(size));
 }
 
 Flat shadowFlat(vec3 p[3], int region) {
-    vec2 window[3];
-    vec3 depth;
-    for (int k = 0; k < 3; ++k) {
-        vec3 at = (frame.light_matrix[region] * vec4(p[k], 1.0)).xyz;
-        window[k] = at.xy * float(shadow_texels);
-        depth[k] = at.z;
-    }
-    return flatten(window, depth, ivec2(kGrid / 2), ivec2(kGrid / 2), ivec2(shadow_texels));
+    mat4 to_map = frame.light_matrix[region];
+    vec3 a = (to_map * vec4(p[0], 1.0)).xyz, b = (to_map * vec4(p[1], 1.0)).xyz, c = (to_map * vec4(p[2], 1.0)).xyz;
+    float texels = float(shadow_texels);
+    return flatten(a.xy * texels, b.xy * texels, c.xy * texels, vec3(a.z, b.z, c.z), ivec2(kGrid / 2), ivec2(kGrid / 2),
+                   ivec2(shadow_texels));
+}
+
+bool isLanesWork(Flat f) {
+    ivec2 box = boxOf(f);
+    return box.x * box.y <= lane_pixels && isNear(f);
 }
 
 // As glPolygonOffset: away from the sun by the slope, and by steps of single precision.
-float shadowShift(Flat f, vec2 slope) {
-    float most = max(f.depth[0], max(f.depth[1], f.depth[2]));
-    int exponent = int((floatBitsToUint(abs(most)) >> 23) & 0xffu);
+float shadowShift(Flat f) {
+    int exponent = int((floatBitsToUint(abs(f.most)) >> 23) & 0xffu);
     float least_step = exponent > 23 ? uintBitsToFloat(uint(exponent - 23) << 23) : 0.0;
-    return shadow_offset.x * float(kGrid) * max(abs(slope.x), abs(slope.y)) + shadow_offset.y * least_step;
+    return shadow_offset.x * float(kGrid) * max(abs(f.slope.x), abs(f.slope.y)) + shadow_offset.y * least_step;
 }
 
-// A covered sample. Does it show the triangle, as far as one knows by now?
-bool putCamera(ivec2 pixel, int i, float depth, uint name) {
-    if (depth <= 0.0 || depth > 1.0) return false;
-    uint place = sampleIndex(pixel, sample_count, i), bits = floatBitsToUint(depth), held = visible[place];
-    if (naming != 0) {
-        if (held == bits) atomicMax(visible[sampleTotal(sample_count) + place], name);
-        return true;
+// Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
+bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
+    uint place = sampleIndex(pixel, SAMPLES, 0), held[SAMPLES];
+    for (int i = 0; i < SAMPLES; ++i) held[i] = visible[place + uint(i)];  // all are fetched before one is waited for
+    bool shows = false;
+    for (int i = 0; i < SAMPLES; ++i) {
+        float depth = depthAt(f, kGrid * pixel + sample_at[i]);
+        uint bits = floatBitsToUint(depth), own = place + uint(i);
+        if ((covered >> i & 1u) == 0u || depth <= 0.0 || depth > 1.0 || bits < held[i]) continue;
+        shows = true;
+        if (naming == 0) atomicMax(visible[own], bits);
+        else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
     }
-    if (bits > held) atomicMax(visible[place], bits);
-    return bits >= held;
+    return shows;
 }
 
 void putShadow(ivec2 pixel, int region, float depth) {
