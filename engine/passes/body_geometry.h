@@ -24,7 +24,8 @@ enum class StorageBinding : GLuint {
     kFound = 8,
     kTasks = 9,
     kBalls = 10,
-    kCount = 11,
+    kLarge = 11,
+    kCount = 12,
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);

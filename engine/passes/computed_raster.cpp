@@ -10,18 +10,23 @@ namespace {
 
 // As shaders/common/raster.glsl.
 constexpr GLint kNaming = 0, kSampleAt = 1, kSampleBox = 6, kShadowTexels = 7, kShadowOffset = 8,
-                kLanePixels = 9, kTaskRoom = 10;
+                kLanePixels = 9, kTaskRoom = 10, kLargeRoom = 11;
 constexpr GLint kFours = 0, kCrackWidth = 0;
 constexpr float kGrid = 256;
 constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
-constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kCrackGroups = 1024, kBallGroups = 64,
-                 kClearGroups = 2048;
+constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kLargeGroups = 1024, kCrackGroups = 1024,
+                 kBallGroups = 64, kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
-constexpr int kMostLanePixels = 24;
-constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 8;
+constexpr int kMostLanePixels = 16;
+constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 12, kLargeBytes = 88;
 constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
+
+/// Most touch one square or two.
+size_t largeRoom(size_t task_room) {
+    return task_room / 2;
+}
 
 size_t triangleRoom(const FractureMesh& mesh) {
     const size_t indices =
@@ -41,6 +46,7 @@ ComputedRaster::ComputedRaster(const std::filesystem::path& shaders, size_t task
     : shaders_(shaders),
       clear_(shaders, {"raster_clear.comp"}),
       tasks_(gl::Buffer::immutable(task_room * kTaskBytes)),
+      large_(gl::Buffer::immutable(largeRoom(task_room) * kLargeBytes)),
       task_room_(task_room) {}
 
 ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targets) {
@@ -49,6 +55,7 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
     const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
     programs = {gl::Program(shaders_, {"raster_triangles.comp"}, samples),
                 gl::Program(shaders_, {"raster_squares.comp"}, samples),
+                gl::Program(shaders_, {"raster_large.comp"}, samples),
                 gl::Program(shaders_, {"raster_balls.comp"}, samples),
                 gl::Program(shaders_, {"raster_cracks.comp"}, samples + "#define COMPUTED\n")};
     glm::ivec2 least(static_cast<int>(kGrid)), most(0);
@@ -57,15 +64,15 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
         const glm::ivec2 at(glm::round(place * kGrid));
         least = glm::min(least, at);
         most = glm::max(most, at);
-        for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
-            program->set(kSampleAt + i, at);
+        for (gl::Program* program : programs.raster()) program->set(kSampleAt + i, at);
         programs.cracks.set(kSampleAt + i, place);
     }
-    for (gl::Program* program : {&programs.triangles, &programs.squares}) {
+    for (gl::Program* program : programs.raster()) {
         program->set(kSampleBox, glm::ivec4(least, most));
         program->set(kShadowOffset, glm::vec2(kShadowSlopes, kShadowSteps));
         program->set(kLanePixels, kMostLanePixels);
         program->set(kTaskRoom, static_cast<uint32_t>(task_room_));
+        program->set(kLargeRoom, static_cast<uint32_t>(largeRoom(task_room_)));
     }
     return programs;
 }
@@ -108,6 +115,7 @@ void ComputedRaster::bind(const FractureMesh& mesh, const SpherePass& balls) con
     bindStorage(StorageBinding::kFound, found_);
     bindStorage(StorageBinding::kTasks, tasks_);
     bindStorage(StorageBinding::kBalls, balls.spheres());
+    bindStorage(StorageBinding::kLarge, large_);
     glBindImageTexture(0, shadow_bits_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
 }
 
@@ -120,8 +128,7 @@ void ComputedRaster::clear(int shadow_texels) {
 }
 
 void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows) {
-    for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
-        program->set(kNaming, naming ? 1 : 0);
+    for (gl::Program* program : programs.raster()) program->set(kNaming, naming ? 1 : 0);
     programs.triangles.use();
     glDispatchCompute(kTriangleGroups, 1, 1);
     if (balls.sphereCount() > 0) {
@@ -132,6 +139,8 @@ void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool
     if (!naming) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the first dispatch wrote the tasks
     programs.squares.use();
     glDispatchCompute(kSquareGroups, 1, 1);
+    programs.large.use();
+    glDispatchCompute(kLargeGroups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                     GL_TEXTURE_FETCH_BARRIER_BIT);
 }
@@ -142,7 +151,7 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     const bool with_shadows = shadow_scene_ != scene;
     if (with_shadows) shadow_scene_ = scene;
     Programs& programs = programsFor(targets);
-    for (gl::Program* program : {&programs.triangles, &programs.squares, &programs.balls})
+    for (gl::Program* program : programs.raster())
         program->set(kShadowTexels, with_shadows ? shadow_texels : 0);
     bind(mesh, balls);
     clear(with_shadows ? shadow_texels : 0);

@@ -1,5 +1,6 @@
 // Finds in compute passes what every sample of the picture and every texel of the shadow map shows.
 #pragma once
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -15,7 +16,8 @@ namespace demolish::engine {
 
 class ComputedRaster {
   public:
-    /// `task_room`: squares of large triangles, 8 bytes each; where they do not suffice it goes slower.
+    /// `task_room`: squares of 16 px of large triangles, 52 bytes each; where they do not suffice it goes
+    /// slower.
     /// Throws gl::GlError.
     ComputedRaster(const std::filesystem::path& shaders, size_t task_room);
 
@@ -35,7 +37,9 @@ class ComputedRaster {
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
     void bind(const FractureMesh& mesh, const SpherePass& balls) const;
     struct Programs {
-        gl::Program triangles, squares, balls, cracks;
+        gl::Program triangles, squares, large, balls, cracks;
+        /// Those that know the views.
+        std::array<gl::Program*, 4> raster() { return {&triangles, &squares, &large, &balls}; }
     };
     Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
@@ -44,7 +48,7 @@ class ComputedRaster {
     std::filesystem::path shaders_;
     gl::Program clear_;
     std::map<int, Programs> programs_;  ///< by samples, made when first needed
-    gl::Buffer visible_, found_, tasks_;
+    gl::Buffer visible_, found_, tasks_, large_;
     gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
     std::optional<ShadowScene> shadow_scene_;
     size_t task_room_;

@@ -3,8 +3,10 @@
 #include "engine/passes/light_pass.h"
 
 #include <cmath>
+#include <span>
 #include <string>
 
+#include "engine/passes/body_geometry.h"
 #include "engine/passes/surface_pass.h"
 
 namespace demolish::engine {
@@ -12,6 +14,15 @@ namespace {
 
 constexpr GLint kCurve = 0, kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
+
+constexpr GLbitfield kPictureBarriers = GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                        GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
+/// Enough to fill any GPU; each goes on to further tiles.
+constexpr GLuint kFoundGroups = 16384;
+
+GLuint tilesAlong(int pixels) {
+    return static_cast<GLuint>(pixels + 7) / 8;
+}
 
 /// y = x^a, then y / (y^d b + c): contrast a in the middle, shoulder d towards white; b and c follow from
 /// where middle grey and white land (Lottes, "Advanced techniques and optimization of HDR color pipelines",
@@ -43,34 +54,47 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
         program =
             gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, samples + "#define SHADOW_DRAFT\n");
     else
-        program =
-            gl::Program(shaders_, {"light.comp"}, samples + (way == Way::kFound ? "#define COMPUTED\n" : ""));
+        program = gl::Program(shaders_,
+                              {way == Way::kComputed ? "light.comp"
+                               : way == Way::kEmpty  ? "light_empty.comp"
+                                                     : "light_found.comp"},
+                              samples);
     program.set(kCurve, toneCurve());
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);
     return program;
 }
 
-void LightPass::dispatch(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
+void LightPass::bindPicture(const gl::Texture& occlusion, GLuint picture) {
     occlusion.bind(kOcclusionUnit);
     glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
-    glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
-                    GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
     programFor(targets, Way::kComputed).use();
     bindInputs(targets);
-    dispatch(targets, occlusion, picture);
+    bindPicture(occlusion, picture);
+    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
+    glMemoryBarrier(kPictureBarriers);
 }
 
 void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& occlusion,
                              const SurfaceLook& look, GLuint picture) {
+    const GLuint across = tilesAlong(targets.width), down = tilesAlong(targets.height);
+    const size_t bytes = sizeof(uint32_t) * (1 + size_t{across} * down);
+    if (tiles_.size() != bytes) tiles_ = gl::Buffer::immutable(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
+    const uint32_t none = 0;
+    tiles_.upload(std::as_bytes(std::span(&none, 1)));
+    bindStorage(StorageBinding::kFound, tiles_);
+    bindPicture(occlusion, picture);
+    programFor(targets, Way::kEmpty).use();
+    glDispatchCompute(across, down, 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gl::Program& program = programFor(targets, Way::kFound);
     setBodyMaterial(program, kBodyMaterial, look);
     program.use();
-    dispatch(targets, occlusion, picture);
+    glDispatchCompute(kFoundGroups, 1, 1);
+    glMemoryBarrier(kPictureBarriers | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {

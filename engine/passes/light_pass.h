@@ -24,12 +24,13 @@ class LightPass {
     void draw(const RenderTargets& targets, GLuint framebuffer);
 
   private:
-    enum class Way { kDrawn, kComputed, kFound };
+    enum class Way { kDrawn, kComputed, kEmpty, kFound };
     gl::Program& programFor(const RenderTargets& targets, Way way);
-    static void dispatch(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
+    static void bindPicture(const gl::Texture& occlusion, GLuint picture);
     std::filesystem::path shaders_;
     std::map<std::pair<int, Way>, gl::Program> programs_;  ///< by samples, made when first needed
     gl::VertexArray no_attributes_;
+    gl::Buffer tiles_;  ///< as shaders/common/light_tiles.glsl
 };
 
 }  // namespace demolish::engine

@@ -68,9 +68,9 @@ inline constexpr uint32_t kBackgroundId = 0xffffffffu, kFloorId = 0xfffffffeu, k
 
 class Renderer {
   public:
-    /// `shader_folder` holds the GLSL files. `raster_tasks`: for how many squares of large triangles
-    /// (8 bytes each) Rasteriser::kCompute has memory; where they do not suffice it goes slower. Throws
-    /// GlError with the file and the compiler's message.
+    /// `shader_folder` holds the GLSL files. `raster_tasks`: for how many squares of 16 px of large
+    /// triangles (52 bytes each) Rasteriser::kCompute has memory; where they do not suffice it goes slower.
+    /// Throws GlError with the file and the compiler's message.
     explicit Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks = size_t{1} << 20);
     ~Renderer();
 

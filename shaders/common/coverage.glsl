@@ -73,13 +73,28 @@ NearEdges nearEdges(Flat f) {
 
 bool isInside(ivec3 sides) { return (sides.x | sides.y | sides.z) >= 0; }
 
-// Exact for any triangle.
-bool isInsideOf(ivec2 from, ivec2 to, ivec2 point) {
+// The same, exact for any triangle.
+struct Edges {
+    dvec3 along_x, along_y, at_corner;
+};
+
+double farSideOf(ivec2 from, ivec2 to, ivec2 point) {
     dvec2 edge = dvec2(to - from), away = dvec2(point - from);
-    return edge.x * away.y - edge.y * away.x >= double(edgeIsOut(to - from));
+    return edge.x * away.y - edge.y * away.x - double(edgeIsOut(to - from));
 }
 
-bool covers(Flat f, ivec2 sample_at) {
-    return isInsideOf(f.at_0, f.at_1, sample_at) && isInsideOf(f.at_1, f.at_2, sample_at) &&
-           isInsideOf(f.at_2, f.at_0, sample_at);
+// `corner`: lower left of a pixel, px.
+Edges edgesFrom(Flat f, ivec2 corner) {
+    ivec2 at = kGrid * corner;
+    Edges e;
+    e.along_x = dvec3(f.at_0.y - f.at_1.y, f.at_1.y - f.at_2.y, f.at_2.y - f.at_0.y);
+    e.along_y = dvec3(f.at_1.x - f.at_0.x, f.at_2.x - f.at_1.x, f.at_0.x - f.at_2.x);
+    e.at_corner = dvec3(farSideOf(f.at_0, f.at_1, at), farSideOf(f.at_1, f.at_2, at), farSideOf(f.at_2, f.at_0, at));
+    return e;
+}
+
+// `away`: from the corner, grid steps.
+bool covers(Edges e, ivec2 away) {
+    dvec3 sides = e.at_corner + double(away.x) * e.along_x + double(away.y) * e.along_y;
+    return min(sides.x, min(sides.y, sides.z)) >= 0.0;
 }

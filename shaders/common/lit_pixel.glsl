@@ -5,8 +5,10 @@
 #include "common/shade.glsl"
 #include "common/floor.glsl"
 #include "common/tone.glsl"
-#ifdef COMPUTED
+#if defined(COMPUTED)
 #include "common/computed_sample.glsl"
+#elif defined(EMPTY)
+#include "common/empty_sample.glsl"
 #else
 #include "common/drawn_sample.glsl"
 #endif

@@ -9,11 +9,19 @@ layout(binding = 0, r32ui) uniform coherent uimage2D shadow_map;  // depths as b
 // Triangles that one lane has done and that may show: to be named.
 layout(std430, binding = 8) buffer Found {
     uint found_count;
-    uint task_count;
+    uint large_count, task_count;
     uint found[];
 };
-// Triangles that are more than one lane's work, in squares of kTaskEdge px: name; view, y and x of the square.
+// Triangles that are more than one lane's work, and the squares of kTaskEdge px that they touch: place in `large`; x in the
+// low, y in the high half.
+struct Large {
+    Flat flat_on_view;
+    uint name;
+    int view;
+    float shift;  // of depth
+};
 layout(std430, binding = 9) buffer Tasks { uvec2 tasks[]; };
+layout(std430, binding = 11) buffer LargeTriangles { Large large[]; };
 const int kTaskEdge = 16;
 
 layout(location = 0) uniform int naming;               // 0: depths, 1: names
@@ -23,6 +31,7 @@ layout(location = 7) uniform int shadow_texels;        // along a region; 0: the
 layout(location = 8) uniform vec2 shadow_offset;       // slopes, least steps of depth
 layout(location = 9) uniform int lane_pixels;          // of a box that one lane goes through
 layout(location = 10) uniform uint task_room;
+layout(location = 11) uniform uint large_room;
 
 const int kCamera = 0;  // views; 1 and 2 are the regions
 
@@ -39,6 +48,8 @@ Flat shadowFlat(vec3 p[3], int region) {
     return flatten(a.xy * texels, b.xy * texels, c.xy * texels, vec3(a.z, b.z, c.z), ivec2(kGrid / 2), ivec2(kGrid / 2),
                    ivec2(shadow_texels));
 }
+
+bool hasRoom() { return task_count <= task_room && large_count <= large_room; }
 
 bool isLanesWork(Flat f) {
     ivec2 box = boxOf(f);

@@ -1,6 +1,6 @@
 // Soft sun shadow: blockers are looked for first, the penumbra grows with their distance (percentage-closer soft shadows).
 layout(binding = 1) uniform sampler2D shadow_depth;
-#ifdef COMPUTED
+#if defined(COMPUTED) || defined(EMPTY)
 // No depth format can be written by a compute pass, so that texels are compared and blended here.
 float litTap(vec3 p) {
     vec2 size = vec2(textureSize(shadow_depth, 0)), at = p.xy * size - 0.5, first = floor(at), f = at - first;

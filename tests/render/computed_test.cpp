@@ -1,9 +1,6 @@
 // The body found in compute passes looks as it looks drawn, but for rounding at edges.
-#include <cstdlib>
 #include <glm/gtc/constants.hpp>
 
-#include "engine/image/compare.h"
-#include "engine/image/png.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -14,23 +11,16 @@ class Computed : public GlTest {
   protected:
     static void expectSameLook(Scene& scene) { expectSameLook(scene, renderer()); }
 
+    /// At an edge several triangles share a pixel: one that covers no middle of a pixel is shaded where it
+    /// covers it, drawn it is shaded beyond its end.
     static void expectSameLook(Scene& scene, Renderer& computing) {
         scene.view.rasteriser = Rasteriser::kDraw;
         const Image drawn = drawPicture(renderer(), scene);
         scene.view.rasteriser = Rasteriser::kCompute;
         const Image computed = drawPicture(computing, scene);
-        const size_t differing = differingPixels(drawn, computed, 5);
         const auto pixels = static_cast<double>(drawn.width * drawn.height);
-        EXPECT_LE(static_cast<double>(differing), 0.005 * pixels);
+        EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 5)), 0.005 * pixels);
         EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 32)), 0.001 * pixels);
-        if (const char* folder = std::getenv("COMPUTED_OUT")) {
-            static int number = 0;
-            const std::string base = std::string(folder) + "/" + std::to_string(number++);
-            writePng(base + "_drawn.png", drawn);
-            writePng(base + "_computed.png", computed);
-            std::printf("%s: %zu of %.0f differ by more than 5, %zu by more than 32\n", base.c_str(),
-                        differing, pixels, differingPixels(drawn, computed, 32));
-        }
     }
 };
 
@@ -47,24 +37,27 @@ void turn(Camera& camera, float angle) {
     camera.eye = camera.target + glm::vec3(c * out.x + s * out.z, out.y, c * out.z - s * out.x);
 }
 
-TEST_F(Computed, EverySceneFromEverySide) {
-    for (const char* name : {"whole_block", "cracked_block", "broken_block", "broken_ball"}) {
-        Scene scene = small(name);
-        for (int side = 0; side < 3; ++side) {
-            SCOPED_TRACE(std::string(name) + ", side " + std::to_string(side));
-            expectSameLook(scene);
-            turn(scene.view.camera, 0.3f + glm::two_pi<float>() / 3);
-        }
+TEST_F(Computed, CracksAreTheSame) {
+    Scene scene = small("cracked_block");
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, PiecesAndProjectilesAreTheSameFromEverySide) {
+    Scene scene = small("broken_ball");
+    for (int side = 0; side < 2; ++side) {
+        SCOPED_TRACE(side);
+        expectSameLook(scene);
+        turn(scene.view.camera, 2.4f);
     }
 }
 
-TEST_F(Computed, AnyNumberOfSamples) {
+TEST_F(Computed, OfOneSampleEveryPixelIsTheSame) {
     Scene scene = small("broken_ball");
-    for (const int samples : {1, 2, 4}) {
-        SCOPED_TRACE(samples);
-        scene.view.samples = samples;
-        expectSameLook(scene);
-    }
+    scene.view.samples = 1;
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_LE(differingPixels(drawn, drawPicture(renderer(), scene), 3), 3u);
 }
 
 TEST_F(Computed, SmallTrianglesFromAfar) {
@@ -74,20 +67,33 @@ TEST_F(Computed, SmallTrianglesFromAfar) {
     expectSameLook(scene);
 }
 
-TEST_F(Computed, ACameraAmongThePieces) {
+TEST_F(Computed, ACameraAmongThePiecesWhoseNearPlaneCutsThem) {
     Scene scene = small("broken_ball");
     scene.view.camera.eye = {0.4f, 0.6f, 0.3f};
-    for (const float angle : {0.0f, 1.7f, 3.9f}) {
-        SCOPED_TRACE(angle);
-        scene.view.camera.target = scene.view.camera.eye + glm::vec3(std::cos(angle), -0.2f, std::sin(angle));
-        expectSameLook(scene);
-    }
+    scene.view.camera.target = scene.view.camera.eye + glm::vec3(std::cos(1.7f), -0.2f, std::sin(1.7f));
+    scene.view.camera.near_plane = 0.15f;
+    expectSameLook(scene);
 }
 
 TEST_F(Computed, TooManyLargeTrianglesForTheirMemory) {
     Renderer poor(shaderFolder(), 10);
     Scene scene = small("broken_block");
     expectSameLook(scene, poor);
+}
+
+TEST_F(Computed, TheSameFrameIsTheSamePicture) {
+    Scene scene = small("broken_block");
+    scene.view.rasteriser = Rasteriser::kCompute;
+    const Image first = drawPicture(renderer(), scene);
+    EXPECT_TRUE(first.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+TEST_F(Computed, DraftsAreDrawn) {
+    Scene scene = small("broken_block_draft");
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_TRUE(drawn.pixels == drawPicture(renderer(), scene).pixels);
 }
 
 }  // namespace
