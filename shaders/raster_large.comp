@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 #include "common/near_plane.glsl"
 
 void fillAll(Flat f, uint name, int view) {
-    if (f.shows) fillBox(Large(f, name, view, view == kCamera ? 0.0 : shadowShift(f)), f.low, f.high);
+    if (f.shows) fillBox(Large(f, name, view, 0, view == kCamera ? 0.0 : shadowShift(f)), f.low, f.high);
 }
 
 void fillCamera(vec3 p[3], uint name) {

@@ -1,6 +1,6 @@
 #version 450 core
 // One work group a task: a square of a triangle.
-layout(local_size_x = 64) in;
+layout(local_size_x = 32) in;
 #include "common/raster.glsl"
 #include "common/raster_box.glsl"
 

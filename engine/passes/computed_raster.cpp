@@ -13,11 +13,12 @@ constexpr GLint kNaming = 0, kSampleAt = 1, kSampleBox = 6, kShadowTexels = 7, k
                 kLanePixels = 9, kTaskRoom = 10, kLargeRoom = 11;
 constexpr GLint kFours = 0, kCrackWidth = 0;
 constexpr float kGrid = 256;
+constexpr int kCoarseTexels = 64;   // shaders/common/shadow.glsl
 constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
-constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kLargeGroups = 1024, kCrackGroups = 1024,
-                 kBallGroups = 64, kClearGroups = 2048;
+constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kSetupGroups = 2048, kLargeGroups = 1024,
+                 kCrackGroups = 1024, kBallGroups = 64, kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
 constexpr int kMostLanePixels = 16;
 constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 12, kLargeBytes = 88;
@@ -45,6 +46,7 @@ size_t visibleFours(int width, int height, int samples) {
 ComputedRaster::ComputedRaster(const std::filesystem::path& shaders, size_t task_room)
     : shaders_(shaders),
       clear_(shaders, {"raster_clear.comp"}),
+      coarse_(shaders, {"shadow_coarse.comp"}),
       tasks_(gl::Buffer::immutable(task_room * kTaskBytes)),
       large_(gl::Buffer::immutable(largeRoom(task_room) * kLargeBytes)),
       task_room_(task_room) {}
@@ -54,6 +56,7 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
     if (programs.cracks.id() != 0) return programs;
     const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
     programs = {gl::Program(shaders_, {"raster_triangles.comp"}, samples),
+                gl::Program(shaders_, {"raster_setup.comp"}, samples),
                 gl::Program(shaders_, {"raster_squares.comp"}, samples),
                 gl::Program(shaders_, {"raster_large.comp"}, samples),
                 gl::Program(shaders_, {"raster_balls.comp"}, samples),
@@ -100,6 +103,8 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
     shadow_bits_ = gl::Texture::make2d(GL_R32UI, kShadowRegions * shadow_texels, shadow_texels);
     shadow_depth_ = gl::Texture::viewTarget(shadow_bits_, GL_R32F, 1);
     shadow_depth_.setWrap(GL_CLAMP_TO_EDGE);
+    shadow_coarse_ = gl::Texture::make2d(GL_R32F, kShadowRegions * shadow_texels / kCoarseTexels,
+                                         shadow_texels / kCoarseTexels);
     shadow_scene_.reset();
 }
 
@@ -136,7 +141,12 @@ void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool
         glDispatchCompute(kBallGroups, static_cast<GLuint>(balls.sphereCount()),
                           with_shadows ? kShadowViews : 1);
     }
-    if (!naming) glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the first dispatch wrote the tasks
+    if (!naming) {
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the first dispatch noted what is large
+        programs.setup.use();
+        glDispatchCompute(kSetupGroups, 1, 1);
+        glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    }
     programs.squares.use();
     glDispatchCompute(kSquareGroups, 1, 1);
     programs.large.use();
@@ -160,6 +170,8 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     clock.mark("depths");
     rasterise(programs, balls, true, false);
     clock.mark("names");
+    if (with_shadows) makeCoarseShadows();
+    clock.mark("coarse shadow");
 }
 
 void ComputedRaster::addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width) {
@@ -176,8 +188,18 @@ void ComputedRaster::addCracks(const FractureMesh& mesh, const RenderTargets& ta
     bindStorage(StorageBinding::kInteriorVertices, mesh.stream(StreamId::kInteriorVertices));
 }
 
+void ComputedRaster::makeCoarseShadows() {
+    coarse_.use();
+    shadow_depth_.bind(1);
+    glBindImageTexture(0, shadow_coarse_.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+    glDispatchCompute(static_cast<GLuint>(shadow_coarse_.width()),
+                      static_cast<GLuint>(shadow_coarse_.height()), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
 void ComputedRaster::bindShadowMap() const {
     shadow_depth_.bind(1);
+    shadow_coarse_.bind(7);
 }
 
 }  // namespace demolish::engine

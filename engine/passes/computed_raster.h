@@ -30,26 +30,28 @@ class ComputedRaster {
              const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
     void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
-    /// To unit 1, as shaders/common/shadow.glsl has it.
+    /// To units 1 and 7, as shaders/common/shadow.glsl has it.
     void bindShadowMap() const;
 
   private:
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
     void bind(const FractureMesh& mesh, const SpherePass& balls) const;
     struct Programs {
-        gl::Program triangles, squares, large, balls, cracks;
+        gl::Program triangles, setup, squares, large, balls, cracks;
         /// Those that know the views.
-        std::array<gl::Program*, 4> raster() { return {&triangles, &squares, &large, &balls}; }
+        std::array<gl::Program*, 5> raster() { return {&triangles, &setup, &squares, &large, &balls}; }
     };
     Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
+    void makeCoarseShadows();
     static void rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows);
 
     std::filesystem::path shaders_;
-    gl::Program clear_;
+    gl::Program clear_, coarse_;
     std::map<int, Programs> programs_;  ///< by samples, made when first needed
     gl::Buffer visible_, found_, tasks_, large_;
     gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
+    gl::Texture shadow_coarse_;               ///< least depth of squares of it
     std::optional<ShadowScene> shadow_scene_;
     size_t task_room_;
 };

@@ -17,8 +17,8 @@ layout(std430, binding = 8) buffer Found {
 struct Large {
     Flat flat_on_view;
     uint name;
-    int view;
-    float shift;  // of depth
+    int view, part;  // part: of two that the near plane makes
+    float shift;     // of depth
 };
 layout(std430, binding = 9) buffer Tasks { uvec2 tasks[]; };
 layout(std430, binding = 11) buffer LargeTriangles { Large large[]; };
