@@ -11,11 +11,20 @@ Box boxRound(vec2 centre, float radius, ivec2 size) {
     return Box(max(ivec2(floor(centre - radius)), ivec2(0)), min(ivec2(ceil(centre + radius)), size - 1));
 }
 
+// Does the ball lie beyond one of the planes through the eye that bound the picture, or behind it?
+bool isBesidePicture(vec4 ball) {
+    vec3 centre = (frame.view * vec4(ball.xyz, 1.0)).xyz;
+    vec2 slope = frame.depth_range.z * vec2(frame.depth_range.w, 1.0);
+    vec2 beyond = (abs(centre.xy) + centre.z * slope) / sqrt(1.0 + slope * slope);
+    return max(beyond.x, beyond.y) > 1.01 * ball.w || centre.z > ball.w;
+}
+
 Box cameraBox(vec4 ball) {
     ivec2 size = ivec2(frame.viewport.xy);
+    if (isBesidePicture(ball)) return Box(ivec2(0), ivec2(-1));
     vec4 clip = frame.view_projection * vec4(ball.xyz, 1.0);
     float nearest = clip.w - 1.01 * ball.w;
-    if (nearest <= frame.depth_range.x) return Box(ivec2(0), clip.w + ball.w < 0.0 ? ivec2(-1) : size - 1);
+    if (nearest <= frame.depth_range.x) return Box(ivec2(0), size - 1);
     vec2 centre = (clip.xy / clip.w * 0.5 + 0.5) * frame.viewport.xy;
     // Off the axis the outline is longer than across it.
     vec2 slope = clip.xy / clip.w * vec2(frame.depth_range.w, 1.0) * frame.depth_range.z;

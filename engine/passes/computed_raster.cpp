@@ -20,8 +20,8 @@ constexpr GLuint kShadowViews = 3;  // the camera and two regions
 constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kSetupGroups = 2048, kLargeGroups = 1024,
                  kCrackGroups = 1024, kBallGroups = 64, kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
-constexpr int kMostLanePixels = 16;
-constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 12, kLargeBytes = 88;
+constexpr int kMostLanePixels = 24;
+constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 16, kLargeBytes = 88;
 constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
 
 /// Most touch one square or two.
@@ -29,10 +29,12 @@ size_t largeRoom(size_t task_room) {
     return task_room / 2;
 }
 
-size_t triangleRoom(const FractureMesh& mesh) {
-    const size_t indices =
+/// Of triangles that were found, and later of tiles of 8 x 8 px to be lit.
+size_t foundBytes(const FractureMesh& mesh, int width, int height) {
+    const size_t index_bytes =
         mesh.stream(StreamId::kExteriorIndices).size() + mesh.stream(StreamId::kInteriorIndices).size();
-    return indices / (3 * sizeof(uint32_t)) + 1;
+    const size_t tiles = static_cast<size_t>((width + 7) / 8) * static_cast<size_t>((height + 7) / 8);
+    return kFoundHeaderBytes + std::max(index_bytes / 3, sizeof(uint32_t) * tiles);
 }
 
 /// Depth and name a sample, cracks in two words a pixel, in whole groups of four.
@@ -86,8 +88,8 @@ bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int 
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
-    const size_t largest = std::max(16 * visibleFours(width, height, samples),
-                                    kFoundHeaderBytes + sizeof(uint32_t) * triangleRoom(mesh));
+    const size_t largest =
+        std::max(16 * visibleFours(width, height, samples), foundBytes(mesh, width, height));
     return bindings >= kBindings && blocks >= kBindings && static_cast<size_t>(bytes) >= largest;
 }
 
@@ -97,7 +99,7 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
         visible_ = {};  // both at once might not fit into a small GPU
         visible_ = gl::Buffer::immutable(visible);
     }
-    const size_t found = kFoundHeaderBytes + sizeof(uint32_t) * triangleRoom(mesh);
+    const size_t found = foundBytes(mesh, targets.width, targets.height);
     if (found_.size() < found) found_ = gl::Buffer::immutable(found);
     if (shadow_bits_.height() == shadow_texels) return;
     shadow_bits_ = gl::Texture::make2d(GL_R32UI, kShadowRegions * shadow_texels, shadow_texels);

@@ -3,10 +3,8 @@
 #include "engine/passes/light_pass.h"
 
 #include <cmath>
-#include <span>
 #include <string>
 
-#include "engine/passes/body_geometry.h"
 #include "engine/passes/surface_pass.h"
 
 namespace demolish::engine {
@@ -80,21 +78,15 @@ void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusi
 
 void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& occlusion,
                              const SurfaceLook& look, GLuint picture) {
-    const GLuint across = tilesAlong(targets.width), down = tilesAlong(targets.height);
-    const size_t bytes = sizeof(uint32_t) * (1 + size_t{across} * down);
-    if (tiles_.size() != bytes) tiles_ = gl::Buffer::immutable(bytes, nullptr, GL_DYNAMIC_STORAGE_BIT);
-    const uint32_t none = 0;
-    tiles_.upload(std::as_bytes(std::span(&none, 1)));
-    bindStorage(StorageBinding::kFound, tiles_);
     bindPicture(occlusion, picture);
     programFor(targets, Way::kEmpty).use();
-    glDispatchCompute(across, down, 1);
+    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gl::Program& program = programFor(targets, Way::kFound);
     setBodyMaterial(program, kBodyMaterial, look);
     program.use();
     glDispatchCompute(kFoundGroups, 1, 1);
-    glMemoryBarrier(kPictureBarriers | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glMemoryBarrier(kPictureBarriers);
 }
 
 void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {

@@ -30,7 +30,6 @@ class LightPass {
     std::filesystem::path shaders_;
     std::map<std::pair<int, Way>, gl::Program> programs_;  ///< by samples, made when first needed
     gl::VertexArray no_attributes_;
-    gl::Buffer tiles_;  ///< as shaders/common/light_tiles.glsl
 };
 
 }  // namespace demolish::engine

@@ -1,5 +1,5 @@
-// One frame, as a list of passes: shadow map; then materials of body, spheres, floor and cracks; then, in
-// compute, occlusion and light.
+// One frame, as a list of passes. Computed: depths, names, cracks. Drawn: shadow map; materials of body,
+// spheres and cracks. Then, in compute, occlusion and light.
 #include "engine/render/renderer.h"
 
 #include <algorithm>

@@ -8,6 +8,8 @@
 #define BODY_MATERIAL 8
 #include "common/body_material.glsl"
 
+const bool kShowsBodies = true;
+
 float depthAt(ivec2 pixel, int i) { return uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)]); }
 
 uint nameAt(ivec2 pixel, int i) { return visible[sampleTotal(SAMPLES) + sampleIndex(pixel, SAMPLES, i)]; }

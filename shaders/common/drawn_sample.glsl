@@ -9,6 +9,8 @@ layout(binding = 4) uniform usampler2D normal_buffer;
 layout(binding = 5) uniform sampler2D depth_buffer;
 #endif
 
+const bool kShowsBodies = true;
+
 float depthAt(ivec2 pixel, int i) { return texelFetch(depth_buffer, pixel, i).r; }
 
 // Equal for samples that look alike; nothing drawn is as smooth as 0, so x is never that of floor or sky.

@@ -46,10 +46,11 @@ vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position
 const int kSky = 0, kFloor = 1, kDrawn = 2;
 
 int kindOf(ivec2 pixel, int i, vec3 ray, out float along) {
-    float depth = depthAt(pixel, i);
-    float drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
-    along = min(drawn, floorAlong(ray));
-    return along == kNoFloor ? kSky : along < drawn ? kFloor : kDrawn;
+    along = floorAlong(ray);
+    float depth = kShowsBodies ? depthAt(pixel, i) : 0.0, drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
+    bool is_drawn = kShowsBodies && depth > 0.0 && drawn <= along;
+    along = min(drawn, along);
+    return is_drawn ? kDrawn : along == kNoFloor ? kSky : kFloor;
 }
 
 vec3 lit(ivec2 pixel, int i) {
@@ -59,10 +60,10 @@ vec3 lit(ivec2 pixel, int i) {
     if (kind == kSky) return skyRadiance(normalize(ray));
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
-    if (kind == kFloor) {
-        s = floorSurface(position, ray);
-    } else {
+    if (kShowsBodies && kind == kDrawn) {
         s = surfaceAt(pixel, i, position);
+    } else {
+        s = floorSurface(position, ray);
     }
     return throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position);
 }
