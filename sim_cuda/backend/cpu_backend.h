@@ -77,6 +77,11 @@ class CpuBackend {
     void copy(Span<const T> from, Span<T> to) {
         if (from.count > 0) std::memcpy(to.data, from.data, from.count * sizeof(T));
     }
+    /// All of them; none overlaps another.
+    void copyAll(const std::vector<CopyRange>& ranges) {
+        for (const CopyRange& range : ranges)
+            if (range.bytes > 0) std::memcpy(range.to, range.from, range.bytes);
+    }
     template <class T>
     void fill(Span<T> to, const T& value) {
         std::fill(to.data, to.data + to.count, value);
@@ -164,6 +169,11 @@ class CpuBackend {
         /// Reads them as they are after what was started before.
         void start(CpuBackend&, Span<const uint32_t> words) {
             words_.assign(words.data, words.data + words.count);
+        }
+        /// The same, and sets them to 0.
+        void take(CpuBackend& backend, Span<uint32_t> words) {
+            start(backend, words);
+            std::fill(words.data, words.data + words.count, 0u);
         }
         /// Waits for them, and not for what was started later.
         const std::vector<uint32_t>& wait() const { return words_; }

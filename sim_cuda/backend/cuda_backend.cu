@@ -4,6 +4,7 @@
 #include <thrust/iterator/counting_iterator.h>
 #include <thrust/iterator/transform_iterator.h>
 
+#include <algorithm>
 #include <bit>
 
 #include <cub/device/device_radix_sort.cuh>
@@ -59,6 +60,43 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
 }
 
 namespace {
+
+struct CopyRanges {
+    static constexpr uint32_t kMost = 24;
+    CopyRange range[kMost];
+};
+
+/// Row y of the grid copies range y, 16 bytes at a time.
+__global__ void __launch_bounds__(kCudaBlock) copyRanges(const CopyRanges ranges) {
+    const CopyRange range = ranges.range[blockIdx.y];
+    const size_t wide = range.bytes / sizeof(uint4), thread = blockIdx.x * kCudaBlock + threadIdx.x;
+    const auto* from = reinterpret_cast<const uint4*>(range.from);
+    auto* to = reinterpret_cast<uint4*>(range.to);
+    for (size_t i = thread; i < wide; i += gridDim.x * kCudaBlock) to[i] = from[i];
+    for (size_t i = wide * sizeof(uint4) + thread; i < range.bytes; i += gridDim.x * kCudaBlock)
+        range.to[i] = range.from[i];
+}
+
+}  // namespace
+
+void CudaBackend::copyAll(const std::vector<CopyRange>& ranges) {
+    for (size_t first = 0; first < ranges.size(); first += CopyRanges::kMost) {
+        const size_t count = std::min<size_t>(CopyRanges::kMost, ranges.size() - first);
+        CopyRanges part;
+        size_t longest = 1;
+        for (size_t k = 0; k < count; ++k) {
+            part.range[k] = ranges[first + k];
+            longest = std::max(longest, part.range[k].bytes / sizeof(uint4));
+        }
+        const size_t blocks = std::min<size_t>((longest + kCudaBlock - 1) / kCudaBlock,
+                                               8 * static_cast<size_t>(multiprocessors_));
+        const dim3 grid(static_cast<unsigned>(blocks), static_cast<unsigned>(count));
+        copyRanges<<<grid, kCudaBlock, 0, stream_>>>(part);
+        checkCuda(cudaGetLastError(), "copying memory");
+    }
+}
+
+namespace {
 struct CountUp {
     uint32_t* ids;
     DEM_FN void operator()(uint32_t i) const { ids[i] = i; }
@@ -94,10 +132,33 @@ CudaBackend::Reader::~Reader() {
     cudaFreeHost(pinned_);
 }
 
-void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
+namespace {
+
+/// One warp. `cleared`: the words once more, or null.
+__global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, uint32_t* cleared) {
+    const uint32_t k = threadIdx.x;
+    if (k >= count) return;
+    host[k] = words[k];
+    if (cleared != nullptr) cleared[k] = 0;
+}
+
+}  // namespace
+
+void CudaBackend::Reader::send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared) {
+    static_assert(kWords <= 32);
     words_.resize(words.count < kWords ? words.count : kWords);
-    backend.transfer(pinned_, words.data, words_.size() * sizeof(uint32_t), cudaMemcpyDeviceToHost);
+    tellHost<<<1, 32, 0, backend.stream_>>>(words.data, static_cast<uint32_t>(words_.size()), pinned_,
+                                            cleared);
+    checkCuda(cudaGetLastError(), "reading flags");
     checkCuda(cudaEventRecord(arrived_, backend.stream_), "reading flags");
+}
+
+void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
+    send(backend, words, nullptr);
+}
+
+void CudaBackend::Reader::take(CudaBackend& backend, Span<uint32_t> words) {
+    send(backend, words, words.data);
 }
 
 const std::vector<uint32_t>& CudaBackend::Reader::wait() {

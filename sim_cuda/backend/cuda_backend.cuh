@@ -114,6 +114,8 @@ class CudaBackend {
     void copy(Span<const T> from, Span<T> to) {
         if (from.count > 0) transfer(to.data, from.data, from.count * sizeof(T), cudaMemcpyDeviceToDevice);
     }
+    /// All of them, in one launch; none overlaps another. Memory comes from Buffer, so that it is aligned.
+    void copyAll(const std::vector<CopyRange>& ranges);
     template <class T>
     struct FillKernel {
         Span<T> to;
@@ -164,7 +166,8 @@ class CudaBackend {
     cudaStream_t stream() const { return stream_; }
     int multiprocessors() const { return multiprocessors_; }
 
-    /// Words that come back while later work goes on.
+    /// Words that come back while later work goes on. A kernel writes them into the host's memory: a copy of
+    /// some bytes keeps the GPU waiting for ten microseconds.
     class Reader {
       public:
         explicit Reader(CudaBackend& backend);
@@ -173,12 +176,16 @@ class CudaBackend {
         Reader& operator=(const Reader&) = delete;
         /// Reads at most kWords words as they are after what was started before.
         void start(CudaBackend& backend, Span<const uint32_t> words);
+        /// The same, and sets them to 0.
+        void take(CudaBackend& backend, Span<uint32_t> words);
         /// Waits for them, and not for what was started later.
         const std::vector<uint32_t>& wait();
 
-        static constexpr size_t kWords = 8;
+        static constexpr size_t kWords = 12;
 
       private:
+        void send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared);
+
         uint32_t* pinned_ = nullptr;
         cudaEvent_t arrived_ = nullptr;
         std::vector<uint32_t> words_;

@@ -37,17 +37,21 @@ struct BondedWork {
     }
 };
 
+/// A warp moves a fragment of so many active particles or fewer, a block one of more.
+inline constexpr uint32_t kShortRigidRow = 64;
+
 /// Fragments that move as rigid bodies, and those of their particles that may touch something.
 struct RigidWork {
     Span<const uint32_t> fragment;     ///< slots, ascending
     Span<const uint32_t> first, last;  ///< per entry of `fragment`: its places in `active`
     Span<const uint32_t> active;       ///< particle ids by (fragment, id)
-    Span<const uint32_t> counts;       ///< words: active, fragments
+    Span<const uint32_t> large;        ///< entries with more than kShortRigidRow places, in any order
+    Span<const uint32_t> counts;       ///< kWorkWords
     Span<RigidBody> body;              ///< per slot
     Span<uint32_t> share;  ///< per slot: contacts that each stand for a part of its mass; 0: not known yet
     Span<const Vec3<double>> arm;  ///< per particle: from the centre at the start, m
     Span<const uint32_t> label;    ///< per particle: its fragment's slot
-    uint32_t active_at_most = 0, fragments_at_most = 0;
+    uint32_t active_at_most = 0, fragments_at_most = 0, large_at_most = 0;
 };
 
 /// Constants of all particles in contact steps, and in substeps where rigid fragments move too.
@@ -58,6 +62,6 @@ struct RigidConstants {
 
 inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kCarriedCount = 3,
                           kAsleepCount = 4, kAwakeBodies = 5, kAwakeCount = 6, kMustBondCount = 7,
-                          kWorkWords = 8;
+                          kLargeCount = 8, kWorkWords = 9;
 
 }  // namespace demolish

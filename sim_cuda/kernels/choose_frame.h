@@ -5,18 +5,26 @@
 #include <bit>
 
 #include "sim_cuda/kernels/grid_cell.h"
-#include "sim_cuda/kernels/velocity_range.h"
+#include "sim_cuda/kernels/velocity_trim.h"
 
 namespace demolish {
 
 /// Words in which the host is told of the horizon: the bits of a double, low word first.
 inline constexpr uint32_t kHorizonWords = 2;
 
+/// Travel of those who are set apart, over the reach: how long their rows may get.
+inline constexpr double kFastTravel = 4;
+/// Nobody is set apart for less.
+inline constexpr double kWorthSettingApart = 1.5;
+
 /// One thread. The horizon is as long as the grid's cells allow: travel_share of the reach for the fastest
-/// particle, seen from the middle of all velocities, and shot_travel reaches for the fastest projectile.
+/// particle in it, seen from the middle of all velocities, and shot_travel reaches for the fastest
+/// projectile.
 template <class Real>
 struct ChooseFrame {
     Span<const VelocityRanges<Real>> ranges;  ///< one
+    Span<const SlowBins> slow;                ///< one
+    Span<const uint32_t> fast;                ///< one: how many are outside
     Span<GridFrame<Real>> frame;              ///< one
     Span<uint32_t> told;                      ///< kHorizonWords
     double reach = 0;                         ///< m, of two particles of the largest radius
@@ -24,11 +32,23 @@ struct ChooseFrame {
 
     DEM_FN void operator()(uint32_t) const {
         GridFrame<Real> chosen;
-        chosen.common_velocity = middleOf(ranges[0].bodies);
-        const double spread = largestSpeed(ranges[0].bodies, chosen.common_velocity);
+        const VelocityRange<Real>& all = ranges[0].bodies;
+        VelocityRange<Real> gridded = all;
+        double horizon = horizonOf(gridded);
+        if (horizon < longest_horizon && fast[0] > 0 && fast[0] <= kMostFast) {
+            const VelocityRange<Real> range = slowRange(all, slow[0]);
+            double apart = horizonOf(range);
+            const double fastest = largestSpeed(all, middleOf(range));
+            if (fastest * apart > kFastTravel * reach) apart = kFastTravel * reach / fastest;
+            if (apart > kWorthSettingApart * horizon) {
+                gridded = range;
+                horizon = apart;
+                chosen.sets_apart = 1;
+            }
+        }
+        chosen.common_velocity = middleOf(gridded);
+        const double spread = largestSpeed(gridded, chosen.common_velocity);
         const double shot_speed = largestSpeed(ranges[0].projectiles, chosen.common_velocity);
-        double horizon = longest_horizon;
-        if (spread * horizon > travel_share * reach) horizon = travel_share * reach / spread;
         if (shot_speed * horizon > shot_travel * reach) horizon = shot_travel * reach / shot_speed;
         chosen.horizon = static_cast<Real>(horizon);
         horizon = static_cast<double>(chosen.horizon);
@@ -40,6 +60,14 @@ struct ChooseFrame {
         const uint64_t bits = std::bit_cast<uint64_t>(horizon);
         told[0] = static_cast<uint32_t>(bits);
         told[1] = static_cast<uint32_t>(bits >> 32);
+    }
+
+  private:
+    /// s, for bodies with these velocities in the grid.
+    DEM_FN double horizonOf(const VelocityRange<Real>& range) const {
+        const double spread = largestSpeed(range, middleOf(range));
+        const double travel = travel_share * reach;
+        return spread * longest_horizon > travel ? travel / spread : longest_horizon;
     }
 };
 

@@ -2,7 +2,7 @@
 // projectiles. find_pairs.h keeps what is found.
 #pragma once
 #include "sim_cuda/data/bonds.h"
-#include "sim_cuda/kernels/grid_cell.h"
+#include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/predicted_path.h"
 
 namespace demolish {
@@ -30,6 +30,13 @@ struct GridMembersIn {
     }
 };
 
+/// Three neighbouring cells: members first .. last-1, and 0 .. wrapped-1 where the last bucket is followed by
+/// the first. Strangers of other rows may be among them.
+struct RowOfCells {
+    uint64_t row = 0;
+    uint32_t first = 0, last = 0, wrapped = 0;
+};
+
 /// What all passes read.
 template <class Real>
 struct NeighbourSearch {
@@ -38,13 +45,15 @@ struct NeighbourSearch {
     Span<const uint64_t> key;
     Span<const uint32_t> bucket_start;
     GridMembersIn<Real> member;
-    Span<const uint32_t> bond_row;  ///< total + 1
-    Span<const BondLink> link;      ///< sorted by id in each row
-    Span<const uint32_t> enclosed;  ///< per particle of a body
+    Span<const uint32_t> bond_row;           ///< total + 1
+    Span<const BondLink> link;               ///< sorted by id in each row
+    Span<const uint32_t> place_kind, place;  ///< per particle of a body
+    Span<const uint32_t> apart;              ///< one: how many are set apart
     uint32_t mask = 0, in_bodies = 0, total = 0;
 
-    /// Members of all buckets: the particles of bodies that are not enclosed.
+    /// Members of all buckets; after them come those set apart.
     DEM_FN uint32_t members() const { return bucket_start[mask + 1]; }
+    DEM_FN uint32_t allMembers() const { return members() + apart[0]; }
     DEM_FN bool takesPart(uint32_t i) const { return paths.velocity[i].w >= Real(0); }
     DEM_FN bool meets(uint32_t i, uint32_t j) const {
         return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j],
@@ -64,45 +73,54 @@ struct NeighbourSearch {
         return low < end && linkedParticle(link[low]) == j;
     }
 
-    /// visit(j) for those members first, first + step, ... before `last` that lie in the row of cells and
-    /// meet `own`.
-    template <class Visit>
-    DEM_FN void visitMembers(const GridMember<Real>& own, uint64_t row, uint32_t first, uint32_t last,
-                             uint32_t step, Visit& visit) const {
-        const Real horizon = frame[0].horizon;
-        for (uint32_t at = first; at < last; at += step) {
-            if (!ballsTouch(own.ball, member.ball[at])) continue;
-            const uint32_t j = member.id[at];
-            const uint64_t cell = member.key[at];
-            const bool meeting =
-                mayMeet(own.position, own.velocity, member.position[at], member.velocity[at], horizon);
-            if (meeting && j != own.id && cellRow(cell) == row && !hasBondRecord(own.id, j)) visit(j);
-        }
-    }
-    /// visit(j) for every step-th particle of a body in the three cells of row `which` about its own.
-    template <class Visit>
-    DEM_FN void visitRow(const GridMember<Real>& own, uint32_t which, uint32_t offset, uint32_t step,
-                         Visit& visit) const {
-        GridCell cell = cellOf(own.key);
+    /// Row `which` of the cells about a particle's own.
+    DEM_FN RowOfCells rowAbout(uint64_t own_key, uint32_t which) const {
+        GridCell cell = cellOf(own_key);
         cell.x -= 1;
         cell.y += static_cast<int32_t>(which % 3) - 1;
         cell.z += static_cast<int32_t>(which / 3) - 1;
-        const uint64_t wanted = cellKey(cell), row = cellRow(wanted);
+        const uint64_t wanted = cellKey(cell);
         const uint32_t bucket = bucketOf(wanted, mask), buckets = mask + 1, end = bucket + 3;
-        visitMembers(own, row, bucket_start[bucket] + offset, bucket_start[end < buckets ? end : buckets],
-                     step, visit);
-        if (end > buckets) visitMembers(own, row, offset, bucket_start[end - buckets], step, visit);
+        return {cellRow(wanted), bucket_start[bucket], bucket_start[end < buckets ? end : buckets],
+                end > buckets ? bucket_start[end - buckets] : 0};
     }
-    /// visit(j) for every neighbour in a body, in any order.
-    template <class Visit>
-    DEM_FN void visitNeighbours(const GridMember<Real>& own, Visit& visit) const {
-        for (uint32_t row = 0; row < kCellRows; ++row) visitRow(own, row, 0, 1, visit);
+    /// May `own` touch the member at `at`, by their paths alone?
+    DEM_FN bool meetsMember(const GridMember<Real>& own, uint32_t at) const {
+        return member.id[at] != own.id && mayMeet(own.position, own.velocity, member.position[at],
+                                                  member.velocity[at], frame[0].horizon);
     }
-    /// visit(p) for every step-th projectile from slot `first` on, ascending.
+    /// visit(at) for those members first .. last-1 that meet `own`, have no bond record with it, and lie in
+    /// the row of cells, if there is one.
     template <class Visit>
-    DEM_FN void visitProjectiles(uint32_t i, uint32_t first, uint32_t step, Visit& visit) const {
-        for (uint32_t p = in_bodies + first; p < total; p += step)
-            if (p != i && takesPart(p) && meets(i, p)) visit(p);
+    DEM_FN void visitMembers(const GridMember<Real>& own, const uint64_t* row, uint32_t first, uint32_t last,
+                             Visit& visit) const {
+        for (uint32_t at = first; at < last; ++at)
+            if (ballsTouch(own.ball, member.ball[at]) && meetsMember(own, at) &&
+                (row == nullptr || cellRow(member.key[at]) == *row) && !hasBondRecord(own.id, member.id[at]))
+                visit(at);
+    }
+    /// visit(at) for every neighbour in the buckets, in any order.
+    template <class Visit>
+    DEM_FN void visitGrid(const GridMember<Real>& own, Visit& visit) const {
+        for (uint32_t which = 0; which < kCellRows; ++which) {
+            const RowOfCells row = rowAbout(own.key, which);
+            visitMembers(own, &row.row, row.first, row.last, visit);
+            visitMembers(own, &row.row, 0, row.wrapped, visit);
+        }
+    }
+    /// visit(at) for every neighbour among those set apart.
+    template <class Visit>
+    DEM_FN void visitApart(const GridMember<Real>& own, Visit& visit) const {
+        visitMembers(own, nullptr, members(), allMembers(), visit);
+    }
+    DEM_FN bool meetsProjectile(uint32_t i, uint32_t p) const {
+        return p != i && takesPart(p) && meets(i, p);
+    }
+    /// visit(p) for every projectile, ascending.
+    template <class Visit>
+    DEM_FN void visitProjectiles(uint32_t i, Visit& visit) const {
+        for (uint32_t p = in_bodies; p < total; ++p)
+            if (meetsProjectile(i, p)) visit(p);
     }
 };
 

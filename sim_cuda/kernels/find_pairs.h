@@ -7,15 +7,20 @@
 
 namespace demolish {
 
-/// Room for the first neighbours found of each particle; longer rows are searched again when they are
-/// written.
+/// Room for the first neighbours found of each particle, and more for those set apart, whose rows are long;
+/// rows that are longer still are searched again when they are written.
 struct RowDrafts {
-    Span<uint32_t> count;      ///< per particle of a body: all found
-    Span<uint32_t> neighbour;  ///< `length` a particle
-    uint32_t length = 0;
+    Span<uint32_t> count;                   ///< per particle of a body, 0 before: all found
+    Span<uint32_t> neighbour, long_drafts;  ///< `length` a particle; `long_length` for each set apart
+    uint32_t length = 0, long_length = 0;
 
     DEM_FN void put(uint32_t i, uint32_t place, uint32_t j) const {
         if (place < length) neighbour[size_t{i} * length + place] = j;
+    }
+    /// Particle i is number `apart` of those set apart; any thread may call this.
+    DEM_FN void putApart(uint32_t i, uint32_t apart, uint32_t j) const {
+        const uint32_t place = atomicAddU32(&count[i], 1);
+        if (place < long_length) long_drafts[size_t{apart} * long_length + place] = j;
     }
 };
 
@@ -27,57 +32,54 @@ struct ProjectileBits {
     uint32_t words = 0;
 };
 
-/// kThreads threads a particle: a part of its rows of cells each, or all of them (1). Projectile slots come
-/// after the particles of bodies. Threads follow the order of the buckets, so that neighbouring ones read the
-/// same members.
-template <uint32_t kThreads, class Real>
+DEM_FN void markProjectile(const ProjectileBits& rows, uint32_t slot, uint32_t i) {
+    const uint32_t word = slot * rows.words + i / kBitsPerWord;
+    atomicOrU32(&rows.bits[word], 1u << i % kBitsPerWord);
+    atomicAddU32(&rows.count[word], 1);
+}
+
+/// One thread a member, then one a projectile slot: the CPU. The GPU: find_pairs_cuda.cuh. A pair of which
+/// one is set apart goes into both rows when the other finds it.
+template <class Real>
 struct FindPairs {
-    static_assert(kThreads == 1 || kThreads % kCellRows == 0);
     NeighbourSearch<Real> search;
     RowDrafts drafts;
     ProjectileBits projectiles;
 
-    DEM_FN void operator()(uint32_t k) const {
-        const uint32_t at = k / kThreads, part = k % kThreads;
-        if (at >= search.in_bodies) return meetProjectiles(at, part, nullptr);
-        if (at >= search.members()) return;
-        const GridMember<Real> own = search.member[at];
-        uint32_t count = 0;
-        Append append{drafts, own.id, &count};
-        if constexpr (kThreads == 1) {
-            search.visitNeighbours(own, append);
-        } else {
-            constexpr uint32_t kStep = kThreads / kCellRows;
-            search.visitRow(own, part / kStep, part % kStep, kStep, append);
-        }
-        meetProjectiles(own.id, part, &append);
-        if constexpr (kThreads == 1) drafts.count[own.id] = count;
+    DEM_FN void operator()(uint32_t at) const {
+        if (at >= search.in_bodies) return meetProjectiles(at, [](uint32_t) {});
+        if (at >= search.allMembers()) return;
+        at < search.members() ? inGrid(search.member[at]) : apart(search.member[at], at - search.members());
     }
 
   private:
-    struct Append {
-        RowDrafts drafts;
-        uint32_t i;
-        uint32_t* count;  ///< of the one thread
-        DEM_FN void operator()(uint32_t j) {
-            drafts.put(i, kThreads == 1 ? (*count)++ : atomicAddU32(&drafts.count[i], 1), j);
-        }
-    };
-    struct MarkProjectile {
-        ProjectileBits rows;
-        uint32_t i, in_bodies;
-        Append* row;  ///< null for a projectile, whose row is made of its bits
-        DEM_FN void operator()(uint32_t p) {
-            const uint32_t word = (p - in_bodies) * rows.words + i / kBitsPerWord;
-            atomicOrU32(&rows.bits[word], 1u << i % kBitsPerWord);
-            atomicAddU32(&rows.count[word], 1);
-            if (row != nullptr) (*row)(p);
-        }
-    };
-    DEM_FN void meetProjectiles(uint32_t i, uint32_t part, Append* row) const {
+    DEM_FN void inGrid(const GridMember<Real>& own) const {
+        uint32_t count = 0;
+        const auto append = [&](uint32_t j) { drafts.put(own.id, count++, j); };
+        const auto appendMember = [&](uint32_t at) { append(search.member.id[at]); };
+        const auto appendBoth = [&](uint32_t at) {
+            appendMember(at);
+            drafts.putApart(search.member.id[at], at - search.members(), own.id);
+        };
+        search.visitGrid(own, appendMember);
+        search.visitApart(own, appendBoth);
+        meetProjectiles(own.id, append);
+        drafts.count[own.id] = count;
+    }
+    DEM_FN void apart(const GridMember<Real>& own, uint32_t number) const {
+        const auto append = [&](uint32_t j) { drafts.putApart(own.id, number, j); };
+        const auto appendMember = [&](uint32_t at) { append(search.member.id[at]); };
+        search.visitApart(own, appendMember);
+        meetProjectiles(own.id, append);
+    }
+    template <class Append>
+    DEM_FN void meetProjectiles(uint32_t i, const Append& append) const {
         if (!search.takesPart(i)) return;
-        MarkProjectile mark{projectiles, i, search.in_bodies, row};
-        search.visitProjectiles(i, part, kThreads, mark);
+        const auto mark = [&](uint32_t p) {
+            markProjectile(projectiles, p - search.in_bodies, i);
+            append(p);
+        };
+        search.visitProjectiles(i, mark);
     }
 };
 

@@ -13,6 +13,7 @@ struct GridFrame {
     Vec3<Real> common_velocity;        ///< m/s
     Real horizon{};                    ///< s
     Real cell_size{}, inverse_cell{};  ///< m, 1/m
+    uint32_t sets_apart = 0;           ///< 1: the fast are kept out of the grid (velocity_trim.h)
 };
 
 /// m, seen from the moving frame.

@@ -56,18 +56,18 @@ struct MeetingsIn {
         return length2(axpy(nearest, v, x)) < reach * reach;
     }
 
-    /// visit(j) for the particles of other fragments that i may touch before the next decision; those above
-    /// i only with `above`.
-    template <class Visit>
-    DEM_FN void visitMeetings(uint32_t i, bool above, const Visit& visit) const {
+    /// visit(j) for the particles of other fragments that i may touch before the next decision, those above i
+    /// only with `above`: what is found in every kThreads-th slot of its rows from slot `part` on.
+    template <uint32_t kThreads, class Visit>
+    DEM_FN void visitMeetings(uint32_t i, uint32_t part, bool above, const Visit& visit) const {
         const uint32_t own = label[i];
-        for (uint32_t s = bonds.row_start[i]; s < bonds.row_start[i + 1]; ++s) {
+        for (uint32_t s = bonds.row_start[i] + part; s < bonds.row_start[i + 1]; s += kThreads) {
             const BondLink link = bonds.link[s];
             const uint32_t j = linkedParticle(link);
             if (isBonded(link) || (above && j < i) || label[j] == own) continue;
             if (pairState(link) == PairState::kBroken || mayMeetSoon(i, j)) visit(j);
         }
-        for (uint32_t s = contacts.row_start[i]; s < contacts.row_start[i + 1]; ++s) {
+        for (uint32_t s = contacts.row_start[i] + part; s < contacts.row_start[i + 1]; s += kThreads) {
             const uint32_t j = contacts.neighbour[s];
             if ((above && j < i) || label[j] == own) continue;
             if (mayMeetSoon(i, j)) visit(j);
@@ -75,23 +75,36 @@ struct MeetingsIn {
     }
 };
 
+/// Threads that share a particle's rows where they are visited on a GPU: there are too few particles to hide
+/// the way to memory, and whatever is found is joined or marked in any order.
+inline constexpr uint32_t kMeetingThreads = 8;
+
+/// One thread a slot. Also clears what later kernels of a decision add to.
 struct StartIslands {
     Span<uint32_t> island, flags;
+    Span<uint32_t> active, carried;    ///< marks
+    Span<uint32_t> words, body_awake;  ///< no longer than there are slots
+
     DEM_FN void operator()(uint32_t slot) const {
         island[slot] = slot;
-        flags[slot] = 0;
+        flags[slot] = active[slot] = carried[slot] = 0;
+        if (slot < words.count) words[slot] = 0;
+        if (slot < body_awake.count) body_awake[slot] = 0;
     }
 };
 
-template <class Real>
+/// kThreads threads a particle or projectile slot.
+template <uint32_t kThreads, class Real>
 struct JoinIslands {
     MeetingsIn<Real> meetings;
     Span<uint32_t> island;
 
-    DEM_FN void operator()(uint32_t i) const {
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
-        meetings.visitMeetings(i, true, [&](uint32_t j) { join(island, own, meetings.label[j]); });
+        meetings.template visitMeetings<kThreads>(i, k % kThreads, true,
+                                                  [&](uint32_t j) { join(island, own, meetings.label[j]); });
     }
 };
 
@@ -158,7 +171,8 @@ struct RegimeRules {
     uint32_t crumb = 1;  ///< particles of the largest piece that stays whole once it is rigid
 };
 
-template <class Real>
+/// kThreads threads a particle or projectile slot.
+template <uint32_t kThreads, class Real>
 struct FlagIslands {
     MeetingsIn<Real> meetings;
     FragmentRows rows;
@@ -170,11 +184,12 @@ struct FlagIslands {
     RegimeRules rules;
     Span<uint32_t> flags;
 
-    DEM_FN void operator()(uint32_t i) const {
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = k / kThreads, part = k % kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t slot = meetings.label[i];
-        uint32_t found = i == slot ? ownFlags(slot) : 0;
-        if ((found & kMustBond) == 0 && isHitHard(i, slot)) found |= kMustBond;
+        uint32_t found = i == slot && part == 0 ? ownFlags(slot) : 0;
+        if ((found & kMustBond) == 0 && isHitHard(i, slot, part)) found |= kMustBond;
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
         if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
     }
@@ -196,14 +211,14 @@ struct FlagIslands {
         return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
     }
 
-    DEM_FN bool isHitHard(uint32_t i, uint32_t slot) const {
+    DEM_FN bool isHitHard(uint32_t i, uint32_t slot, uint32_t part) const {
         const WakeLaw<Real> own = wake[meetings.owner[i]];
         const Real size = sizeOf(slot);
-        if (!isCrumb(slot) &&
+        if (part == 0 && !isCrumb(slot) &&
             hitsPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6))))
             return true;
         bool hard = false;
-        meetings.visitMeetings(i, false, [&](uint32_t j) {
+        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             const uint32_t other = meetings.label[j];
             if (hard || (isCrumb(slot) && isCrumb(other))) return;
             hard = meetings.meetHard(i, j, wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other)));
@@ -223,16 +238,18 @@ struct FlagIslands {
     }
 };
 
-/// Raises the word when a particle that is awake may meet one that sleeps.
-template <class Real>
+/// Raises the word when a particle that is awake may meet one that sleeps. kThreads threads a particle or
+/// projectile slot.
+template <uint32_t kThreads, class Real>
 struct SeeSleepers {
     MeetingsIn<Real> meetings;
     Span<const uint32_t> regime;
     Span<uint32_t> word;
 
-    DEM_FN void operator()(uint32_t i) const {
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i) || sleeps(i)) return;
-        meetings.visitMeetings(i, false, [&](uint32_t j) {
+        meetings.template visitMeetings<kThreads>(i, k % kThreads, false, [&](uint32_t j) {
             if (sleeps(j)) atomicOrU32(&word[0], 1u);
         });
     }

@@ -13,8 +13,8 @@ template <class Real>
 struct LookAtState {
     CheckPaths<Real> paths;
     Span<const Vec4<Real>> constants;
-    Span<uint32_t> words;
-    Real scene_radius{};  ///< m
+    Span<uint32_t> words;  ///< kLookWords, 0 before
+    Real scene_radius{};   ///< m
 
     DEM_FN void operator()(uint32_t i) const {
         if (!(constants[i].x > Real(0))) return;

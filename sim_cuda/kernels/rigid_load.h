@@ -21,17 +21,7 @@ DEM_FN bool isNullWrench(const Wrench<Real>& a) {
     return !(length2(a.force) > Real(0)) && !(length2(a.torque) > Real(0));
 }
 
-/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
-template <bool kLedger, class Real>
-DEM_FN Wrench<Real> rigidBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                  const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                  uint32_t slot, Tally<Real>& tally) {
-    const BondLink link = arrays.link[slot];
-    if (isBonded(link) || label[linkedParticle(link)] == label[own.id]) return {};
-    return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
-}
-
-/// The same, counted when it gives anything.
+/// Counted when it gives anything.
 template <class Real>
 DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
     if (!isNullWrench(wrench)) ++touching;
@@ -39,25 +29,29 @@ DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
 }
 
 /// A slot of either list, counted also when substeps compute it: those keep its stiffness while it touches.
-/// `j`: the other end.
+/// `other`: the other end.
 template <class Real, class Slot>
-DEM_FN Wrench<Real> countedSlot(const SubstepArrays<Real>& arrays, uint32_t j, const Vec4<Real>& spring,
+DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4<Real>& spring,
                                 uint32_t& touching, const Slot& slot) {
-    if (arrays.constants[j].x < Real(0) && spring.w > Real(0)) ++touching;
+    if (other.inverse_mass < Real(0) && spring.w > Real(0)) ++touching;
     return counted(slot(), touching);
 }
+/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                     const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                    uint32_t slot, RigidLoad<Real>& load) {
-    return countedSlot(arrays, linkedParticle(arrays.link[slot]), arrays.bond_spring[slot], load.touching,
-                       [&] { return rigidBondSlot<kLedger>(arrays, params, label, own, slot, load.tally); });
+                                    uint32_t slot, BondLink link, RigidLoad<Real>& load) {
+    const uint32_t j = linkedParticle(link);
+    if (isBonded(link) || label[j] == label[own.id]) return {};
+    return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching,
+                       [&] { return formerBondSlot<kLedger>(arrays, params, own, slot, load.tally); });
 }
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                       const OwnParticle<Real>& own, uint32_t slot, RigidLoad<Real>& load) {
-    return countedSlot(arrays, arrays.neighbour[slot], arrays.contact_spring[slot], load.touching,
-                       [&] { return contactSlot<kLedger>(arrays, params, own, slot, load.tally); });
+                                       const OwnParticle<Real>& own, uint32_t slot,
+                                       const ContactEnd<Real>& end, RigidLoad<Real>& load) {
+    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching,
+                       [&] { return contactSlot<kLedger>(arrays, params, own, slot, end, load.tally); });
 }
 
 template <bool kLedger, class Real>
@@ -81,10 +75,12 @@ struct GatherRigidLoad {
         PartialSums<kPartials, Real> sums;
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            sums.add(slot - first_bond, countedBondSlot<kLedger>(arrays, params, work.label, own, slot, out));
+            sums.add(slot - first_bond,
+                     countedBondSlot<kLedger>(arrays, params, work.label, own, slot, arrays.link[slot], out));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first, countedContactSlot<kLedger>(arrays, params, own, slot, out));
+            sums.add(slot - first,
+                     countedContactSlot<kLedger>(arrays, params, own, slot, contactEnd(arrays, slot), out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, own, out);
         load[place] = out;

@@ -1,6 +1,6 @@
 // One contact step of a rigid fragment: the loads of its particles in a fixed order, kick and drift of the
-// whole, then the particles put where it has taken them. kRigidLanes lanes share a fragment, on the GPU as
-// threads; whatever runs them, place k of its row belongs to lane k mod kRigidLanes.
+// whole, then the particles put where it has taken them. Lanes share a fragment, on the GPU as threads;
+// whatever runs them, place k of its row belongs to lane k mod laneCount(), and lanes are added as a tree.
 #pragma once
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/integrate.h"
@@ -8,7 +8,15 @@
 
 namespace demolish {
 
-inline constexpr uint32_t kRigidLanes = 64;
+/// Lanes of a long row.
+inline constexpr uint32_t kRigidLanes = 256;
+
+/// Lanes that share a row of so many places: a power of two, so that a short row needs no long tree.
+DEM_FN uint32_t laneCount(uint32_t places) {
+    uint32_t lanes = 1;
+    while (lanes < places && lanes < kRigidLanes) lanes *= 2;
+    return lanes;
+}
 
 /// About the fragment's centre.
 struct RigidSums {
@@ -63,9 +71,10 @@ struct StepRigid {
     Span<const Vec4<Real>> own_constants;
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
-    DEM_FN RigidSums gather(const RigidBody& body, uint32_t entry, uint32_t lane) const {
+    DEM_FN uint32_t places(uint32_t entry) const { return work.last[entry] - work.first[entry]; }
+    DEM_FN RigidSums gather(const RigidBody& body, uint32_t entry, uint32_t lane, uint32_t lanes) const {
         RigidSums sums;
-        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {
+        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += lanes) {
             const uint32_t i = work.active[place];
             const Wrench<Real> felt = carriedLoad(i), wrench = load[place].wrench;
             if (isNullWrench(wrench) && isNullWrench(felt)) continue;
@@ -80,16 +89,18 @@ struct StepRigid {
         if (!(carried_share > 0)) return {};
         return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
-    /// What the first lane does with the total.
-    DEM_FN void move(RigidBody& body, uint32_t entry, const RigidSums& total) const {
+    DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         advance(body, total.force, total.torque, asDouble(params.gravity), double(params.dt));
         body.contact_share = total.touching > 1 ? total.touching : 1;
+    }
+    DEM_FN void keep(const RigidBody& body, uint32_t entry) const {
         const uint32_t slot = work.fragment[entry];
         work.body[slot] = body;
         work.share[slot] = body.contact_share;
     }
-    DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane) const {
-        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += kRigidLanes) {
+    /// Every `lanes`-th particle from `lane` on, however many lanes there are.
+    DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane, uint32_t lanes) const {
+        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += lanes) {
             const uint32_t i = work.active[place];
             const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
             const Vec3<double> arm = rotate(body.turned, work.arm[i]);
@@ -112,12 +123,14 @@ struct StepRigid {
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {
         RigidBody body = work.body[work.fragment[entry]];
-        RigidSums lanes[kRigidLanes];
-        for (uint32_t lane = 0; lane < kRigidLanes; ++lane) lanes[lane] = gather(body, entry, lane);
-        for (uint32_t step = kRigidLanes / 2; step > 0; step /= 2)
-            for (uint32_t lane = 0; lane < step; ++lane) add(lanes[lane], lanes[lane + step]);
-        move(body, entry, lanes[0]);
-        for (uint32_t lane = 0; lane < kRigidLanes; ++lane) place(body, entry, lane);
+        RigidSums sums[kRigidLanes];
+        const uint32_t lanes = laneCount(places(entry));
+        for (uint32_t lane = 0; lane < lanes; ++lane) sums[lane] = gather(body, entry, lane, lanes);
+        for (uint32_t step = lanes / 2; step > 0; step /= 2)
+            for (uint32_t lane = 0; lane < step; ++lane) add(sums[lane], sums[lane + step]);
+        move(body, sums[0]);
+        keep(body, entry);
+        place(body, entry, 0, 1);
     }
 };
 

@@ -1,17 +1,17 @@
-// Contact steps on the GPU: kLoadThreads threads gather the row of a particle, a block moves a fragment.
+// Contact steps on the GPU: some threads gather the row of a particle; a warp moves a small fragment,
+// a block a large one.
 #pragma once
 #include "sim_cuda/kernels/rigid_step.h"
 #include "sim_cuda/kernels/substep_cuda.cuh"
 
 namespace demolish {
 
-inline constexpr uint32_t kLoadThreads = 8;
-
-template <bool kLedger, class Real>
+/// T threads a particle.
+template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock)
     rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
                     const Span<RigidLoad<Real>> load) {
-    constexpr uint32_t T = kLoadThreads, kParticles = kSubstepBlock / T;
+    constexpr uint32_t kParticles = kSubstepBlock / T;
     const uint32_t count = work.counts[kActiveCount];
     if (blockIdx.x * kParticles >= count) return;
     const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
@@ -19,14 +19,14 @@ __global__ void __launch_bounds__(kSubstepBlock)
     const OwnParticle<Real> own = loadOwn(arrays, work.active[present ? place : count - 1]);
     LanePartials<T, Real> sums;
     RigidLoad<Real> out;
-    const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
-        return present ? rows[own.id + end] : 0u;
-    };
-    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums, [&](uint32_t slot) {
-        return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, out);
-    });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-                 [&](uint32_t slot) { return countedContactSlot<kLedger>(arrays, params, own, slot, out); });
+    gatherRows<T>(
+        arrays, own.id, present, lane, sums,
+        [&](uint32_t slot, const BondLink& link) {
+            return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
+        },
+        [&](uint32_t slot, const ContactEnd<Real>& end) {
+            return countedContactSlot<kLedger>(arrays, params, own, slot, end, out);
+        });
     __syncwarp();
     out.wrench = sums.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)
@@ -39,26 +39,71 @@ __global__ void __launch_bounds__(kSubstepBlock)
     load[place].touching = out.touching;
 }
 
+inline constexpr uint32_t kWarp = 32;
+
+__device__ __forceinline__ Vec3<double> exchanged(const Vec3<double>& value, uint32_t with) {
+    constexpr unsigned kAll = 0xffffffffu;
+    return {__shfl_xor_sync(kAll, value.x, with), __shfl_xor_sync(kAll, value.y, with),
+            __shfl_xor_sync(kAll, value.z, with)};
+}
+
+/// The tree over the first `lanes` lanes of a warp, in every lane: a + b and b + a are the same bits.
+__device__ __forceinline__ RigidSums warpTotal(RigidSums sums, uint32_t lanes) {
+    for (uint32_t step = lanes / 2; step > 0; step /= 2)
+        add(sums, {exchanged(sums.force, step), exchanged(sums.torque, step),
+                   __shfl_xor_sync(0xffffffffu, sums.touching, step)});
+    return sums;
+}
+
 template <bool kLedger, class Real>
-__global__ void __launch_bounds__(kRigidLanes) rigidStepKernel(const StepRigid<kLedger, Real> step) {
+__device__ void moveSmall(const StepRigid<kLedger, Real>& step, uint32_t entry, uint32_t lane) {
+    static_assert(kShortRigidRow == 2 * kWarp);
+    const uint32_t lanes = laneCount(step.places(entry));
+    RigidBody body = step.work.body[step.work.fragment[entry]];
+    RigidSums sums;
+    if (lane < lanes) sums = step.gather(body, entry, lane, lanes);
+    if (lanes > kWarp) add(sums, step.gather(body, entry, lane + kWarp, lanes));
+    step.move(body, warpTotal(sums, lanes < kWarp ? lanes : kWarp));
+    // Lanes beyond the tree have no total.
+    if (lane == 0) step.keep(body, entry);
+    if (lane < lanes) step.place(body, entry, lane, lanes < kWarp ? lanes : kWarp);
+}
+
+template <bool kLedger, class Real>
+__device__ void moveLarge(const StepRigid<kLedger, Real>& step, uint32_t entry) {
     __shared__ alignas(16) unsigned char sums_memory[kRigidLanes * sizeof(RigidSums)];
     __shared__ alignas(16) unsigned char body_memory[sizeof(RigidBody)];
-    auto* lanes = reinterpret_cast<RigidSums*>(sums_memory);
-    auto& body = *reinterpret_cast<RigidBody*>(body_memory);
-    const uint32_t entry = blockIdx.x, lane = threadIdx.x;
-    if (entry >= step.work.counts[kFragmentCount]) return;
-    const RigidBody before = step.work.body[step.work.fragment[entry]];
-    lanes[lane] = step.gather(before, entry, lane);
-    for (uint32_t width = kRigidLanes / 2; width > 0; width /= 2) {
+    auto* sums = reinterpret_cast<RigidSums*>(sums_memory);
+    auto& moved = *reinterpret_cast<RigidBody*>(body_memory);
+    const uint32_t lane = threadIdx.x, lanes = laneCount(step.places(entry));
+    RigidBody body = step.work.body[step.work.fragment[entry]];
+    sums[lane] = lane < lanes ? step.gather(body, entry, lane, lanes) : RigidSums{};
+    for (uint32_t width = lanes / 2; width >= kWarp; width /= 2) {
         __syncthreads();
-        if (lane < width) add(lanes[lane], lanes[lane + width]);
+        if (lane < width) add(sums[lane], sums[lane + width]);
     }
-    if (lane == 0) {
-        body = before;
-        step.move(body, entry, lanes[0]);
+    if (lane < kWarp) {
+        step.move(body, warpTotal(sums[lane], kWarp));
+        if (lane == 0) {
+            step.keep(body, entry);
+            moved = body;
+        }
     }
     __syncthreads();
-    step.place(body, entry, lane);
+    step.place(moved, entry, lane, kRigidLanes);
+}
+
+/// The first large_blocks blocks move one large fragment each, the warps of the others one small one.
+template <bool kLedger, class Real>
+__global__ void __launch_bounds__(kRigidLanes)
+    rigidStepKernel(const StepRigid<kLedger, Real> step, uint32_t large_blocks) {
+    if (blockIdx.x < large_blocks) {
+        if (blockIdx.x < step.work.counts[kLargeCount]) moveLarge(step, step.work.large[blockIdx.x]);
+        return;
+    }
+    const uint32_t entry = ((blockIdx.x - large_blocks) * kRigidLanes + threadIdx.x) / kWarp;
+    if (entry < step.work.counts[kFragmentCount] && step.places(entry) <= kShortRigidRow)
+        moveSmall(step, entry, threadIdx.x % kWarp);
 }
 
 }  // namespace demolish

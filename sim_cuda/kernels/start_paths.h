@@ -4,6 +4,7 @@
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/particles.h"
+#include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/velocity_range.h"
 
 namespace demolish {
@@ -17,9 +18,9 @@ struct StartPaths {
     Span<const BondLink> link;
     Span<const uint32_t> buried;  ///< per particle of a body: 1 while its bonds hold
     Span<Vec4<Real>> built_position, built_velocity;
-    Span<uint32_t> enclosed;  ///< per particle of a body: 1: between solid bonds, has no contacts
-    Real skin_share{};        ///< skin of a body's particle over its R_c
-    Real largest_skin{};      ///< m, no skin is wider (projectiles)
+    Span<uint32_t> place_kind;  ///< per particle of a body: kInGrid or kEnclosed
+    Real skin_share{};          ///< skin of a body's particle over its R_c
+    Real largest_skin{};        ///< m, no skin is wider (projectiles)
     uint32_t in_bodies = 0;
 
     DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
@@ -30,7 +31,7 @@ struct StartPaths {
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
         built_velocity[i] = withW(velocity, active ? skin : Real(-1));
         VelocityRanges<Real> ranges;
-        if (i < in_bodies) enclosed[i] = isEnclosed(i) ? 1 : 0;
+        if (i < in_bodies) place_kind[i] = isEnclosed(i) ? kEnclosed : kInGrid;
         if (!active) return ranges;
         VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
         range.low = range.high = velocity;

@@ -43,7 +43,8 @@ class CpuParticleStep {
             sums.add(slot - first_bond, bondSlot(own, slot, tally));
         const uint32_t first = arrays_.contact_row[own.id], last = arrays_.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first, contactSlot<kLedger>(arrays_, params_, own, slot, tally));
+            sums.add(slot - first,
+                     contactSlot<kLedger>(arrays_, params_, own, slot, contactEnd(arrays_, slot), tally));
         return sums.total();
     }
 

@@ -2,6 +2,8 @@
 // order, and the first of them moves it. Whatever T is, slot k of a row ends in partial sum k mod kPartials
 // and is added in slot order, so that every T, and the CPU, give the same bits (frame facts 3).
 #pragma once
+#include <utility>
+
 #include "sim_cuda/kernels/integrate.h"
 #include "sim_cuda/kernels/partial_sums.h"
 #include "sim_cuda/kernels/touch_slots.h"
@@ -33,9 +35,8 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                                 const BodyLaw<Real>& law, uint32_t slot,
+                                                 const BodyLaw<Real>& law, uint32_t slot, BondLink link,
                                                  Tally<Real>& tally) {
-    const BondLink link = arrays.link[slot];
     if (isBonded(link))
         return own.isCarried() ? Wrench<Real>{}
                                : solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
@@ -86,30 +87,79 @@ class LanePartials {
     Wrench<Real> sums_[kKept];
 };
 
-/// Adds slots first .. last-1 of one list, T at a time, to the right partials. `rounds`: the same for the
-/// whole warp.
-template <uint32_t T, class Real, class Slot>
-__device__ __forceinline__ void gatherRow(uint32_t first, uint32_t last, uint32_t lane,
-                                          LanePartials<T, Real>& sums, const Slot& slot) {
+/// Slots first .. last-1 of one list as one of T threads goes through them. peek(k) reads what the way to
+/// memory is long for: where many threads share a particle there are few warps to hide it, and the next slot
+/// is peeked at while one is computed.
+template <uint32_t T, class Peek>
+class RowCursor {
+  public:
+    __device__ __forceinline__ RowCursor(uint32_t first, uint32_t last, uint32_t lane, const Peek& peek)
+        : k_(first + lane), last_(last), peek_(peek) {
+        if constexpr (kAhead)
+            if (k_ < last_) ahead_ = peek_(k_);
+    }
+    /// The same for the whole warp where sums are handed from thread to thread.
+    __device__ __forceinline__ bool more() const {
+        if constexpr (T > kPartials) return __any_sync(0xffffffffu, k_ < last_) != 0;
+        return k_ < last_;
+    }
+    /// slot(k, peek(k)), or null beyond the end.
+    template <class Slot>
+    __device__ __forceinline__ auto next(const Slot& slot) {
+        const uint32_t k = k_;
+        const Seen seen = seenAt(k);
+        k_ += T;
+        if constexpr (kAhead)
+            if (k_ < last_) ahead_ = peek_(k_);
+        return k < last_ ? slot(k, seen) : decltype(slot(k, seen)){};
+    }
+
+  private:
+    using Seen = decltype(std::declval<const Peek&>()(0u));
+    static constexpr bool kAhead = T >= 8;
+
+    __device__ __forceinline__ Seen seenAt(uint32_t k) const {
+        if constexpr (kAhead) return ahead_;
+        return k < last_ ? peek_(k) : Seen{};
+    }
+
+    uint32_t k_;
+    const uint32_t last_;
+    const Peek& peek_;
+    Seen ahead_{};
+};
+
+/// Adds all slots of a list, T at a time, to the right partials.
+template <uint32_t T, class Real, class Peek, class Slot>
+__device__ __forceinline__ void gatherRow(RowCursor<T, Peek>& row, LanePartials<T, Real>& sums,
+                                          const Slot& slot) {
     constexpr uint32_t kKept = LanePartials<T, Real>::kKept;
-    uint32_t k = first + lane;
-    const auto next = [&] {
-        const Wrench<Real> value = k < last ? slot(k) : Wrench<Real>{};
-        k += T;
-        return value;
-    };
-    const auto more = [&] {
-        if constexpr (T > kPartials) return __any_sync(0xffffffffu, k < last) != 0;
-        return k < last;
-    };
-    while (more()) {
-        sums.template add<0>(next());
-        if constexpr (kKept > 1) sums.template add<1>(next());
+    while (row.more()) {
+        sums.template add<0>(row.next(slot));
+        if constexpr (kKept > 1) sums.template add<1>(row.next(slot));
         if constexpr (kKept > 2) {
-            sums.template add<2>(next());
-            sums.template add<3>(next());
+            sums.template add<2>(row.next(slot));
+            sums.template add<3>(row.next(slot));
         }
     }
+}
+
+/// The rows of a particle. Both start before the first is gone through.
+template <uint32_t T, class Real, class BondSlot, class ContactSlot>
+__device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, uint32_t i, bool present,
+                                           uint32_t lane, LanePartials<T, Real>& sums,
+                                           const BondSlot& bond_slot, const ContactSlot& contact_slot) {
+    const auto end = [&](const Span<const uint32_t>& rows, uint32_t which) {
+        return present ? rows[i + which] : 0u;
+    };
+    const auto peekAtLink = [&](uint32_t slot) { return BondLink{arrays.link[slot]}; };
+    const auto peekAtEnd = [&](uint32_t slot) { return contactEnd(arrays, slot); };
+    RowCursor<T, decltype(peekAtLink)> bonds(end(arrays.bond_row, 0), end(arrays.bond_row, 1), lane,
+                                             peekAtLink);
+    RowCursor<T, decltype(peekAtEnd)> contacts(end(arrays.contact_row, 0), end(arrays.contact_row, 1), lane,
+                                               peekAtEnd);
+    gatherRow<T>(bonds, sums, bond_slot);
+    gatherRow<T>(contacts, sums, contact_slot);
 }
 
 /// In the row's first thread; the ledger is no part of the state, so that its order may depend on T.
@@ -158,8 +208,17 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     Wrench<Real> sum;
     Tally<Real> tally;
     const uint32_t first = arrays.contact_row[i], last = arrays.contact_row[i + 1];
-    for (uint32_t k = first + lane; k < last; k += kLongPartials)
-        add(sum, contactSlot<kLedger>(arrays, params, own, k, tally));
+    constexpr uint32_t kBatch = 4, kStep = kBatch * kLongPartials;
+    for (uint32_t base = first + lane; base < last; base += kStep) {
+        ContactEnd<Real> ends[kBatch];  // read together: of a long row hardly any touches
+#pragma unroll
+        for (uint32_t b = 0; b < kBatch; ++b)
+            if (base + b * kLongPartials < last) ends[b] = contactEnd(arrays, base + b * kLongPartials);
+#pragma unroll
+        for (uint32_t b = 0; b < kBatch; ++b)
+            if (base + b * kLongPartials < last)
+                add(sum, contactSlot<kLedger>(arrays, params, own, base + b * kLongPartials, ends[b], tally));
+    }
     sums[lane] = sum;
     if constexpr (kLedger) tallies[lane] = tally;
     for (uint32_t step = kLongPartials / 2; step > 0; step /= 2) {
@@ -171,36 +230,45 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     if (lane == 0) finishParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
 }
 
-/// The first blocks do the bodies' particles (all, or those of the work list), the last kMaxProjectiles one
-/// projectile each.
+/// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
+/// registers are worth more than blocks.
+constexpr int blocksAtOnce(uint32_t threads) {
+    return threads >= 8 ? 5 : 7;
+}
+
+/// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
+/// bodies' particles: all, or those of the work list.
 template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 7)
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
-    const uint32_t body_blocks = gridDim.x - kMaxProjectiles;
-    if (blockIdx.x >= body_blocks) {
-        const uint32_t shot = params.in_bodies + (blockIdx.x - body_blocks);
+    if (blockIdx.x < kMaxProjectiles) {
+        const uint32_t shot = params.in_bodies + blockIdx.x;
         if (arrays.work.movesProjectile(shot)) stepProjectile<kLedger>(arrays, params, shot);
         return;
     }
     const bool all = arrays.work.all();
+    const uint32_t first = (blockIdx.x - kMaxProjectiles) * kParticles;
+    const uint32_t k = first + threadIdx.x / T, lane = threadIdx.x % T;
+    // Ids beyond the list are old ones, and are read together with its length.
+    const uint32_t last = params.in_bodies - 1, place = k < last ? k : last;
+    const uint32_t id = all ? place : arrays.work.ids[place];
     const uint32_t count = all ? params.in_bodies : arrays.work.listed();
-    if (blockIdx.x * kParticles >= count) return;
-    const uint32_t k = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    if (first >= count) return;
     const bool present = k < count;
-    const uint32_t place = present ? k : count - 1;
-    const OwnParticle<Real> own = loadOwn(arrays, all ? place : arrays.work.ids[place]);
+    const OwnParticle<Real> own = loadOwn(arrays, id);
     // Read here: stores to links keep it from leaving the loop.
     const BodyLaw<Real> law = arrays.body_laws[own.owner];
     LanePartials<T, Real> sums;
     Tally<Real> tally;
-    const auto row = [&](const Span<const uint32_t>& rows, uint32_t end) {
-        return present ? rows[own.id + end] : 0u;
-    };
-    gatherRow<T>(row(arrays.bond_row, 0), row(arrays.bond_row, 1), lane, sums,
-                 [&](uint32_t slot) { return bondSlot<kLedger>(arrays, params, own, law, slot, tally); });
-    gatherRow<T>(row(arrays.contact_row, 0), row(arrays.contact_row, 1), lane, sums,
-                 [&](uint32_t slot) { return contactSlot<kLedger>(arrays, params, own, slot, tally); });
+    gatherRows<T>(
+        arrays, own.id, present, lane, sums,
+        [&](uint32_t slot, const BondLink& link) {
+            return bondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
+        },
+        [&](uint32_t slot, const ContactEnd<Real>& end) {
+            return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
+        });
     if constexpr (T > 1) __syncwarp();
     const Wrench<Real> load = sums.total();
     if constexpr (kLedger) sumTally<T>(tally);

@@ -88,18 +88,31 @@ DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstant
     return other.inverse_mass < Real(0) && (own.inverse_mass < Real(0) || params.softening != 0);
 }
 
-/// A slot of the contact list.
+/// The other end of a contact, as far as it takes to see that nothing touches. The GPU reads it for the slot
+/// to come while it computes one.
+template <class Real>
+struct ContactEnd {
+    uint32_t id = 0;
+    Vec4<Real> position;
+    ParticleConstants<Real> constants;
+};
+template <class Real>
+DEM_FN ContactEnd<Real> contactEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
+    const uint32_t j = arrays.neighbour[slot];
+    return {j, arrays.in.position[j], asConstants(arrays.constants[j])};
+}
+
+/// A slot of the contact list and its other end.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
-    const uint32_t j = arrays.neighbour[slot];
-    const Vec4<Real> position = arrays.in.position[j];
-    const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
-    if (outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) ||
+                                const OwnParticle<Real>& own, uint32_t slot, const ContactEnd<Real>& end,
+                                Tally<Real>& tally) {
+    const ParticleConstants<Real> other = end.constants;
+    if (outOfReach(own.state.position, end.position, own.constants.contact_radius + other.contact_radius) ||
         isLeftOut(own.constants, other, params))
         return {};
-    const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
-    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
+    const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[end.id]];
     return plainContact<kLedger>(params, law, own, other, pair, centreLine(pair.separation),
                                  arrays.contact_spring[slot], tally);
 }

@@ -15,7 +15,8 @@ struct PlacesIn {
     DEM_FN uint32_t size(uint32_t slot) const { return slot < in_bodies ? rows.size[slot] : 1; }
 };
 
-template <class Real>
+/// kThreads threads a place; the marks that they may set are 0 before.
+template <uint32_t kThreads, class Real>
 struct MarkWork {
     MeetingsIn<Real> meetings;
     PlacesIn places;
@@ -23,13 +24,16 @@ struct MarkWork {
     PlaneSet<Real> planes;
     Span<uint32_t> active, fragment, bonded, carried;  ///< marks: by place, by slot, by particle, by particle
 
-    DEM_FN void operator()(uint32_t k) const {
-        const uint32_t i = places.particleAt(k);
-        const Near near = isIn(i, Regime::kRigid) ? nearOf(i) : Near{};
-        active[k] = near.anything ? 1 : 0;
-        carried[i] = near.bonded && i < places.in_bodies ? 1 : 0;
-        fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
-        bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
+    DEM_FN void operator()(uint32_t thread) const {
+        const uint32_t k = thread / kThreads, part = thread % kThreads, i = places.particleAt(k);
+        if (part == 0) {
+            fragment[k] = meetings.label[k] == k && isIn(k, Regime::kRigid) ? 1 : 0;
+            bonded[k] = k < places.in_bodies && isIn(k, Regime::kBonded) ? 1 : 0;
+        }
+        if (!isIn(i, Regime::kRigid)) return;
+        const Near near = nearOf(i, part);
+        if (near.anything) atomicOrU32(&active[k], 1);
+        if (near.bonded && i < places.in_bodies) atomicOrU32(&carried[i], 1);
     }
 
   private:
@@ -37,9 +41,9 @@ struct MarkWork {
     struct Near {
         bool anything = false, bonded = false;
     };
-    DEM_FN Near nearOf(uint32_t i) const {
-        Near near{nearPlane(i), false};
-        meetings.visitMeetings(i, false, [&](uint32_t j) {
+    DEM_FN Near nearOf(uint32_t i, uint32_t part) const {
+        Near near{part == 0 && nearPlane(i), false};
+        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             near.anything = true;
             near.bonded = near.bonded || isIn(j, Regime::kBonded);
         });
@@ -69,12 +73,16 @@ inline constexpr uint32_t kMarkRows = 4;
 template <class Real>
 struct WriteWork {
     PlacesIn places;
-    Span<const uint32_t> label, regime, sums;
+    Span<const uint32_t> label, regime, sums, owner;
+    Span<const uint32_t> flags;  ///< of fragments, as FlagIslands leaves them
     Span<const RigidBody> body;
     Span<const Vec3<double>> arm;
     Span<const uint32_t> share;  ///< per slot: contacts of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
+    Span<uint32_t> large;          ///< entries with long rows, in any order
+    Span<uint32_t> words;          ///< kWorkWords, 0 before: what the host wants to know
+    Span<uint32_t> body_awake;     ///< per body, 0 before
     Span<Vec4<Real>> constants;    ///< of contact steps
     Span<Vec4<Real>> in_substeps;  ///< of substeps, where rigid fragments move too
 
@@ -86,6 +94,8 @@ struct WriteWork {
     }
 
     DEM_FN void operator()(uint32_t k) const {
+        if (k == 0) tellLengths();
+        if (k < places.in_bodies && label[k] == k) countAwake(k);
         if (marked(0, k)) active[sum(0, k)] = places.particleAt(k);
         if (marked(2, k)) bonded[sum(2, k)] = k;
         if (marked(3, k)) bonded[sum(2, places.total) + sum(3, k)] = k;
@@ -95,6 +105,7 @@ struct WriteWork {
         fragment[entry] = k;
         first[entry] = sum(0, places.first(k));
         last[entry] = end(k);
+        if (last[entry] - first[entry] > kShortRigidRow) large[atomicAddU32(&words[kLargeCount], 1)] = entry;
     }
     DEM_FN void writeConstants(uint32_t k, uint32_t slot) const {
         const Vec4<Real> own = own_constants[k];
@@ -106,41 +117,25 @@ struct WriteWork {
         constants[k] = sharedConstants(start, arm[k], own);
         in_substeps[k] = movedOtherwise(constants[k]);
     }
-    DEM_FN uint32_t end(uint32_t slot) const { return sum(0, places.first(slot) + places.size(slot)); }
-};
-
-/// One thread: what the host wants to know.
-struct TellWork {
-    Span<const uint32_t> sums;
-    uint32_t total = 0;
-    Span<uint32_t> words;  ///< kWorkWords; the last is counted already
-
-    DEM_FN void operator()(uint32_t) const {
-        words[kActiveCount] = sums[total];
-        words[kFragmentCount] = sums[2 * total] - sums[total];
-        words[kBondedCount] = sums[3 * total] - sums[2 * total];
-        words[kCarriedCount] = sums[4 * total] - sums[3 * total];
+    DEM_FN void tellLengths() const {
+        words[kActiveCount] = sum(0, places.total);
+        words[kFragmentCount] = sum(1, places.total);
+        words[kBondedCount] = sum(2, places.total);
+        words[kCarriedCount] = sum(3, places.total);
     }
-};
-
-/// One thread a particle of a body: what sleeps and what does not, counted a fragment at a time.
-struct CountAwake {
-    FragmentRows rows;
-    Span<const uint32_t> label, regime, owner, flags;
-    Span<uint32_t> body_awake;  ///< per body, 0 before
-    Span<uint32_t> words;
-
-    DEM_FN void operator()(uint32_t i) const {
-        if (label[i] != i) return;
-        if (regime[i] == wordOf(Regime::kAsleep)) {
+    /// What sleeps and what does not, a fragment at a time.
+    DEM_FN void countAwake(uint32_t slot) const {
+        if (regime[slot] == wordOf(Regime::kAsleep)) {
             atomicAddU32(&words[kAsleepCount], 1);
             return;
         }
-        atomicAddU32(&words[kAwakeCount], rows.size[i]);
-        if ((flags[i] & kNeedsBonds) != 0) atomicAddU32(&words[kMustBondCount], rows.size[i]);
-        uint32_t& awake = body_awake[owner[i]];
+        const uint32_t size = places.size(slot);
+        atomicAddU32(&words[kAwakeCount], size);
+        if ((flags[slot] & kNeedsBonds) != 0) atomicAddU32(&words[kMustBondCount], size);
+        uint32_t& awake = body_awake[owner[slot]];
         if (atomicLoadU32(&awake) == 0 && atomicMaxU32(&awake, 1) == 0) atomicAddU32(&words[kAwakeBodies], 1);
     }
+    DEM_FN uint32_t end(uint32_t slot) const { return sum(0, places.first(slot) + places.size(slot)); }
 };
 
 }  // namespace demolish

@@ -63,16 +63,17 @@ template <uint32_t kThreads, class Real>
 struct WriteNeighbours {
     NeighbourSearch<Real> search;
     RowWriter<Real> rows;
-    Span<const uint32_t> draft;
-    uint32_t draft_length = 0;
+    RowDrafts drafts;
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k / kThreads, thread = k % kThreads;
         const uint32_t first = rows.sums[i], length = rows.sums[i + 1] - first;
         if (thread == 0) rows.row_start[i] = first;
         if (length == 0 || !rows.fits()) return;
-        const uint32_t* found = &draft[size_t{i} * draft_length];
-        if (length > draft_length) {
+        const bool apart = search.place_kind[i] == kSetApart;
+        const uint32_t* found = apart ? &drafts.long_drafts[size_t{search.place[i]} * drafts.long_length]
+                                      : &drafts.neighbour[size_t{i} * drafts.length];
+        if (length > (apart ? drafts.long_length : drafts.length)) {
             if (thread == 0) searchAgain(i, first);
         } else if constexpr (kThreads == 1) {
             AppendVisits row{&rows.neighbour[first]};
@@ -91,9 +92,15 @@ struct WriteNeighbours {
     DEM_FN void searchAgain(uint32_t i, uint32_t first) const {
         AppendVisits row{&rows.neighbour[first]};
         const Vec4<Real> position = search.paths.position[i], velocity = search.paths.velocity[i];
-        search.visitNeighbours(
-            {i, search.key[i], ballAroundPath(search.frame[0], position, velocity), position, velocity}, row);
-        search.visitProjectiles(i, 0, 1, row);
+        const GridMember<Real> own{i, search.key[i], ballAroundPath(search.frame[0], position, velocity),
+                                   position, velocity};
+        const auto append = [&](uint32_t at) { row(search.member.id[at]); };
+        if (search.place_kind[i] == kSetApart)
+            search.visitMembers(own, nullptr, 0, search.members(), append);
+        else
+            search.visitGrid(own, append);
+        search.visitApart(own, append);
+        search.visitProjectiles(i, row);
         finish(i, first, row);
     }
     /// Sorts the row and carries its springs over; both rows are ascending.

@@ -86,46 +86,48 @@ class Checkpoint {
 
     void keep(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
               Regimes<Backend, Real>& regimes) {
-        size_t next = 0;
         current_ = data.current;
-        visitFixedBuffers(data, lists, regimes,
-                          [&](auto& buffer) { keepBytes(backend, buffer.view(), next++); });
-        auto& contacts = lists.contacts();
-        used_ = contacts.used;
-        keepBytes(backend, contacts.neighbour.view().part(0, used_), next++);
-        keepBytes(backend, contacts.spring.view().part(0, used_), next++);
+        used_ = lists.contacts().used;
         horizon_ = lists.horizon();
+        std::vector<CopyRange> ranges;
+        visitAll(data, lists, regimes, [&](auto span) {
+            const size_t bytes = span.count * sizeof(span[0]);
+            ranges.push_back({reinterpret_cast<const unsigned char*>(span.data),
+                              room(backend, ranges.size(), bytes), bytes});
+        });
+        backend.copyAll(ranges);
     }
 
     void putBack(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                  Regimes<Backend, Real>& regimes) {
-        size_t next = 0;
         data.current = current_;
-        visitFixedBuffers(data, lists, regimes,
-                          [&](auto& buffer) { putBytes(backend, next++, buffer.span()); });
-        auto& contacts = lists.contacts();
         lists.adopt(used_, horizon_);
-        putBytes(backend, next++, contacts.neighbour.span().part(0, used_));
-        putBytes(backend, next++, contacts.spring.span().part(0, used_));
+        std::vector<CopyRange> ranges;
+        visitAll(data, lists, regimes, [&](auto span) {
+            const size_t bytes = span.count * sizeof(span[0]);
+            ranges.push_back(
+                {buffers_[ranges.size()].view().data, reinterpret_cast<unsigned char*>(span.data), bytes});
+        });
+        backend.copyAll(ranges);
     }
 
   private:
-    template <class T>
-    void keepBytes(Backend& backend, Span<const T> from, size_t place) {
+    /// Calls visit(span) for everything, always in the same order.
+    template <class Visit>
+    void visitAll(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                  Regimes<Backend, Real>& regimes, const Visit& visit) {
+        visitFixedBuffers(data, lists, regimes, [&](auto& buffer) { visit(buffer.span()); });
+        auto& contacts = lists.contacts();
+        visit(contacts.neighbour.span().part(0, used_));
+        visit(contacts.spring.span().part(0, used_));
+    }
+    unsigned char* room(Backend& backend, size_t place, size_t bytes) {
         if (buffers_.size() <= place) buffers_.resize(place + 1);
-        const size_t bytes = from.count * sizeof(T);
         if (buffers_[place].size() < bytes) {
             backend.synchronize();
             buffers_[place] = backend.template allocate<unsigned char>(bytes + bytes / 4);
         }
-        backend.copy(Span<const unsigned char>(reinterpret_cast<const unsigned char*>(from.data), bytes),
-                     buffers_[place].span().part(0, bytes));
-    }
-    template <class T>
-    void putBytes(Backend& backend, size_t place, Span<T> to) {
-        const size_t bytes = to.count * sizeof(T);
-        backend.copy(buffers_[place].view().part(0, bytes),
-                     Span<unsigned char>(reinterpret_cast<unsigned char*>(to.data), bytes));
+        return buffers_[place].span().data;
     }
 
     std::vector<Buffer<unsigned char>> buffers_;

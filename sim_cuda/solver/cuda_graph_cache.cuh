@@ -1,4 +1,4 @@
-// Sequences of launches kept as CUDA graphs: recorded when the same is asked for a second time.
+// Sequences of launches kept as CUDA graphs: recorded when the same is asked for a third time.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -36,13 +36,10 @@ class CudaGraphCache {
         const auto recorded =
             std::find_if(graphs_.begin(), graphs_.end(), [&](const Recorded& r) { return r.key == key; });
         if (recorded != graphs_.end()) return start(backend, *recorded);
-        // Worth recording only when the same is asked for again.
-        if (std::find(seen_.begin(), seen_.end(), key) != seen_.end()) {
+        if (isWorthIt(key)) {
             record(backend, key, launch);
             return start(backend, graphs_.back());
         }
-        if (seen_.size() >= kSeen) seen_.erase(seen_.begin());
-        seen_.push_back(key);
         launch();
     }
 
@@ -51,7 +48,22 @@ class CudaGraphCache {
         GraphKey key;
         cudaGraphExec_t graph = nullptr;
     };
-    static constexpr size_t kGraphs = 16, kSeen = 32;
+    struct Seen {
+        GraphKey key;
+        uint32_t times = 0;
+    };
+    static constexpr size_t kGraphs = 32, kSeen = 64;
+    /// Recording takes as long as some ten sequences of single launches.
+    static constexpr uint32_t kTimesBefore = 2;
+
+    bool isWorthIt(const GraphKey& key) {
+        const auto seen =
+            std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.key == key; });
+        if (seen != seen_.end()) return seen->times++ >= kTimesBefore;
+        if (seen_.size() >= kSeen) seen_.erase(seen_.begin());
+        seen_.push_back({key, 1});
+        return false;
+    }
 
     static void start(CudaBackend& backend, const Recorded& recorded) {
         checkCuda(cudaGraphLaunch(recorded.graph, backend.stream()), "starting substeps");
@@ -77,13 +89,13 @@ class CudaGraphCache {
     }
 
     std::vector<Recorded> graphs_;
-    std::vector<GraphKey> seen_;
+    std::vector<Seen> seen_;
 };
 
-/// A number of threads' items not below n that takes few values: graphs are recorded for it.
-inline uint32_t roundedUp(uint32_t n) {
-    const uint32_t step = std::max(256u, std::bit_floor(std::max(n, 1u)) / 4);
-    return (n + step - 1) / step * step;
+/// A number of threads' items not below n that takes few values, for each of which a graph is recorded:
+/// items too many end at once, and cost less than recording does.
+inline uint32_t roundedUp(uint32_t n, uint32_t least = 256) {
+    return std::max(least, std::bit_ceil(n));
 }
 
 }  // namespace demolish

@@ -49,16 +49,27 @@ class RigidRunner<CudaBackend, Real> {
     GraphKey keyOf(const Step& step) const {
         const SubstepArrays<Real> arrays = step.arrays();
         const StepParams<Real>& params = step.params;
-        return {keyWord(arrays.in.position),         keyWord(arrays.contact_row),
-                keyWord(arrays.neighbour),           keyWord(arrays.contact_spring),
-                keyWord(arrays.body_laws),           keyWord(arrays.pair_laws),
-                keyWord(arrays.wall_laws),           keyWord(load_.view()),
-                keyWord(double(params.gravity.x)),   keyWord(double(params.gravity.y)),
-                keyWord(double(params.gravity.z)),   uint64_t{step.ledger},
-                roundedUp(step.work.active_at_most), roundedUp(step.work.fragments_at_most)};
+        return {keyWord(arrays.in.position),
+                keyWord(arrays.contact_row),
+                keyWord(arrays.neighbour),
+                keyWord(arrays.contact_spring),
+                keyWord(arrays.body_laws),
+                keyWord(arrays.pair_laws),
+                keyWord(arrays.wall_laws),
+                keyWord(load_.view()),
+                keyWord(double(params.gravity.x)),
+                keyWord(double(params.gravity.y)),
+                keyWord(double(params.gravity.z)),
+                uint64_t{step.ledger},
+                roundedUp(step.work.active_at_most),
+                roundedUp(step.work.fragments_at_most),
+                roundedUp(step.work.large_at_most, 1)};
     }
 
   private:
+    /// Particles up to which more threads share the rows of one.
+    static constexpr uint32_t kFewActive = 8192;
+
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
         backend.synchronize();  // what was started before may still use it
@@ -67,19 +78,28 @@ class RigidRunner<CudaBackend, Real> {
 
     template <bool kLedger>
     void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride) {
-        if (step.work.active_at_most == 0) return;
-        constexpr uint32_t kParticles = kSubstepBlock / kLoadThreads;
         const uint32_t active = roundedUp(step.work.active_at_most);
-        rigidLoadKernel<kLedger, Real>
+        if (step.work.active_at_most == 0) return;
+        if (active <= kFewActive)
+            launchGather<16, kLedger>(backend, step, stride, active);
+        else
+            launchGather<4, kLedger>(backend, step, stride, active);
+    }
+    template <uint32_t T, bool kLedger>
+    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active) {
+        constexpr uint32_t kParticles = kSubstepBlock / T;
+        rigidLoadKernel<T, kLedger, Real>
             <<<(active + kParticles - 1) / kParticles, kSubstepBlock, 0, backend.stream()>>>(
                 step.arrays(), rigidParams(step.params, stride), step.work, load_.span());
         checkCuda(cudaGetLastError(), "starting a contact step");
     }
     template <bool kLedger>
     void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
-        rigidStepKernel<kLedger, Real>
-            <<<roundedUp(step.work.fragments_at_most), kRigidLanes, 0, backend.stream()>>>(
-                step.template mover<kLedger>(load_.view(), stride, carried));
+        constexpr uint32_t kWarps = kRigidLanes / kWarp;
+        const uint32_t large = roundedUp(step.work.large_at_most, 1);
+        const uint32_t small = (roundedUp(step.work.fragments_at_most) + kWarps - 1) / kWarps;
+        rigidStepKernel<kLedger, Real><<<large + small, kRigidLanes, 0, backend.stream()>>>(
+            step.template mover<kLedger>(load_.view(), stride, carried), large);
         checkCuda(cudaGetLastError(), "starting a contact step");
     }
 

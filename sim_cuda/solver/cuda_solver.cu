@@ -1,4 +1,5 @@
 // The solver on the GPU, and the question whether there is one.
+#include "sim_cuda/solver/cuda_pair_finder.cuh"
 #include "sim_cuda/solver/cuda_rigid_runner.cuh"
 #include "sim_cuda/solver/cuda_substep_runner.cuh"
 #include "sim_cuda/solver/device_solver.h"

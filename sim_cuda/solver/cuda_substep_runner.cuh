@@ -1,4 +1,5 @@
-// Runs substeps on the GPU: kLookInterval of them as one CUDA graph, single launches for what is left over.
+// Runs substeps on the GPU: kSubstepsTogether of them as one CUDA graph, single launches for what is left
+// over.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -18,8 +19,8 @@ inline uint32_t threadsPerParticle(uint32_t particles) {
         const auto threads = static_cast<uint32_t>(std::atoi(wish));
         if (std::has_single_bit(threads) && threads <= 16) return threads;
     }
-    if (particles < 5'000) return 16;
-    return particles < 25'000 ? 8 : 4;
+    if (particles < 8'000) return 16;
+    return particles < 40'000 ? 8 : 4;
 }
 
 template <class Real>
@@ -30,7 +31,8 @@ class SubstepRunner<CudaBackend, Real> {
     void run(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
              ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
              uint32_t n) {
-        for (; n >= kLookInterval; n -= kLookInterval) runInterval(backend, data, contacts, params, ledger);
+        for (; n >= kSubstepsTogether; n -= kSubstepsTogether)
+            runInterval(backend, data, contacts, params, ledger);
         for (; n > 0; --n) runOne(backend, data, contacts, params, ledger);
     }
     void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
@@ -66,7 +68,8 @@ class SubstepRunner<CudaBackend, Real> {
                 uint64_t{ledger},
                 keyWord(arrays.work.ids),
                 keyWord(arrays.work.regime),
-                launchedParticles(arrays.work, params)};
+                launchedParticles(arrays.work, params),
+                threadsFor(arrays.work, params)};
     }
 
     /// Particles that threads are started for.
@@ -74,19 +77,23 @@ class SubstepRunner<CudaBackend, Real> {
         return work.all() ? params.in_bodies : std::min(params.in_bodies, roundedUp(work.at_most));
     }
 
+    static uint32_t threadsFor(const BondedWork& work, const StepParams<Real>& params) {
+        return threadsPerParticle(work.all() ? params.in_bodies : work.at_most);
+    }
+
     void runInterval(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                      ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
                      bool ledger) {
-        static_assert(kLookInterval % 2 == 0, "a graph must end on the state it started from");
+        static_assert(kSubstepsTogether % 2 == 0, "a graph must end on the state it started from");
         graphs_.run(backend, keyOf(data, contacts, params, ledger), [&] {
-            for (uint32_t k = 0; k < kLookInterval; ++k) runOne(backend, data, contacts, params, ledger);
+            for (uint32_t k = 0; k < kSubstepsTogether; ++k) runOne(backend, data, contacts, params, ledger);
         });
     }
 
     template <bool kLedger>
     static void launchWith(cudaStream_t stream, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
-        switch (threadsPerParticle(launchedParticles(arrays.work, params))) {
+        switch (threadsFor(arrays.work, params)) {
             case 1:
                 return launchT<1, kLedger>(stream, arrays, params);
             case 2:

@@ -50,16 +50,18 @@ class DeviceSolver final : public Solver {
 
     // stepping
     StepStatus advance(uint32_t n);
+    bool staysQuiet(uint32_t n) const;
+    StepStatus passQuietly(uint32_t n);
     StepStatus runSubsteps(uint32_t n);
     StepStatus runChunk(uint32_t n);
     void runAwake(uint32_t n);
     void runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
-    uint32_t lookInterval() const;
+    Stretch stretch() const;
     void placeRigid();
     void look(uint32_t lookahead);
     void buildLists();
-    bool mustReassign();
+    bool mustReassign(uint32_t remaining);
     void assignRegimes(bool frame_starts, uint32_t remaining);
     double untilNextDecision(uint32_t remaining) const;
     void bookSoftening();
@@ -68,6 +70,7 @@ class DeviceSolver final : public Solver {
     void setVelocities(bool at_rest);
 
     // projectiles
+    uint64_t nextStart() const;
     uint32_t substepsUntilNextStart(uint32_t at_most) const;
     void startProjectiles();
     void placeProjectile(uint32_t slot);
@@ -75,7 +78,9 @@ class DeviceSolver final : public Solver {
 
     // sums of a frame, snapshots
     void collectFrame(uint32_t substeps);
-    void summarizeFragments();
+    void tellFrame(uint32_t substeps);
+    void sumFragments();
+    void countFragments();
     void updateSurface();
     void restoreSurface(uint32_t broken, const std::vector<std::byte>& state);
     Span<const uint8_t> brokenBonds();
@@ -88,11 +93,14 @@ class DeviceSolver final : public Solver {
     struct Progress {
         uint64_t substeps = 0, frames = 0;
         uint32_t since_build = 0;               ///< substeps since the contact lists were built
+        uint32_t lists_last = 10'000;           ///< substeps that lists have lasted of late
+        uint32_t left_paths = 0;                ///< 1: somebody had left his path when they were last made
         uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
         uint32_t last_frame = 0;                ///< substeps in the last frame
         uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
         uint32_t shot_started = 0;              ///< 1: a projectile has started since then
         RegimeMemory regimes;
+        uint32_t quiet = 0;        ///< 1: nothing has moved in the last frame, nor will unless it is shot at
         uint32_t moves_rigid = 0;  ///< 1: something is moved as a rigid body since the last decision
         uint32_t projectiles = 0;  ///< known so far
         uint32_t started = 0;      ///< bits of projectile slots

@@ -22,10 +22,13 @@ struct CopyFragments {
 };
 
 template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::summarizeFragments() {
-    const FragmentRows rows = clusters_.rows();
-    motion_.gather(rows, data_.particles.in(data_.current), data_.particles.constants.view());
-    const FragmentSummary summary = motion_.summary(rows);
+void DeviceSolver<Backend, Real>::sumFragments() {
+    motion_.gather(clusters_.rows(), data_.particles.in(data_.current), data_.particles.constants.view());
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::countFragments() {
+    const FragmentSummary summary = motion_.summary(clusters_.rows());
     stats_.fragments = summary.fragments;
     stats_.largest_fragment_fraction = summary.largest_mass / tables_.mass_in_bodies;
 }

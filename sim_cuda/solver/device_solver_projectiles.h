@@ -17,16 +17,20 @@ inline uint64_t startSubstep(const Projectile& p, double time_step) {
     return static_cast<uint64_t>(std::ceil(p.start_time / time_step - 1e-6));
 }
 
-/// at_most, or less: up to the next start of a waiting projectile.
+/// Substep at which the next waiting projectile starts; the largest number when none waits.
+template <class Backend, class Real>
+uint64_t DeviceSolver<Backend, Real>::nextStart() const {
+    uint64_t next = ~uint64_t{0};
+    for (uint32_t p = 0; p < projectiles_.size(); ++p)
+        if ((progress_.started >> p & 1u) == 0)
+            next = std::min(next, startSubstep(projectiles_[p], tables_.time_step));
+    return next;
+}
+
+/// at_most, or less: up to the next start of a waiting projectile. Those that are due have started.
 template <class Backend, class Real>
 uint32_t DeviceSolver<Backend, Real>::substepsUntilNextStart(uint32_t at_most) const {
-    uint64_t count = at_most;
-    for (uint32_t p = 0; p < projectiles_.size(); ++p) {
-        if ((progress_.started >> p & 1u) != 0) continue;
-        const uint64_t start = startSubstep(projectiles_[p], tables_.time_step);
-        if (start > progress_.substeps) count = std::min(count, start - progress_.substeps);
-    }
-    return static_cast<uint32_t>(count);
+    return static_cast<uint32_t>(std::min<uint64_t>(at_most, nextStart() - progress_.substeps));
 }
 
 /// Those whose time has come; energy that comes in after the beginning is external work.

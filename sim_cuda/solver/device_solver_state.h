@@ -22,10 +22,7 @@ void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
     }
     stats_.fracture_changed = sums.broken != progress_.broken;
     progress_.broken = sums.broken;
-    ++progress_.frames;
-    stats_.frame = progress_.frames;
-    stats_.substeps = substeps;
-    stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
+    tellFrame(substeps);
     stats_.bonds_broken = sums.broken;
     stats_.bonds_parted = progress_.parted = sums.parted;
     const double kinetic = stats_.energy.kinetic, elastic = stats_.energy.elastic,
@@ -37,7 +34,15 @@ void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
     stats_.max_stress_ratio = sums.stress;
     if (stats_.fracture_changed) clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
     motion_.advanceAges(clusters_.rows());
-    summarizeFragments();
+    sumFragments();
+    if (stats_.fracture_changed) countFragments();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::tellFrame(uint32_t substeps) {
+    stats_.frame = ++progress_.frames;
+    stats_.substeps = substeps;
+    stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;
 }
 
 template <class Backend, class Real>
@@ -159,7 +164,9 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
     stats_.bonds_broken = progress_.broken;
     stats_.bonds_parted = progress_.parted;
     stats_.energy = progress_.energy;
-    summarizeFragments();
+    progress_.quiet = 0;  // regimes have to be decided once more
+    sumFragments();
+    countFragments();
 }
 
 }  // namespace demolish

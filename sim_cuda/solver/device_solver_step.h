@@ -14,6 +14,11 @@ namespace demolish {
 /// (models E.4).
 inline constexpr double kSettleRampShare = 0.3, kSettleDamping = 12;
 
+/// Lists are made for so many times the time that they have lasted of late: a longer horizon than is used
+/// costs a coarser grid and longer rows. Substeps that they shall last at least: two stretches.
+inline constexpr double kHorizonLives = 2;
+inline constexpr uint32_t kLeastHorizon = 2 * kRigidStretch.length();
+
 template <class Real>
 StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
     StepParams<Real> params;
@@ -77,7 +82,8 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     startProjectiles();
     clusters_.update(data_.bonds.row_start.view(), data_.bonds.link.view());
     motion_.advanceAges(clusters_.rows());
-    summarizeFragments();
+    sumFragments();
+    countFragments();
     if (setup.params.settle_time > 0) regimes_.markRested();
 }
 
@@ -95,6 +101,7 @@ StepStatus DeviceSolver<Backend, Real>::advanceSubsteps(uint32_t n) {
 
 template <class Backend, class Real>
 StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
+    if (staysQuiet(n)) return passQuietly(n);
     const Progress before = progress_;
     const uint64_t builds = lists_.builds();
     frame_start_.keep(backend_, data_, lists_, regimes_);
@@ -118,10 +125,29 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     return status;
 }
 
-/// Substeps between two looks: without bonds nothing happens fast.
+/// Everything sleeps, and no projectile starts: the frame would change nothing but the time.
 template <class Backend, class Real>
-uint32_t DeviceSolver<Backend, Real>::lookInterval() const {
-    return !regimes_.on() || regimes_.movesBonds() ? kLookInterval : kRigidLookInterval;
+bool DeviceSolver<Backend, Real>::staysQuiet(uint32_t n) const {
+    const bool due = progress_.rebuild != 0 || progress_.shot_started != 0;
+    return progress_.quiet != 0 && !due && nextStart() >= progress_.substeps + n;
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::passQuietly(uint32_t n) {
+    progress_.substeps += n;
+    progress_.last_frame = n;
+    stats_.status = StepStatus::kOk;
+    stats_.list_rebuilds = 0;
+    stats_.fracture_changed = false;
+    tellFrame(n);
+    motion_.advanceAges(clusters_.rows());
+    return stats_.status;
+}
+
+/// Without bonds nothing happens fast.
+template <class Backend, class Real>
+Stretch DeviceSolver<Backend, Real>::stretch() const {
+    return !regimes_.on() || regimes_.movesBonds() ? kBondedStretch : kRigidStretch;
 }
 
 template <class Backend, class Real>
@@ -131,7 +157,7 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
         startProjectiles();
         if (progress_.rebuild != 0) {
             buildLists();
-            if (mustReassign()) assignRegimes(false, n);
+            if (mustReassign(n)) assignRegimes(false, n);
         }
         if (nothingMoves()) {
             const uint32_t quiet = substepsUntilNextStart(n);
@@ -140,11 +166,12 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
             continue;
         }
         moved = true;
-        const uint32_t chunk = substepsUntilNextStart(std::min(n, 2 * lookInterval()));
+        const uint32_t chunk = substepsUntilNextStart(std::min(n, stretch().length()));
         const StepStatus status = runChunk(chunk);
         if (status != StepStatus::kOk) return status;
         n -= chunk;
     }
+    progress_.quiet = moved ? 0 : 1;
     if (!moved) return StepStatus::kOk;
     look(0);
     return static_cast<StepStatus>(reader_.wait()[kLookStatus]);
@@ -153,9 +180,10 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
 /// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and what
 /// comes near a sleeper wakes it.
 template <class Backend, class Real>
-bool DeviceSolver<Backend, Real>::mustReassign() {
+bool DeviceSolver<Backend, Real>::mustReassign(uint32_t remaining) {
     if (!regimes_.on() || progress_.last_assigned == progress_.substeps) return false;
-    return progress_.shot_started != 0 || regimes_.movesRigid() || regimes_.stirs(data_, lists_, clusters_);
+    return progress_.shot_started != 0 || regimes_.movesRigid() ||
+           regimes_.stirs(data_, lists_, clusters_, untilNextDecision(remaining));
 }
 
 /// n substeps of what is moved with its bonds, and the same time of what is rigid.
@@ -197,18 +225,19 @@ void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& 
     });
 }
 
-/// At most 2 lookInterval() substeps; the look in the middle decides for the end.
+/// At most one stretch; the look in it decides for its end, and has to see as far as the end of the next.
 template <class Backend, class Real>
 StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     if (progress_.rebuild != 0) buildLists();
-    const uint32_t first = std::min(n, lookInterval()), second = n - first;
-    const uint32_t longest = 2 * lookInterval();
+    const Stretch whole = stretch();
+    const uint32_t first = std::min(n, whole.first), second = n - first, next = whole.length();
     runAwake(first);
-    look(second + longest);
+    look(second + next);
     runAwake(second);
     const std::vector<uint32_t>& words = reader_.wait();
-    const double needed = (progress_.since_build + static_cast<double>(longest)) * tables_.time_step;
-    if (words[kLookRebuild] != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
+    const double needed = (progress_.since_build + static_cast<double>(next)) * tables_.time_step;
+    progress_.left_paths = words[kLookRebuild] != 0 ? 1 : 0;
+    if (progress_.left_paths != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
     return static_cast<StepStatus>(words[kLookStatus]);
 }
 
@@ -224,7 +253,6 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
     placeRigid();
     const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
-    backend_.fill(look_words_.span(), 0u);
     const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
                                  look_words_.span().part(kLookRebuild, 1), seconds(progress_.since_build),
                                  seconds(lookahead)};
@@ -232,13 +260,19 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
                      LookAtState<Real>{paths, data_.particles.constants.view(), look_words_.span(),
                                        static_cast<Real>(setup_.params.scene_radius)},
                      "look at the state");
-    reader_.start(backend_, look_words_.view());
+    reader_.take(backend_, look_words_.span());
 }
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
     placeRigid();
-    lists_.use(progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{});
+    NeighbourSettings settings = progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{};
+    if (progress_.shot_started == 0)
+        progress_.lists_last = std::max(progress_.since_build, progress_.lists_last / 2);
+    const double wanted = kHorizonLives * std::max(progress_.lists_last, kLeastHorizon) * tables_.time_step;
+    settings.longest_horizon = std::min(settings.longest_horizon, wanted);
+    settings.set_apart = progress_.left_paths == 0;
+    lists_.use(settings);
     lists_.build(data_.particles.in(data_.current), data_.particles.constants.view(), data_.bonds.in());
     progress_.since_build = 0;
     progress_.rebuild = 0;
@@ -291,7 +325,7 @@ void DeviceSolver<Backend, Real>::settle(double seconds, const ProgressCallback&
         const double share = static_cast<double>(progress_.substeps) / static_cast<double>(substeps);
         params_.gravity = static_cast<Real>(std::min(1.0, share / kSettleRampShare)) * free_params.gravity;
         for (int chunk = 0; chunk < 5; ++chunk)
-            if (runChunk(2 * kLookInterval) != StepStatus::kOk)
+            if (runChunk(kBondedStretch.length()) != StepStatus::kOk)
                 throw NumericalError("The body blew up while settling; raise --substeps.");
         if (progress && !progress(share, "Settling")) throw Cancelled();
     }

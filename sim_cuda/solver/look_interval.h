@@ -4,9 +4,19 @@
 
 namespace demolish {
 
-/// Substeps between two moments at which something is decided; even, so that the state ends where it began.
-inline constexpr uint32_t kLookInterval = 10;
-/// The same while nothing is moved with its bonds.
-inline constexpr uint32_t kRigidLookInterval = 40;
+/// Substeps of one stretch: `first`, then a look at the state whose answer travels during the `second` ones.
+/// Even, so that the state ends where it began.
+struct Stretch {
+    uint32_t first, second;
+    constexpr uint32_t length() const { return first + second; }
+};
+
+/// Something is moved with its bonds.
+inline constexpr Stretch kBondedStretch{10, 10};
+/// Nothing is: contact steps are few, and the answer needs one of them.
+inline constexpr Stretch kRigidStretch{30, 10};
+
+/// Substeps that the GPU runs as one graph.
+inline constexpr uint32_t kSubstepsTogether = 10;
 
 }  // namespace demolish

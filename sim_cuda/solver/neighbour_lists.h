@@ -1,6 +1,7 @@
 // Contact lists: which pairs may touch for a while, found on the paper's uniform grid (3.3.1).
 //
-//   start paths -> velocity ranges -> common velocity, horizon -> count in buckets -> scan -> fill buckets
+//   start paths -> velocity ranges -> who is fast -> common velocity, horizon -> count in buckets -> scan ->
+//   fill buckets
 //               -> find pairs into drafts -> scan -> write rows sorted, with the springs of the rows before
 //
 // Soundness: kernels/predicted_path.h. Everything is counted in whole numbers and every choice is made on
@@ -17,6 +18,7 @@
 #include "sim_cuda/kernels/fill_grid.h"
 #include "sim_cuda/kernels/start_paths.h"
 #include "sim_cuda/kernels/write_neighbours.h"
+#include "sim_cuda/solver/pair_finder.h"
 
 namespace demolish {
 
@@ -25,6 +27,7 @@ struct NeighbourSettings {
     double travel_share = 1;     ///< largest travel within a horizon over the largest reach of two particles
     double longest_horizon = 1;  ///< s, at rest
     double shot_travel = 4;      ///< largest travel of a projectile over that reach
+    bool set_apart = true;       ///< the few fast ones, where they would shorten the horizon
 };
 
 /// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
@@ -73,6 +76,8 @@ class NeighbourLists {
   private:
     void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
                     const BondRowsIn<Real>& bonds);
+    void chooseFrame(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
+    void seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
     void fillGrid();
     void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
@@ -85,15 +90,22 @@ class NeighbourLists {
     Span<uint32_t> bucketStarts() { return zeroed_.span().part(0, mask_ + 2); }
     Span<uint32_t> rowCounts() { return zeroed_.span().part(mask_ + 2, counts_.in_bodies + bit_words_); }
     Span<uint32_t> bits() { return zeroed_.span().part(mask_ + 2 + rowCounts().count, bit_words_); }
-    RowDrafts drafts() { return {rowCounts().part(0, counts_.in_bodies), draft_.span(), kDraftLength}; }
+    Span<uint32_t> velocityBins() {
+        return zeroed_.span().part(mask_ + 2 + rowCounts().count + bit_words_, 3 * kVelocityBins);
+    }
+    /// How many are outside the slow bins; how many are set apart.
+    Span<uint32_t> fastCount() { return zeroed_.span().part(zeroed_.size() - 2, 1); }
+    Span<uint32_t> apartCount() { return zeroed_.span().part(zeroed_.size() - 1, 1); }
+    RowDrafts drafts() {
+        return {rowCounts().part(0, counts_.in_bodies), draft_.span(), long_draft_.span(), kDraftLength,
+                kLongDraftLength};
+    }
     ProjectileBits projectileBits() {
         return {bits(), rowCounts().part(counts_.in_bodies, bit_words_), bit_words_ / shots()};
     }
 
     /// Rows up to this length are kept from the search; longer ones are searched twice.
-    static constexpr uint32_t kDraftLength = 32;
-    /// Particles up to which more threads share the search for one.
-    static constexpr uint32_t kFew = 100'000;
+    static constexpr uint32_t kDraftLength = 32, kLongDraftLength = 256;
 
     Backend& backend_;
     ParticleCounts counts_;
@@ -106,9 +118,10 @@ class NeighbourLists {
     Buffer<VelocityRanges<Real>> ranges_;
     Buffer<GridFrame<Real>> frame_;
     Buffer<uint64_t> key_, member_key_;
-    Buffer<uint32_t> zeroed_, place_, member_, draft_;
+    Buffer<SlowBins> slow_;
+    Buffer<uint32_t> zeroed_, place_, member_, draft_, long_draft_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
-    Buffer<uint32_t> buried_, enclosed_;
+    Buffer<uint32_t> buried_, place_kind_;
     Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
 };
@@ -126,13 +139,16 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       frame_(backend.template allocate<GridFrame<Real>>(1)),
       key_(backend.template allocate<uint64_t>(counts.in_bodies)),
       member_key_(backend.template allocate<uint64_t>(counts.in_bodies)),
-      zeroed_(backend.template allocate<uint32_t>(mask_ + 2 + counts.in_bodies + 2 * size_t{bit_words_})),
+      slow_(backend.template allocate<SlowBins>(1)),
+      zeroed_(backend.template allocate<uint32_t>(mask_ + 2 + counts.in_bodies + 2 * size_t{bit_words_} +
+                                                  3 * kVelocityBins + 2)),
       place_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
       draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
+      long_draft_(backend.template allocate<uint32_t>(size_t{kMostFast} * kLongDraftLength)),
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
-      enclosed_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      place_kind_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
@@ -174,24 +190,45 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<
     backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
                         StartPaths<Real>{state, constants, bonds.row_start, bonds.link, buried_.view(),
                                          contacts_.built_position.span(), contacts_.built_velocity.span(),
-                                         enclosed_.span(), Real(settings_.skin_share),
+                                         place_kind_.span(), Real(settings_.skin_share),
                                          Real(settings_.skin_share * largest_radius_), counts_.in_bodies},
                         WidenRanges<Real>{}, "start paths");
+    chooseFrame(state, constants);
+}
+
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
+                                                Span<const Vec4<Real>> constants) {
+    if (settings_.set_apart) seekFast(state, constants);
     backend_.forEach(
         1,
-        ChooseFrame<Real>{ranges_.view(), frame_.span(),
+        ChooseFrame<Real>{ranges_.view(), slow_.view(), fastCount(), frame_.span(),
                           sums_.span().part(sums_.size() - kHorizonWords, kHorizonWords),
                           2 * largest_radius_ * (1 + settings_.skin_share), settings_.travel_share,
                           settings_.longest_horizon, settings_.shot_travel},
         "choose frame");
 }
 
+/// Leaves no fast ones counted where it is not called.
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
+    const uint32_t samples = (counts_.in_bodies + kSampleEvery - 1) / kSampleEvery;
+    backend_.forEach(samples, SampleVelocities<Real>{state, constants, ranges_.view(), velocityBins()},
+                     "sample velocities");
+    backend_.forEach(3, TrimVelocities{velocityBins(), slow_.span(), samples}, "trim velocities");
+    backend_.forEach(
+        counts_.in_bodies,
+        CountFast<Real>{state, constants, ranges_.view(), slow_.view(), place_kind_.view(), fastCount()},
+        "count the fast");
+}
+
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::fillGrid() {
-    backend_.forEach(counts_.in_bodies,
-                     CountInBuckets<Real>{contacts_.paths(), frame_.view(), mask_, enclosed_.view(),
-                                          key_.span(), bucketCounters(), place_.span()},
-                     "count in buckets");
+    backend_.forEach(
+        counts_.in_bodies,
+        CountInBuckets<Real>{contacts_.paths(), frame_.view(), ranges_.view(), slow_.view(), mask_,
+                             place_kind_.span(), key_.span(), bucketCounters(), apartCount(), place_.span()},
+        "count in buckets");
     backend_.exclusiveScan(bucketCounters(), bucketStarts());
     backend_.forEach(counts_.in_bodies,
                      FillBuckets<Real>{contacts_.paths(),
@@ -199,7 +236,7 @@ void NeighbourLists<Backend, Real>::fillGrid() {
                                        key_.view(),
                                        bucketStarts(),
                                        place_.view(),
-                                       enclosed_.view(),
+                                       place_kind_.view(),
                                        mask_,
                                        {member_.span(), member_key_.span(), member_ball_.span(),
                                         member_position_.span(), member_velocity_.span()}},
@@ -216,7 +253,9 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
              member_velocity_.view()},
             bonds.row_start,
             bonds.link,
-            enclosed_.view(),
+            place_kind_.view(),
+            place_.view(),
+            apartCount(),
             mask_,
             counts_.in_bodies,
             counts_.total};
@@ -225,16 +264,7 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
 /// The total and the horizon are on their way to the host after this.
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& search) {
-    const auto find = [&]<uint32_t kThreads>() {
-        backend_.forEach(size_t{counts_.total} * kThreads,
-                         FindPairs<kThreads, Real>{search, drafts(), projectileBits()}, "find pairs");
-    };
-    if constexpr (!Backend::kOnGpu)
-        find.template operator()<1>();
-    else if (counts_.in_bodies <= kFew)
-        find.template operator()<4 * kCellRows>();
-    else
-        find.template operator()<kCellRows>();
+    PairFinder<Backend, Real>::find(backend_, search, drafts(), projectileBits());
     backend_.exclusiveScan(rowCounts(), sums_.span().part(0, rowCounts().count + 1));
     reader_.start(backend_, sums_.view().part(rowCounts().count, 1 + kHorizonWords));
 }
@@ -257,11 +287,11 @@ void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& searc
                                contacts_.neighbour.span(),
                                contacts_.spring.span()};
     const uint32_t particle_threads = counts_.in_bodies * kThreads;
-    backend_.forEach(particle_threads + size_t{bit_words_} * kBitsPerWord,
-                     WriteRows<kThreads, Real>{{search, rows, draft_.view(), kDraftLength},
-                                               {rows, projectileBits(), counts_.in_bodies},
-                                               particle_threads},
-                     "write rows");
+    backend_.forEach(
+        particle_threads + size_t{bit_words_} * kBitsPerWord,
+        WriteRows<kThreads, Real>{
+            {search, rows, drafts()}, {rows, projectileBits(), counts_.in_bodies}, particle_threads},
+        "write rows");
 }
 
 }  // namespace demolish

@@ -47,9 +47,9 @@ class Regimes {
                 const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
                 const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
     /// Contact lists were made within a frame, and nothing is rigid: does something that is awake come near
-    /// something asleep, so that all must be decided anew? Waits.
+    /// something asleep within `soon`, so that all must be decided anew? Waits.
     bool stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
-               const Clustering<Backend>& clusters);
+               const Clustering<Backend>& clusters, double soon);
     /// All particles of rigid fragments put where those are. Does not wait.
     void place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// The bodies have stood still for long: they may sleep at once.
@@ -96,6 +96,8 @@ class Regimes {
                   const StepParams<Real>& params, bool frame_starts);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
 
+    static constexpr uint32_t kThreads = Backend::kOnGpu ? kMeetingThreads : 1;
+
     Backend& backend_;
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
@@ -109,13 +111,13 @@ class Regimes {
     Buffer<Vec4<Real>> start_rotation_, rigid_constants_, in_substeps_;
     Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
     Buffer<uint32_t> marks_;                      ///< of the lists, then their sums
-    Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, bonds_, body_awake_, words_;
+    Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, large_, bonds_, body_awake_, words_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
     RigidWork rigid_;
     uint32_t counts_[kWorkWords] = {};
     RegimeMemory memory_;
-    bool bonded_shots_ = false;
+    bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
 };
 
 template <class Backend, class Real>
@@ -143,7 +145,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);
     for (Buffer<uint32_t>* words :
-         {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_})
+         {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_, &large_})
         *words = backend.template allocate<uint32_t>(total);
     speeds_ = backend.template allocate<uint32_t>(total);
     share_ = backend.template allocate<uint32_t>(total);
@@ -200,13 +202,14 @@ MeetingsIn<Real> Regimes<Backend, Real>::meetingsOf(SolverData<Backend, Real>& d
 
 template <class Backend, class Real>
 bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
-                                   const Clustering<Backend>& clusters) {
+                                   const Clustering<Backend>& clusters, double soon) {
     if (counts_[kAsleepCount] == 0) return false;
     const Span<uint32_t> word = flags_.span().part(0, 1);
     backend_.fill(word, 0u);
-    backend_.forEach(counts_of_.total,
-                     SeeSleepers<Real>{meetingsOf(data, lists, clusters, 0), regime_.view(), word},
-                     "see sleepers");
+    backend_.forEach(
+        size_t{counts_of_.total} * kThreads,
+        SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, soon), regime_.view(), word},
+        "see sleepers");
     reader_.start(backend_, word);
     return reader_.wait()[0] != 0;
 }
@@ -236,13 +239,19 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
     if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
     const RegimeRules rules{hand_over_,     sleeping_,      frame_starts, memory_.all_bonded != 0,
                             calm_substeps_, rest_substeps_, crumb_};
-    backend_.forEach(total, StartIslands{island_.span(), flags_.span()}, "start islands");
-    backend_.forEach(total, JoinIslands<Real>{meetings, island_.span()}, "join islands");
-    backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
+    const Span<uint32_t> marks = marks_.span();
     backend_.forEach(total,
-                     FlagIslands<Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(),
-                                       wake_.view(), params.planes, params.gravity, rules, flags_.span()},
-                     "flag islands");
+                     StartIslands{island_.span(), flags_.span(), marks.part(0, total),
+                                  marks.part(3 * size_t{total}, total), words_.span(), body_awake_.span()},
+                     "start islands");
+    backend_.forEach(size_t{total} * kThreads, JoinIslands<kThreads, Real>{meetings, island_.span()},
+                     "join islands");
+    backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
+    backend_.forEach(
+        size_t{total} * kThreads,
+        FlagIslands<kThreads, Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(),
+                                    wake_.view(), params.planes, params.gravity, rules, flags_.span()},
+        "flag islands");
     backend_.forEach(
         total,
         ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,
@@ -277,25 +286,35 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const uint32_t total = counts_of_.total;
     const PlacesIn places{rows, counts_of_.in_bodies, total};
     const Span<uint32_t> marks = marks_.span();
-    backend_.forEach(total,
-                     MarkWork<Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
-                                    marks.part(total, total), marks.part(2 * size_t{total}, total),
-                                    marks.part(3 * size_t{total}, total)},
-                     "mark work");
-    backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
     backend_.forEach(
-        total,
-        WriteWork<Real>{places, meetings.label, regime_.view(), marks_.view(), body_.view(), arm_.view(),
-                        share_.view(), meetings.constants, active_.span(), fragment_.span(), first_.span(),
-                        last_.span(), bonded_.span(), rigid_constants_.span(), in_substeps_.span()},
-        "write work");
-    backend_.fill(words_.span(), 0u);
-    backend_.fill(body_awake_.span(), 0u);
-    backend_.forEach(counts_of_.in_bodies,
-                     CountAwake{rows, meetings.label, regime_.view(), meetings.owner, flags_.view(),
-                                body_awake_.span(), words_.span()},
-                     "count awake");
-    backend_.forEach(1, TellWork{marks_.view(), total, words_.span()}, "tell work");
+        size_t{total} * kThreads,
+        MarkWork<kThreads, Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
+                                 marks.part(total, total), marks.part(2 * size_t{total}, total),
+                                 marks.part(3 * size_t{total}, total)},
+        "mark work");
+    backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
+    backend_.forEach(total,
+                     WriteWork<Real>{places,
+                                     meetings.label,
+                                     regime_.view(),
+                                     marks_.view(),
+                                     meetings.owner,
+                                     flags_.view(),
+                                     body_.view(),
+                                     arm_.view(),
+                                     share_.view(),
+                                     meetings.constants,
+                                     active_.span(),
+                                     fragment_.span(),
+                                     first_.span(),
+                                     last_.span(),
+                                     bonded_.span(),
+                                     large_.span(),
+                                     words_.span(),
+                                     body_awake_.span(),
+                                     rigid_constants_.span(),
+                                     in_substeps_.span()},
+                     "write work");
     reader_.start(backend_, words_.view());
     const std::vector<uint32_t>& told = reader_.wait();
     std::copy(told.begin(), told.end(), counts_);
@@ -304,9 +323,10 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
         memory_.must_bond = counts_[kMustBondCount];
     }
     bonded_shots_ = !hand_over_;
-    rigid_ = {fragment_.view(), first_.view(),         last_.view(),           active_.view(),
-              words_.view(),    body_.span(),          share_.span(),          arm_.view(),
-              meetings.label,   counts_[kActiveCount], counts_[kFragmentCount]};
+    rigid_ = {fragment_.view(),    first_.view(),  last_.view(),          active_.view(),
+              large_.view(),       words_.view(),  body_.span(),          share_.span(),
+              arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
+              counts_[kLargeCount]};
     const bool all = counts_[kBondedCount] == counts_of_.in_bodies;
     data.work = all ? BondedWork{}
                     : BondedWork{bonded_.view(),

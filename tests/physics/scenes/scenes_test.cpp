@@ -56,7 +56,7 @@ TEST_P(SceneBreaks, AndComesToRestWithinThreeSeconds) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneBreaks,
                          testing::Values(Breaking{"bunny", 0, 8, false}, Breaking{"bunny", 0, 8, true},
-                                         Breaking{"vase", 13, 10, false}, Breaking{"vase", 13, 10, true}),
+                                         Breaking{"vase", 6, 10, false}, Breaking{"vase", 13, 10, true}),
                          [](const auto& test) { return nameOf(test.param); });
 
 TEST(Scenes, AColumnBreaksIntoDrums) {

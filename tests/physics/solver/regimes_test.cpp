@@ -61,6 +61,24 @@ TEST_F(Sleeping, ABodyHitInMidFrameBreaksExactlyAsIfItHadNeverSlept) {
     EXPECT_GT(awake->stats().bonds_broken, 50u);
 }
 
+/// The ball has been on its way for frames, and is near the brick's contact lists before it touches.
+TEST_F(Sleeping, ABodyHitByABallFromAfarBreaksExactlyAsIfItHadNeverSlept) {
+    SceneSetup setup = brickHitInMidFrame();
+    setup.projectiles[0].position.x = 3.2;
+    setup.projectiles[0].start_time = 0;
+    auto sleeper = makeSolver(with(setup, {false, true}));
+    auto awake = makeSolver(with(setup, {false, false}));
+    bool slept = false;
+    for (int frame = 0; frame < 35; ++frame) {
+        ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(awake->advanceFrame(), StepStatus::kOk);
+        slept = slept || sleeper->stats().sleeping_fragments == 1;
+        ASSERT_EQ(sleeper->stateHash(), awake->stateHash()) << "frame " << frame;
+    }
+    EXPECT_TRUE(slept);
+    EXPECT_GT(awake->stats().bonds_broken, 50u);
+}
+
 /// A brick that flies and spins, whole; bonds have nothing to do.
 SceneSetup flyingBrick() {
     SceneSetup setup = freeBody(latticeBody(3, 4, 6, 0.05, 0.2));
@@ -185,6 +203,16 @@ SceneSetup twoBricks() {
     ball.velocity = {9, 0, 0};
     setup.projectiles = {ball};
     return setup;
+}
+
+/// Settling moves everything with its bonds, before anything is decided about fragments.
+TEST_F(Sleeping, BodiesSettleAlikeWhetherTheyMaySleepOrNot) {
+    auto sleeper = makeSolver(with(twoBricks(), {true, true})),
+         awake = makeSolver(with(twoBricks(), {false, false}));
+    EXPECT_EQ(sleeper->stateHash(), awake->stateHash());
+    SceneSetup unsettled = twoBricks();
+    unsettled.params.settle_time = 0;
+    EXPECT_NE(makeSolver(unsettled)->stateHash(), awake->stateHash());
 }
 
 TEST_F(Sleeping, CostFollowsWhatIsAwake) {

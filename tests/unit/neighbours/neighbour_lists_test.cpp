@@ -59,6 +59,31 @@ TEST(NeighbourLists, FindExactlyThePairsOfBruteForceInMotion) {
     EXPECT_GT(total(expectBruteForce(test::randomCloud(1500, 0.5, 0.01, 0.02, 8, 2))), 2000u);
 }
 
+TEST(NeighbourLists, AFewFastOnesDoNotShortenTheHorizonAndMissNobody) {
+    Cloud cloud = test::randomCloud(3000, 0.5, 0.01, 0.02, 0.5, 7);
+    const auto horizonOf = [](const Cloud& of, bool set_apart) {
+        CloudArrays arrays(of);
+        Lists lists(arrays.backend, of.counts(), of.largestRadius(), {.set_apart = set_apart});
+        lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
+        EXPECT_EQ(rowsOf(lists), bruteForce(of, lists));
+        return lists.horizon();
+    };
+    const double all_slow = horizonOf(cloud, true);
+    for (uint32_t k = 0; k < 12; ++k) {
+        const float sign = k % 2 == 0 ? 1.0f : -1.0f;
+        cloud.items[211 * k].v = {sign * 20, 0, k % 3 == 0 ? 15.0f : 0.0f};
+    }
+    EXPECT_LT(horizonOf(cloud, false), 0.1 * all_slow);
+    EXPECT_GT(horizonOf(cloud, true), 3 * horizonOf(cloud, false));
+}
+
+TEST(NeighbourLists, RowsOfTheFastMayBeLongerThanTheirDrafts) {
+    Cloud cloud = test::randomCloud(2500, 0.12, 0.01, 0.02, 0.2, 8);
+    for (uint32_t k = 0; k < 12; ++k) cloud.items[200 * k].v = {15, 3, 0};
+    const auto rows = expectBruteForce(cloud);
+    EXPECT_GT(rows[0].size(), 256u);
+}
+
 TEST(NeighbourLists, MorePerCellThanThePapersFour) {
     const auto rows = expectBruteForce(test::randomCloud(300, 0.01, 0.01, 0.02, 0, 3));
     EXPECT_EQ(total(rows), 300u * 299u);  // all touch all
