@@ -1,0 +1,100 @@
+// The body found in compute passes looks as it looks drawn, but for rounding at edges.
+#include <glm/gtc/constants.hpp>
+
+#include "tests/render/gl_fixture.h"
+#include "tests/render/scenes.h"
+
+namespace demolish::engine::test {
+namespace {
+
+class Computed : public GlTest {
+  protected:
+    static void expectSameLook(Scene& scene) { expectSameLook(scene, renderer()); }
+
+    /// At an edge several triangles share a pixel: one that covers no middle of a pixel is shaded where it
+    /// covers it, drawn it is shaded beyond its end.
+    static void expectSameLook(Scene& scene, Renderer& computing) {
+        scene.view.rasteriser = Rasteriser::kDraw;
+        const Image drawn = drawPicture(renderer(), scene);
+        scene.view.rasteriser = Rasteriser::kCompute;
+        const Image computed = drawPicture(computing, scene);
+        const auto pixels = static_cast<double>(drawn.width * drawn.height);
+        EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 5)), 0.005 * pixels);
+        EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 32)), 0.001 * pixels);
+    }
+};
+
+Scene small(const std::string& name) {
+    Scene scene = makeScene(name);
+    scene.view.width = 320;
+    scene.view.height = 180;
+    return scene;
+}
+
+void turn(Camera& camera, float angle) {
+    const glm::vec3 out = camera.eye - camera.target;
+    const float c = std::cos(angle), s = std::sin(angle);
+    camera.eye = camera.target + glm::vec3(c * out.x + s * out.z, out.y, c * out.z - s * out.x);
+}
+
+TEST_F(Computed, CracksAreTheSame) {
+    Scene scene = small("cracked_block");
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, PiecesAndProjectilesAreTheSameFromEverySide) {
+    Scene scene = small("broken_ball");
+    for (int side = 0; side < 2; ++side) {
+        SCOPED_TRACE(side);
+        expectSameLook(scene);
+        turn(scene.view.camera, 2.4f);
+    }
+}
+
+TEST_F(Computed, OfOneSampleEveryPixelIsTheSame) {
+    Scene scene = small("broken_ball");
+    scene.view.samples = 1;
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_LE(differingPixels(drawn, drawPicture(renderer(), scene), 3), 3u);
+}
+
+TEST_F(Computed, SmallTrianglesFromAfar) {
+    Scene scene = small("broken_ball");
+    const glm::vec3 out = scene.view.camera.eye - scene.view.camera.target;
+    scene.view.camera.eye = scene.view.camera.target + 6.0f * out;
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, ACameraAmongThePiecesWhoseNearPlaneCutsThem) {
+    Scene scene = small("broken_ball");
+    scene.view.camera.eye = {0.4f, 0.6f, 0.3f};
+    scene.view.camera.target = scene.view.camera.eye + glm::vec3(std::cos(1.7f), -0.2f, std::sin(1.7f));
+    scene.view.camera.near_plane = 0.15f;
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, TooManyLargeTrianglesForTheirMemory) {
+    Renderer poor(shaderFolder(), 10);
+    Scene scene = small("broken_block");
+    expectSameLook(scene, poor);
+}
+
+TEST_F(Computed, TheSameFrameIsTheSamePicture) {
+    Scene scene = small("broken_block");
+    scene.view.rasteriser = Rasteriser::kCompute;
+    const Image first = drawPicture(renderer(), scene);
+    EXPECT_TRUE(first.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+TEST_F(Computed, DraftsAreDrawn) {
+    Scene scene = small("broken_block_draft");
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_TRUE(drawn.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+}  // namespace
+}  // namespace demolish::engine::test
