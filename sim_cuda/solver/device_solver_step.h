@@ -24,7 +24,7 @@ StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tab
     StepParams<Real> params;
     params.dt = params.carry_time = static_cast<Real>(tables.time_step);
     params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
-    params.stiffness_cap = static_cast<Real>(kContactStiffnessShare / (tables.time_step * tables.time_step));
+    params.stiffness_cap = static_cast<Real>(tables.contact_cap);
     params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;
     params.owners = tables.owners();
     params.in_bodies = tables.counts.in_bodies;
