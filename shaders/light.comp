@@ -1,5 +1,5 @@
 #version 450 core
-// The lit picture, computed (common/lit_pixel.glsl).
+// The lit picture, computed from what was drawn (common/lit_pixel.glsl).
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lit_pixel.glsl"
 layout(rgba8, binding = 0) writeonly uniform image2D result;

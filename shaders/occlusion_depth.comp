@@ -3,10 +3,16 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/frame.glsl"
 #include "common/floor.glsl"
-#ifdef MULTISAMPLE
+#ifdef COMPUTED
+#include "common/visible.glsl"
+float depthAt(ivec2 pixel) { return uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, 0)]); }
+#else
+#if SAMPLES > 1
 layout(binding = 0) uniform sampler2DMS depth_buffer;
 #else
 layout(binding = 0) uniform sampler2D depth_buffer;
+#endif
+float depthAt(ivec2 pixel) { return texelFetch(depth_buffer, pixel, 0).r; }
 #endif
 layout(r32f, binding = 0) writeonly uniform image2D result;
 
@@ -17,7 +23,7 @@ void main() {
     float nearest = frame.depth_range.y;
     for (int k = 0; k < 4; ++k) {
         ivec2 pixel = min(2 * p + ivec2(k & 1, k >> 1), last);
-        float along = min(linearDepth(texelFetch(depth_buffer, pixel, 0).r), floorAlong(rayThrough(vec2(pixel) + 0.5)));
+        float along = min(linearDepth(depthAt(pixel)), floorAlong(rayThrough(vec2(pixel) + 0.5)));
         nearest = min(nearest, along);
     }
     imageStore(result, p, vec4(nearest));

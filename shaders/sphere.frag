@@ -4,6 +4,7 @@
 #include "common/gbuffer.glsl"
 #include "common/sphere_hit.glsl"
 #include "common/colour_maps.glsl"
+#include "common/ball_material.glsl"
 layout(depth_less) out float gl_FragDepth;  // the square lies in front of every point of the sphere
 layout(location = 0) out vec4 material_out;
 layout(location = 1) out vec4 normals_out;
@@ -24,8 +25,8 @@ void main() {
     s.geometric_normal = s.normal;
     gl_FragDepth = clipDepth(s.position);
     if (colour_map == kMetal) {
-        s.albedo = vec3(0.23, 0.215, 0.205);
-        s.roughness = 0.36;
+        s.albedo = kBallAlbedo;
+        s.roughness = kBallRoughness;
         s.metalness = 1.0;
     } else {
         s.albedo = colour_map == 0 ? fragmentColour(fragment_slot) : rampColour(value);

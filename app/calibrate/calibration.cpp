@@ -1,12 +1,18 @@
 // Fillings, cache, search.
 #include "app/calibrate/calibration.h"
 
+#include <cmath>
+#include <utility>
+
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
 constexpr double kFillingShare = 0.1;  // of the progress bar
+/// Strengths that are tried for a velocity to break at, and how near the threshold must come to it.
+constexpr int kMostRounds = 4;
+constexpr double kBreakAtTolerance = 0.05;
 
 ProgressCallback part(const ProgressCallback& progress, double from, double to) {
     if (!progress) return {};
@@ -27,6 +33,51 @@ CachedThreshold inShares(const MeasuredThreshold& measured, const Shot& shot, do
     return shares;
 }
 
+/// Measures a shot at the strengths that it is asked for, one after the other.
+class Measuring {
+  public:
+    Measuring(const Shot& shot, std::shared_ptr<const BreakableBody> body, const CalibrationOptions& options,
+              const ProgressCallback& progress)
+        : shot_(shot),
+          body_(std::move(body)),
+          options_(options),
+          progress_(progress),
+          folder_(thresholdCacheFolder()),
+          key_(thresholdKey(shot, *body_)) {
+        if (options.use_cache) known_ = readCachedThresholds(folder_, key_);
+    }
+
+    /// In shares of v_c, at the shot's present strength; counts into `result` what it simulates.
+    CachedThreshold at(const Shot& shot, double guess, Calibration& result) {
+        if (const CachedThreshold* found = measuredAt(known_, shot.material.critical_velocity);
+            found && found->packings >= options_.packings && found->tolerance <= options_.tolerance)
+            return *found;
+        if (packings_.empty())
+            packings_ =
+                fillPackings(shot_, *loadSolidMesh(shot_.model, {.height = shot_.height}), options_.packings,
+                             options_.on_gpu, part(progress_, 0, kFillingShare), body_);
+        const MeasuredThreshold measured = measureThreshold(
+            shot, packings_, {.tolerance = options_.tolerance, .guess = guess, .trial = {options_.on_gpu}},
+            part(progress_, kFillingShare, 1));
+        for (const Bracket& bracket : measured.packings) result.trials += bracket.trials;
+        const CachedThreshold shares = inShares(measured, shot, options_.tolerance);
+        keep(shares, known_);
+        if (options_.use_cache) writeCachedThreshold(folder_, key_, shares);
+        return shares;
+    }
+    const CachedThresholds& known() const { return known_; }
+
+  private:
+    const Shot& shot_;
+    std::shared_ptr<const BreakableBody> body_;
+    const CalibrationOptions& options_;
+    const ProgressCallback& progress_;
+    std::filesystem::path folder_;
+    uint64_t key_;
+    CachedThresholds known_;
+    std::vector<std::shared_ptr<const BreakableBody>> packings_;
+};
+
 }  // namespace
 
 Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> body,
@@ -34,35 +85,31 @@ Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> bod
     validate(shot);
     Calibration result;
     result.shot = shot;
-    const auto mesh = loadSolidMesh(shot.model, {.height = shot.height});
-    if (!body) body = fillPackings(shot, *mesh, 1, options.on_gpu, part(progress, 0, kFillingShare)).at(0);
-    if (shot.break_at)
-        result.shot.material.critical_velocity = criticalVelocityFor(shot, *body, *shot.break_at);
-    const auto predicted = thresholdOf(result.shot, *body);
+    if (!body)
+        body = fillPackings(shot, *loadSolidMesh(shot.model, {.height = shot.height}), 1, options.on_gpu,
+                            part(progress, 0, kFillingShare))
+                   .at(0);
+    Measuring measuring(shot, body, options, progress);
+    const auto predicted = thresholdOf(shot, *body);
     if (!predicted) throw UsageError("nothing hits the body; choose a ball or a drop");
+    double& critical = result.shot.material.critical_velocity;
+    const double predicted_share = predicted->predicted / critical;
+    double guess = predicted->velocity();
+    for (int round = 0; round < (shot.break_at ? kMostRounds : 1); ++round) {
+        if (shot.break_at) {
+            critical = criticalVelocityFor(shot, *shot.break_at, measuring.known(), predicted->predicted);
+            guess = *shot.break_at;
+        }
+        result.measured = measuring.at(result.shot, guess, result);
+        if (shot.break_at && std::abs(result.velocity() / *shot.break_at - 1) <= kBreakAtTolerance) break;
+    }
     result.threshold = *predicted;
+    result.threshold.predicted = predicted_share * critical;
+    result.threshold.measured = result.velocity();
+    result.threshold.packings = result.measured.packings;
+    result.from_cache = result.trials == 0;
     result.particles = static_cast<uint32_t>(body->particles.size());
     result.particle_size = body->spacing;
-    const auto folder = thresholdCacheFolder();
-    const uint64_t key = thresholdKey(shot, *body);
-    if (options.use_cache)
-        if (const auto cached = readCachedThreshold(folder, key);
-            cached && cached->packings >= options.packings && cached->tolerance <= options.tolerance) {
-            result.measured = *cached;
-            result.from_cache = true;
-            return result;
-        }
-    auto packings =
-        fillPackings(shot, *mesh, options.packings, options.on_gpu, part(progress, 0, kFillingShare), body);
-    const MeasuredThreshold measured = measureThreshold(
-        result.shot, packings,
-        {.tolerance = options.tolerance, .guess = predicted->velocity(), .trial = {options.on_gpu}},
-        part(progress, kFillingShare, 1));
-    for (const Bracket& bracket : measured.packings) result.trials += bracket.trials;
-    result.measured = inShares(measured, result.shot, options.tolerance);
-    result.threshold.measured = measured.velocity;
-    result.threshold.packings = result.measured.packings;
-    if (options.use_cache) writeCachedThreshold(folder, key, result.measured);
     return result;
 }
 

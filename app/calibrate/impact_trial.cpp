@@ -25,6 +25,11 @@ bool isDrop(const Shot& shot) {
 
 }  // namespace
 
+double trialSeconds(ImpactKind kind, double height, double speed) {
+    const double path = (kind == ImpactKind::kDrop ? 0.5 : 2) * height;
+    return std::clamp(path / speed, kLeastTrial, kLongestTrial);
+}
+
 Shot trialShot(const Shot& shot) {
     Shot trial = shot;
     const TimedBall ball = fastestBall(shot);
@@ -97,7 +102,10 @@ bool ImpactTrial::breaksAt(double speed) {
     // Particles touch as spheres inside their cells: up to half a spacing later than the surface does.
     const double gap = 0.5 * setup_.bodies[0].body->spacing;
     const double delay = std::min(kMostDelay, gap / std::max(speed, 1e-3)) + (drop ? 0 : kFlight);
-    const int frames = static_cast<int>(std::lround((kTrialSeconds + delay) / kFrameTime));
+    const BreakableBody& body = *setup_.bodies[0].body;
+    const double seconds =
+        trialSeconds(shot_.impact.kind, body.bounds_max.y - body.bounds_min.y, speed) + delay;
+    const int frames = static_cast<int>(std::lround(seconds / kFrameTime));
     for (int frame = 0; frame < frames; ++frame) {
         const StepStatus status = solver.advanceFrame();
         if (status != StepStatus::kOk) throw NumericalError(describe(status));

@@ -9,14 +9,19 @@ namespace demolish {
 
 /// "Broken" (models.md E.2): the largest piece holds less than kIntactShare of the mass and at least two
 /// pieces hold kPieceShare each, or none holds kCrushedShare, as where all is dust; looked for during
-/// kTrialSeconds from the first touch on.
-inline constexpr double kIntactShare = 0.8, kPieceShare = 0.01, kCrushedShare = 0.5, kTrialSeconds = 0.1;
+/// trialSeconds() from the first touch on.
+inline constexpr double kIntactShare = 0.8, kPieceShare = 0.01, kCrushedShare = 0.5;
+
+/// s. 0.1 (models.md E.2), but as long as the impact takes where it is slow: until the ball has gone twice
+/// the body's height, to the far wall of a hollow body, or a dropped body half its own, so that its other
+/// edge has struck; 0.5 at most. `height` in m, `speed` in m/s.
+inline constexpr double kLeastTrial = 0.1, kLongestTrial = 0.5;
+double trialSeconds(ImpactKind kind, double height, double speed);
 
 /// The shot reduced to the one impact that a threshold speaks of: the body that the fastest ball hits (the
 /// first one, for a drop) and that ball. Hand-over and sleeping are off. A body that is hit stands under its
-/// weight; one that is dropped weighs nothing during the trial: in kTrialSeconds it would fall by 5 cm, more
-/// than the fall that breaks a fragile body, and its threshold would no longer be proportional to its
-/// strength.
+/// weight; one that is dropped weighs nothing during the trial: in 0.1 s it would fall by 5 cm, more than the
+/// fall that breaks a fragile body, and its threshold would no longer be proportional to its strength.
 Shot trialShot(const Shot& shot);
 
 struct TrialOptions {

@@ -10,14 +10,46 @@ namespace demolish {
 namespace {
 
 constexpr double kWalk = 1.5;
+/// Speeds that are tried above the one that breaks, each this times the last.
+constexpr double kConfirmStep = 1.15;
+constexpr int kConfirmations = 3;
 
 std::string metresPerSecond(double speed) {
     return std::to_string(speed).substr(0, 6) + " m/s";
 }
 
-/// Trials that a search takes when the guess is near: two to bracket, then halvings.
+/// Trials that a search takes when the guess is near: two to bracket, then halvings, then confirmations.
 double usualTrials(double tolerance) {
-    return 2.5 + std::max(0.0, std::log2(std::log(kWalk) / std::log(1 + tolerance)));
+    return 2.5 + kConfirmations + std::max(0.0, std::log2(std::log(kWalk) / std::log(1 + tolerance)));
+}
+
+/// Walks on from `speed` until one speed holds and one breaks.
+void bracketFrom(double speed, const std::function<bool(double speed)>& breaks, Bracket& bracket) {
+    while (!(bracket.holds > 0) || !(bracket.breaks > 0)) {
+        const bool broke = breaks(speed);
+        ++bracket.trials;
+        (broke ? bracket.breaks : bracket.holds) = speed;
+        if (bracket.holds > 0 && bracket.breaks > 0) return;
+        if (broke && speed <= kThresholdRange.least)
+            throw NumericalError("the body breaks at " + metresPerSecond(speed) +
+                                 ", by its own weight or the ball's; choose a stronger material");
+        if (!broke && speed >= kThresholdRange.most)
+            throw NumericalError("the body does not break up to " + metresPerSecond(speed) +
+                                 "; choose a weaker material or a larger ball");
+        speed =
+            std::clamp(broke ? speed / kWalk : speed * kWalk, kThresholdRange.least, kThresholdRange.most);
+    }
+}
+
+/// The fastest of the confirming speeds at which the body holds after all; 0: it breaks at all of them.
+double holdsAbove(const std::function<bool(double speed)>& breaks, Bracket& bracket) {
+    double held = 0, speed = bracket.breaks;
+    for (int k = 0; k < kConfirmations && speed * kConfirmStep <= kThresholdRange.most; ++k) {
+        speed *= kConfirmStep;
+        ++bracket.trials;
+        if (!breaks(speed)) held = speed;
+    }
+    return held;
 }
 
 }  // namespace
@@ -29,27 +61,20 @@ double Bracket::threshold() const {
 Bracket searchThreshold(const std::function<bool(double speed)>& breaks, double guess, double tolerance) {
     requireInRange("the tolerance", tolerance, {0.005, 1}, "");
     Bracket bracket;
-    double speed = std::clamp(guess, kThresholdRange.least, kThresholdRange.most);
-    while (!(bracket.holds > 0) || !(bracket.breaks > 0)) {
-        const bool broke = breaks(speed);
-        ++bracket.trials;
-        (broke ? bracket.breaks : bracket.holds) = speed;
-        if (bracket.holds > 0 && bracket.breaks > 0) break;
-        if (broke && speed <= kThresholdRange.least)
-            throw NumericalError("the body breaks at " + metresPerSecond(speed) +
-                                 ", by its own weight; choose a stronger material");
-        if (!broke && speed >= kThresholdRange.most)
-            throw NumericalError("the body does not break up to " + metresPerSecond(speed) +
-                                 "; choose a weaker material or a larger ball");
-        speed =
-            std::clamp(broke ? speed / kWalk : speed * kWalk, kThresholdRange.least, kThresholdRange.most);
+    double from = std::clamp(guess, kThresholdRange.least, kThresholdRange.most);
+    for (;;) {
+        bracketFrom(from, breaks, bracket);
+        while (bracket.breaks > (1 + tolerance) * bracket.holds) {
+            const double middle = bracket.threshold();
+            (breaks(middle) ? bracket.breaks : bracket.holds) = middle;
+            ++bracket.trials;
+        }
+        const double held = holdsAbove(breaks, bracket);
+        if (!(held > 0)) return bracket;
+        bracket.holds = held;
+        bracket.breaks = 0;
+        from = std::min(held * kWalk, kThresholdRange.most);
     }
-    while (bracket.breaks > (1 + tolerance) * bracket.holds) {
-        const double middle = bracket.threshold();
-        (breaks(middle) ? bracket.breaks : bracket.holds) = middle;
-        ++bracket.trials;
-    }
-    return bracket;
 }
 
 double MeasuredThreshold::lowest() const {

@@ -22,8 +22,11 @@ struct Bracket {
 inline constexpr Range kThresholdRange{0.01, 200};
 
 /// Walks from `guess` in steps of half as much again until one speed holds and the next breaks, then halves
-/// until breaks/holds <= 1 + tolerance. Throws UsageError on a tolerance outside 0.005..1; NumericalError
-/// when the body breaks at kThresholdRange.least or holds at kThresholdRange.most.
+/// until breaks/holds <= 1 + tolerance. Then three speeds up to half as fast again are tried: a ball that
+/// shatters a vase at one speed may only punch a hole at a higher one, and what is asked for is from which
+/// speed on the body breaks. Where it holds, the search goes on from there. Throws UsageError on a tolerance
+/// outside 0.005..1; NumericalError when the body breaks at kThresholdRange.least or holds at
+/// kThresholdRange.most.
 Bracket searchThreshold(const std::function<bool(double speed)>& breaks, double guess, double tolerance);
 
 struct MeasureOptions {

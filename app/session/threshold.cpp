@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/session/threshold_cache.h"
 #include "app/session/threshold_table.h"
 #include "sim_cuda/api/errors.h"
 
@@ -34,17 +33,26 @@ std::optional<Threshold> thresholdOf(const Shot& shot, const BreakableBody& body
     threshold.predicted = prediction.share * critical;
     threshold.scatter = prediction.scatter;
     threshold.is_known_body = prediction.is_known;
-    if (const auto cached = readCachedThreshold(thresholdCacheFolder(), thresholdKey(shot, body))) {
-        threshold.measured = cached->share * critical;
-        threshold.packings = cached->packings;
-    }
+    const auto measured = readCachedThresholds(thresholdCacheFolder(), thresholdKey(shot, body));
+    if (measured.empty()) return threshold;
+    threshold.measured = shareAt(measured, critical) * critical;
+    threshold.packings = measured.front().packings;
+    for (const CachedThreshold& point : measured)
+        threshold.packings = std::min(threshold.packings, point.packings);
     return threshold;
 }
 
 double criticalVelocityFor(const Shot& shot, const BreakableBody& body, double velocity) {
     const auto threshold = thresholdOf(shot, body);
     if (!threshold) throw UsageError("the velocity to break at needs an impact: choose a ball or a drop");
-    const double critical = shot.material.critical_velocity * velocity / threshold->velocity();
+    const auto measured = readCachedThresholds(thresholdCacheFolder(), thresholdKey(shot, body));
+    return criticalVelocityFor(shot, velocity, measured, threshold->predicted);
+}
+
+double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresholds& measured,
+                           double predicted) {
+    const double critical = measured.empty() ? shot.material.critical_velocity * velocity / predicted
+                                             : criticalVelocityAt(measured, velocity);
     requireInRange("the critical velocity that breaks the body as wished", critical, kCriticalVelocity,
                    "m/s");
     return critical;

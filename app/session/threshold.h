@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/session/shot.h"
+#include "app/session/threshold_cache.h"
 #include "sim_cuda/api/breakable_body.h"
 
 namespace demolish {
@@ -23,9 +24,13 @@ struct Threshold {
 /// Throws InputFileError (the table).
 std::optional<Threshold> thresholdOf(const Shot& shot, const BreakableBody& body);
 
-/// The critical velocity (m/s) at which the shot's threshold is `velocity`: a threshold is proportional to
-/// it. Throws UsageError when nothing hits the body, or no material is that weak or strong.
+/// The critical velocity (m/s) at which the shot's threshold is `velocity`, by what was measured, else in
+/// proportion to the prediction. Throws UsageError when nothing hits the body, or no material is that weak or
+/// strong.
 double criticalVelocityFor(const Shot& shot, const BreakableBody& body, double velocity);
+/// The same with these measurements and this prediction (m/s, at the shot's own critical velocity).
+double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresholds& measured,
+                           double predicted);
 
 /// Predicted v_th / v_c of this body for the impact that it bears least: dropped, or hit by the shot's ball.
 double lowestThresholdShare(const Shot& shot, const BreakableBody& body);

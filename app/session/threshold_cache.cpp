@@ -1,6 +1,8 @@
 // Key and file of one measured threshold.
 #include "app/session/threshold_cache.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -15,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raised when trials, solver or criterion change so that old measurements no longer hold.
-constexpr uint32_t kMeasurementVersion = 1;
+constexpr uint32_t kMeasurementVersion = 2;
 
 /// FNV-1a over values, bit by bit.
 class Hash {
@@ -101,36 +103,109 @@ fs::path fileOf(const fs::path& folder, uint64_t key) {
     return folder / name;
 }
 
+/// Critical velocities within this share are one and the same.
+constexpr double kSameStrength = 0.01;
+
+CachedThreshold pointOf(const nlohmann::json& json) {
+    CachedThreshold point;
+    json.at("share").get_to(point.share);
+    json.at("lowest_share").get_to(point.lowest);
+    json.at("highest_share").get_to(point.highest);
+    json.at("critical_velocity_mps").get_to(point.critical_velocity);
+    json.at("packings").get_to(point.packings);
+    json.at("tolerance").get_to(point.tolerance);
+    return point;
+}
+
+nlohmann::ordered_json jsonOf(const CachedThreshold& point) {
+    return {{"share", point.share},           {"lowest_share", point.lowest},
+            {"highest_share", point.highest}, {"critical_velocity_mps", point.critical_velocity},
+            {"packings", point.packings},     {"tolerance", point.tolerance}};
+}
+
+double velocityOf(const CachedThreshold& point) {
+    return point.share * point.critical_velocity;
+}
+
+/// d ln v_th / d ln v_c between two strengths.
+double slopeBetween(const CachedThreshold& a, const CachedThreshold& b) {
+    return std::log(velocityOf(b) / velocityOf(a)) / std::log(b.critical_velocity / a.critical_velocity);
+}
+
+/// The same beyond the first or last one: of the two next to it, as far as scatter leaves it likely.
+double slopeBeyond(const CachedThresholds& measured, bool above) {
+    if (measured.size() < 2) return 1;
+    const size_t k = above ? measured.size() - 1 : 1;
+    return std::clamp(slopeBetween(measured[k - 1], measured[k]), 0.5, 1.0);
+}
+
 }  // namespace
 
-std::optional<CachedThreshold> readCachedThreshold(const fs::path& folder, uint64_t key) {
-    if (folder.empty()) return std::nullopt;
+CachedThresholds readCachedThresholds(const fs::path& folder, uint64_t key) {
+    CachedThresholds measured;
+    if (folder.empty()) return measured;
     std::ifstream in(fileOf(folder, key));
-    if (!in) return std::nullopt;
+    if (!in) return measured;
     const auto json = nlohmann::json::parse(in, nullptr, false);
     try {
-        CachedThreshold cached;
-        json.at("share").get_to(cached.share);
-        json.at("lowest_share").get_to(cached.lowest);
-        json.at("highest_share").get_to(cached.highest);
-        json.at("critical_velocity_mps").get_to(cached.critical_velocity);
-        json.at("packings").get_to(cached.packings);
-        json.at("tolerance").get_to(cached.tolerance);
-        if (cached.share > 0) return cached;
+        for (const auto& point : json.at("measured")) {
+            const CachedThreshold read = pointOf(point);
+            if (read.share > 0 && read.critical_velocity > 0) keep(read, measured);
+        }
     } catch (const nlohmann::json::exception&) {
-        return std::nullopt;  // a damaged file is measured anew and written over
+        return {};  // a damaged file is measured anew and written over
     }
-    return std::nullopt;
+    return measured;
 }
 
 void writeCachedThreshold(const fs::path& folder, uint64_t key, const CachedThreshold& threshold) {
     if (folder.empty()) return;
+    CachedThresholds measured = readCachedThresholds(folder, key);
+    keep(threshold, measured);
+    nlohmann::ordered_json json{{"measured", nlohmann::ordered_json::array()}};
+    for (const CachedThreshold& point : measured) json["measured"].push_back(jsonOf(point));
     makeOutputFolder(folder);
-    const nlohmann::ordered_json json{
-        {"share", threshold.share},           {"lowest_share", threshold.lowest},
-        {"highest_share", threshold.highest}, {"critical_velocity_mps", threshold.critical_velocity},
-        {"packings", threshold.packings},     {"tolerance", threshold.tolerance}};
     writeTextFile(fileOf(folder, key), json.dump(2) + "\n");
+}
+
+void keep(const CachedThreshold& threshold, CachedThresholds& among) {
+    std::erase_if(among, [&](const CachedThreshold& point) {
+        return std::abs(point.critical_velocity / threshold.critical_velocity - 1) < kSameStrength;
+    });
+    const auto stronger = std::find_if(among.begin(), among.end(), [&](const CachedThreshold& point) {
+        return point.critical_velocity > threshold.critical_velocity;
+    });
+    among.insert(stronger, threshold);
+}
+
+const CachedThreshold* measuredAt(const CachedThresholds& measured, double critical_velocity) {
+    for (const CachedThreshold& point : measured)
+        if (std::abs(point.critical_velocity / critical_velocity - 1) < kSameStrength) return &point;
+    return nullptr;
+}
+
+double shareAt(const CachedThresholds& measured, double critical_velocity) {
+    const auto from = [&](const CachedThreshold& point, double slope) {
+        return point.share * std::pow(critical_velocity / point.critical_velocity, slope - 1);
+    };
+    if (critical_velocity <= measured.front().critical_velocity)
+        return from(measured.front(), slopeBeyond(measured, false));
+    for (size_t k = 1; k < measured.size(); ++k)
+        if (critical_velocity <= measured[k].critical_velocity)
+            return from(measured[k], slopeBetween(measured[k - 1], measured[k]));
+    return from(measured.back(), slopeBeyond(measured, true));
+}
+
+double criticalVelocityAt(const CachedThresholds& measured, double velocity) {
+    const auto from = [&](const CachedThreshold& point, double slope) {
+        return point.critical_velocity * std::pow(velocity / velocityOf(point), 1 / slope);
+    };
+    if (velocity <= velocityOf(measured.front())) return from(measured.front(), slopeBeyond(measured, false));
+    for (size_t k = 1; k < measured.size(); ++k)
+        // Two that scatter has turned round say nothing about what lies between them.
+        if (velocity <= velocityOf(measured[k]) && velocityOf(measured[k - 1]) < velocityOf(measured[k]))
+            return from(measured[k], slopeBetween(measured[k - 1], measured[k]));
+    return from(measured.back(), slopeBeyond(measured, true));
 }
 
 }  // namespace demolish

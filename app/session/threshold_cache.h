@@ -2,7 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-#include <optional>
+#include <vector>
 
 #include "app/session/shot.h"
 #include "sim_cuda/api/breakable_body.h"
@@ -21,13 +21,27 @@ struct CachedThreshold {
 std::filesystem::path thresholdCacheFolder();
 
 /// Hash of everything that the share of `body` hangs on: its particles and bonds, material, stiffness, the
-/// impact without its velocity. Not of v_c, which a threshold is proportional to, nor of the device.
+/// impact without its velocity. Not of v_c, which a threshold is nearly proportional to, nor of the device.
 uint64_t thresholdKey(const Shot& shot, const BreakableBody& body);
 
+/// Measurements of one body and setting at several strengths, the weakest first.
+using CachedThresholds = std::vector<CachedThreshold>;
+
 /// None where there is no file, or one that is damaged or of another version.
-std::optional<CachedThreshold> readCachedThreshold(const std::filesystem::path& folder, uint64_t key);
-/// Whole or not at all. Throws OutputError.
+CachedThresholds readCachedThresholds(const std::filesystem::path& folder, uint64_t key);
+/// Beside those at other strengths, in place of one at the same. Whole or not at all. Throws OutputError.
 void writeCachedThreshold(const std::filesystem::path& folder, uint64_t key,
                           const CachedThreshold& threshold);
+/// The same without a file.
+void keep(const CachedThreshold& threshold, CachedThresholds& among);
+/// The one measured at this critical velocity (m/s) within 1 %, or null.
+const CachedThreshold* measuredAt(const CachedThresholds& measured, double critical_velocity);
+
+/// v_th / v_c at this critical velocity, by the power law through the two measured ones next to it; by the
+/// share alone where there is one. A threshold is proportional to the strength only nearly: how a foot's edge
+/// tips over hangs on the speed beside the waves'. `measured` is not empty.
+double shareAt(const CachedThresholds& measured, double critical_velocity);
+/// The critical velocity (m/s) at which the threshold is `velocity`, by shareAt().
+double criticalVelocityAt(const CachedThresholds& measured, double velocity);
 
 }  // namespace demolish

@@ -1,6 +1,8 @@
 // Three compute steps: reduce depth, gather horizons, blur.
 #include "engine/passes/ambient_occlusion_pass.h"
 
+#include <string>
+
 namespace demolish::engine {
 namespace {
 
@@ -20,11 +22,12 @@ AmbientOcclusionPass::AmbientOcclusionPass(const std::filesystem::path& shaders)
       gather_(shaders, {"occlusion_gather.comp"}),
       blur_(shaders, {"occlusion_blur.comp"}) {}
 
-gl::Program& AmbientOcclusionPass::reduceFor(int samples) {
-    gl::Program& program = samples > 1 ? reduce_multi_ : reduce_single_;
-    if (program.id() == 0) {
-        program = gl::Program(shaders_, {"occlusion_depth.comp"}, samples > 1 ? "#define MULTISAMPLE\n" : "");
-    }
+gl::Program& AmbientOcclusionPass::reduceFor(int samples, bool found) {
+    gl::Program& program = reduce_[{samples, found}];
+    if (program.id() == 0)
+        program = gl::Program(
+            shaders_, {"occlusion_depth.comp"},
+            "#define SAMPLES " + std::to_string(samples) + (found ? "\n#define COMPUTED\n" : "\n"));
     return program;
 }
 
@@ -35,10 +38,10 @@ void AmbientOcclusionPass::resize(int width, int height) {
     blurred_ = gl::Texture::make2d(GL_RG32F, width, height);
 }
 
-const gl::Texture& AmbientOcclusionPass::run(const RenderTargets& targets, float scene_radius) {
+const gl::Texture& AmbientOcclusionPass::run(const RenderTargets& targets, float scene_radius, bool found) {
     resize((targets.width + 1) / 2, (targets.height + 1) / 2);
-    reduceFor(targets.samples).use();
-    targets.depth.bind(0);
+    reduceFor(targets.samples, found).use();
+    if (!found) targets.depth.bind(0);
     dispatch(depth_, GL_R32F);
     gather_.set(kReach, kReachPerSceneRadius * scene_radius);
     gather_.use();

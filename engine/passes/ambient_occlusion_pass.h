@@ -2,6 +2,8 @@
 // surfaces.
 #pragma once
 #include <filesystem>
+#include <map>
+#include <utility>
 
 #include "engine/gl/program.h"
 #include "engine/render/render_targets.h"
@@ -11,15 +13,18 @@ namespace demolish::engine {
 class AmbientOcclusionPass {
   public:
     explicit AmbientOcclusionPass(const std::filesystem::path& shaders);
-    /// `scene_radius` in m sets how far neighbours count. Result: r = visibility 0..1, g = linear depth, half
-    /// size.
-    const gl::Texture& run(const RenderTargets& targets, float scene_radius);
+    /// `scene_radius` in m sets how far neighbours count; `found`: depth is what ComputedRaster found and has
+    /// bound. Result: r = visibility 0..1, g = linear depth, half size.
+    const gl::Texture& run(const RenderTargets& targets, float scene_radius, bool found);
+    /// Makes the shader that run() needs with `found`. Throws GlError.
+    void prepareFound(const RenderTargets& targets) { reduceFor(targets.samples, true); }
 
   private:
     void resize(int width, int height);
-    gl::Program& reduceFor(int samples);
+    gl::Program& reduceFor(int samples, bool found);
     std::filesystem::path shaders_;
-    gl::Program reduce_single_, reduce_multi_, gather_, blur_;
+    gl::Program gather_, blur_;
+    std::map<std::pair<int, bool>, gl::Program> reduce_;  ///< made when first needed
     gl::Texture depth_, raw_, blurred_;
 };
 

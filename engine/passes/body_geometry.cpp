@@ -20,31 +20,26 @@ BodyGeometry::BodyGeometry() {
     layout_.floatAttribute(3, 2, GL_HALF_FLOAT, false, kUvOffset);
 }
 
-BodyTriangles allTriangles(const FractureMesh& mesh) {
-    const gl::Buffer& commands = mesh.stream(StreamId::kCommands);
-    return {&mesh,
-            {&mesh.stream(StreamId::kExteriorIndices), &commands, kExteriorCommand},
-            {&mesh.stream(StreamId::kInteriorIndices), &commands, kInteriorCommand}};
-}
-
-void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, const TriangleList& triangles) {
+void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,
+                        uint32_t command) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     layout_.setVertices(vertices, kVertexBytes);
-    layout_.setIndices(*triangles.indices);
+    layout_.setIndices(indices);
     layout_.bind();
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, triangles.commands->id());
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(triangles.command * kDrawCommandBytes));
+                           reinterpret_cast<const void*>(command * kDrawCommandBytes));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
-void BodyGeometry::drawExterior(const BodyTriangles& body) {
-    draw(*body.mesh, body.mesh->exteriorVertices(), body.exterior);
+void BodyGeometry::drawExterior(const FractureMesh& mesh) {
+    draw(mesh, mesh.exteriorVertices(), mesh.stream(StreamId::kExteriorIndices), kExteriorCommand);
 }
 
-void BodyGeometry::drawInterior(const BodyTriangles& body) {
-    draw(*body.mesh, body.mesh->stream(StreamId::kInteriorVertices), body.interior);
+void BodyGeometry::drawInterior(const FractureMesh& mesh) {
+    draw(mesh, mesh.stream(StreamId::kInteriorVertices), mesh.stream(StreamId::kInteriorIndices),
+         kInteriorCommand);
 }
 
 }  // namespace demolish::engine

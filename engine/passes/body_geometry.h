@@ -14,41 +14,34 @@ enum class StorageBinding : GLuint {
     kCrackEdges = 4,
     kExteriorVertices = 5,
     kTouchedTiles = 6,
-    // Of the compute passes that choose triangles; OpenGL promises eight bindings.
-    kSourceIndices = 2,
-    kSeenBits = 3,
-    kBlockCounts = 4,
-    kVertices = 5,
-    kSourceCommands = 6,
-    kCulled = 7,
+    // Of the passes that compute instead of drawing.
+    kExteriorIndices = 2,
+    kInteriorIndices = 3,
+    kComputedExteriorVertices = 4,
+    kInteriorVertices = 5,
+    kCommands = 6,
+    kVisible = 7,
+    kFound = 8,
+    kTasks = 9,
+    kBalls = 10,
+    kLarge = 11,
+    kCount = 12,
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);
 
-/// Triangles to draw: indices, and the indirect command that says how many.
-struct TriangleList {
-    const gl::Buffer* indices;
-    const gl::Buffer* commands;
-    uint32_t command;  ///< its place among the commands
-};
-
-/// The body's triangles as one view wants them.
-struct BodyTriangles {
-    const FractureMesh* mesh;
-    TriangleList exterior;  ///< the model's own surface
-    TriangleList interior;  ///< exposed broken faces
-};
-/// All that the mesh's streams hold.
-BodyTriangles allTriangles(const FractureMesh& mesh);
-
 class BodyGeometry {
   public:
     BodyGeometry();
-    void drawExterior(const BodyTriangles& body);
-    void drawInterior(const BodyTriangles& body);
+    /// The model's own surface.
+    void drawExterior(const FractureMesh& mesh);
+    /// Exposed broken faces.
+    void drawInterior(const FractureMesh& mesh);
 
   private:
-    void draw(const FractureMesh& mesh, const gl::Buffer& vertices, const TriangleList& triangles);
+    /// `command`: its place among the mesh's commands.
+    void draw(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,
+              uint32_t command);
     gl::VertexArray layout_;
 };
 

@@ -26,8 +26,8 @@ void IdPass::draw(const IdScene& scene, const FrameView& view) {
     glClearBufferfv(GL_DEPTH, 0, &far_depth);
     if (scene.mesh != nullptr && view.mode == ViewMode::kSurface) {
         body_.use();
-        scene.body.drawExterior(allTriangles(*scene.mesh));
-        scene.body.drawInterior(allTriangles(*scene.mesh));
+        scene.body.drawExterior(*scene.mesh);
+        scene.body.drawInterior(*scene.mesh);
     }
     if (scene.mesh != nullptr && view.mode == ViewMode::kParticles)
         scene.spheres.drawParticleIds(*scene.mesh);

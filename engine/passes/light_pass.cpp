@@ -5,11 +5,22 @@
 #include <cmath>
 #include <string>
 
+#include "engine/passes/surface_pass.h"
+
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kCurve = 0, kSamplePosition = 1;
+constexpr GLint kCurve = 0, kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
+
+constexpr GLbitfield kPictureBarriers = GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                        GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
+/// Enough to fill any GPU; each goes on to further tiles.
+constexpr GLuint kFoundGroups = 16384;
+
+GLuint tilesAlong(int pixels) {
+    return static_cast<GLuint>(pixels + 7) / 8;
+}
 
 /// y = x^a, then y / (y^d b + c): contrast a in the middle, shoulder d towards white; b and c follow from
 /// where middle grey and white land (Lottes, "Advanced techniques and optimization of HDR color pipelines",
@@ -33,31 +44,53 @@ void bindInputs(const RenderTargets& targets) {
 
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-gl::Program& LightPass::programFor(const RenderTargets& targets, RenderQuality quality) {
-    gl::Program& program = programs_[{targets.samples, quality}];
+gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
+    gl::Program& program = programs_[{targets.samples, way}];
     if (program.id() != 0) return program;
     const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
-    program = quality == RenderQuality::kFull ? gl::Program(shaders_, {"light.comp"}, samples)
-                                              : gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
-                                                            samples + "#define SHADOW_DRAFT\n");
+    if (way == Way::kDrawn)
+        program =
+            gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, samples + "#define SHADOW_DRAFT\n");
+    else
+        program = gl::Program(shaders_,
+                              {way == Way::kComputed ? "light.comp"
+                               : way == Way::kEmpty  ? "light_empty.comp"
+                                                     : "light_found.comp"},
+                              samples);
     program.set(kCurve, toneCurve());
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);
     return program;
 }
 
-void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
-    programFor(targets, RenderQuality::kFull).use();
-    bindInputs(targets);
+void LightPass::bindPicture(const gl::Texture& occlusion, GLuint picture) {
     occlusion.bind(kOcclusionUnit);
     glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
-    glDispatchCompute((targets.width + 7) / 8, (targets.height + 7) / 8, 1);
-    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT | GL_PIXEL_BUFFER_BARRIER_BIT |
-                    GL_TEXTURE_UPDATE_BARRIER_BIT);
+}
+
+void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
+    programFor(targets, Way::kComputed).use();
+    bindInputs(targets);
+    bindPicture(occlusion, picture);
+    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
+    glMemoryBarrier(kPictureBarriers);
+}
+
+void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& occlusion,
+                             const SurfaceLook& look, GLuint picture) {
+    bindPicture(occlusion, picture);
+    programFor(targets, Way::kEmpty).use();
+    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    gl::Program& program = programFor(targets, Way::kFound);
+    setBodyMaterial(program, kBodyMaterial, look);
+    program.use();
+    glDispatchCompute(kFoundGroups, 1, 1);
+    glMemoryBarrier(kPictureBarriers);
 }
 
 void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {
-    programFor(targets, RenderQuality::kDraft).use();
+    programFor(targets, Way::kDrawn).use();
     bindInputs(targets);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);

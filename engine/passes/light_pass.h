@@ -14,17 +14,26 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
-    /// The shadow map and the noise volume are bound, here and in draw(). Writes the RGBA8 texture `picture`.
+    /// The shadow map and the noise volume are bound, here and in all. Writes the RGBA8 texture `picture`.
     void compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
+    /// The same from what ComputedRaster found and has bound.
+    void computeFound(const RenderTargets& targets, const gl::Texture& occlusion, const SurfaceLook& look,
+                      GLuint picture);
+    /// Makes the shaders of computeFound(). Throws GlError.
+    void prepareFound(const RenderTargets& targets) {
+        programFor(targets, Way::kEmpty);
+        programFor(targets, Way::kFound);
+    }
     /// The same for drafts, which have no occlusion, into `framebuffer` (0: the window), drawn: llvmpipe
     /// takes longer to store a pixel from a compute shader than to light it.
     void draw(const RenderTargets& targets, GLuint framebuffer);
 
   private:
-    gl::Program& programFor(const RenderTargets& targets, RenderQuality quality);
+    enum class Way { kDrawn, kComputed, kEmpty, kFound };
+    gl::Program& programFor(const RenderTargets& targets, Way way);
+    static void bindPicture(const gl::Texture& occlusion, GLuint picture);
     std::filesystem::path shaders_;
-    std::map<std::pair<int, RenderQuality>, gl::Program>
-        programs_;  ///< by samples and quality, made when first needed
+    std::map<std::pair<int, Way>, gl::Program> programs_;  ///< by samples, made when first needed
     gl::VertexArray no_attributes_;
 };
 

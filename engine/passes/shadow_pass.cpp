@@ -40,7 +40,7 @@ void ShadowPass::begin(int size, bool erase_tiles) {
     glDepthFunc(GL_LEQUAL);
     glEnable(GL_DEPTH_CLAMP);
     glEnable(GL_POLYGON_OFFSET_FILL);
-    glPolygonOffset(1.1f, 2.0f);
+    glPolygonOffset(kShadowSlopes, kShadowSteps);
 }
 
 void ShadowPass::enter(int region) {
@@ -48,10 +48,10 @@ void ShadowPass::enter(int region) {
     body_.set(kRegion, region);
 }
 
-void ShadowPass::drawBody(BodyGeometry& body, const BodyTriangles& triangles) {
+void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh) {
     body_.use();
-    body.drawExterior(triangles);
-    body.drawInterior(triangles);
+    body.drawExterior(mesh);
+    body.drawInterior(mesh);
 }
 
 void ShadowPass::finish(bool erase_tiles) {

@@ -13,12 +13,13 @@
 namespace demolish::engine {
 
 inline constexpr int kShadowRegions = 2;
+/// By how much the map's depths lie behind what casts shadow: in slopes, and in steps of its format.
+inline constexpr float kShadowSlopes = 1.1f, kShadowSteps = 2.0f;
 
 /// What the map shows: frames that agree in it share the map.
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
     bool as_particles = false;
-    bool culled = false;         ///< drawn without the triangles that no texel shows
     std::vector<float> spheres;  ///< position and radius of each
     glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};
     bool operator==(const ShadowScene&) const = default;
@@ -36,7 +37,7 @@ class ShadowPass {
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    void drawBody(BodyGeometry& body, const BodyTriangles& triangles);
+    void drawBody(BodyGeometry& body, const FractureMesh& mesh);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;

@@ -16,6 +16,9 @@ class SpherePass {
 
     /// Projectiles of the coming frame.
     void setSpheres(std::span<const SphereDraw> spheres);
+    /// The same as a buffer: 32 bytes each, position and radius first.
+    const gl::Buffer& spheres() const { return spheres_; }
+    size_t sphereCount() const { return sphere_count_; }
     void drawSpheres();
     /// `region` of the shadow map, as ShadowPass::enter().
     void drawSphereShadows(int region);

@@ -8,10 +8,13 @@
 
 namespace demolish::engine {
 
+/// Sets the uniforms of shaders/common/body_material.glsl, which begin at `location`.
+void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& look);
+
 class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
-    void draw(BodyGeometry& body, const BodyTriangles& triangles, const SurfaceLook& look);
+    void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
 
   private:
     gl::Program exterior_, interior_;

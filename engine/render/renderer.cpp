@@ -1,5 +1,5 @@
-// One frame, as a list of passes: shadow map; then materials of body, spheres, floor and cracks; then, in
-// compute, occlusion and light.
+// One frame, as a list of passes. Computed: depths, names, cracks. Drawn: shadow map; materials of body,
+// spheres and cracks. Then, in compute, occlusion and light.
 #include "engine/render/renderer.h"
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 
 #include "engine/gl/error.h"
 #include "engine/passes/ambient_occlusion_pass.h"
+#include "engine/passes/computed_raster.h"
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/depth_eraser.h"
 #include "engine/passes/floor_pass.h"
@@ -18,7 +19,7 @@
 #include "engine/passes/shadow_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
-#include "engine/passes/triangle_culler.h"
+#include "engine/platform/gl_context.h"
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
@@ -36,8 +37,11 @@ int shadowMapSize(RenderQuality quality) {
 }  // namespace
 
 struct Renderer::Passes {
-    explicit Passes(const std::filesystem::path& shaders)
-        : shadow(shaders),
+    Passes(const std::filesystem::path& shaders, size_t task_count)
+        : shader_folder(shaders),
+          raster_tasks(task_count),
+          in_software(describeCurrentContext({}).software),
+          shadow(shaders),
           surface(shaders),
           spheres(shaders),
           floor(shaders),
@@ -45,7 +49,6 @@ struct Renderer::Passes {
           occlusion(shaders),
           light(shaders),
           ids(shaders),
-          culler(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
@@ -72,21 +75,21 @@ struct Renderer::Passes {
 
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
-    /// Software renderers draw small triangles about as fast as they compute whether to.
-    static bool culls(const FractureMesh& mesh, const FrameView& view) {
-        return view.quality == RenderQuality::kFull && view.cull_triangles && TriangleCuller::suits(mesh);
-    }
+    bool computes(const FractureMesh* mesh, const FrameView& view);
+    bool readyToCompute();
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
-    void chooseTriangles(const FractureMesh* mesh, const FrameView& view);
+    void draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
+    void compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer);
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
-    void computeLight(const FrameView& view, GLuint framebuffer);
+    void computeLight(const FrameView& view, GLuint framebuffer, bool found);
     void drawLight(GLuint framebuffer);
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
+    std::filesystem::path shader_folder;
+    size_t raster_tasks;
+    bool in_software;
     BodyGeometry body;
-    std::array<BodyTriangles, static_cast<size_t>(CulledView::kCount)>
-        triangles{};  ///< of the frame's surface
     ShadowPass shadow;
     SurfacePass surface;
     SpherePass spheres;
@@ -95,7 +98,8 @@ struct Renderer::Passes {
     AmbientOcclusionPass occlusion;
     LightPass light;
     IdPass ids;
-    TriangleCuller culler;
+    std::optional<ComputedRaster> computed;  ///< made when first needed
+    std::string refusal;
     DepthEraser eraser;
     gl::Texture noise;
     gl::Sampler draft_noise;  ///< half the texels: software renderers feel it in every pixel
@@ -107,21 +111,35 @@ struct Renderer::Passes {
     int max_samples = 1;
 };
 
-void Renderer::Passes::chooseTriangles(const FractureMesh* mesh, const FrameView& view) {
-    triangles.fill({});
-    if (mesh == nullptr || view.mode != ViewMode::kSurface) return;
-    triangles.fill(allTriangles(*mesh));
-    if (!culls(*mesh, view)) return;
-    culler.run(*mesh, *targets, shadowMapSize(view.quality));
-    for (uint32_t i = 0; i < triangles.size(); ++i) triangles[i] = culler.triangles(CulledView{i});
-    clock.mark("cull");
+/// Software renderers compute as slowly as they draw.
+bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
+    if (mesh == nullptr || view.mode != ViewMode::kSurface || view.quality != RenderQuality::kFull)
+        return false;
+    if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
+        return false;
+    return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
+           readyToCompute();
+}
+
+/// A driver may refuse a shader that others take: then everything is drawn.
+bool Renderer::Passes::readyToCompute() {
+    if (!refusal.empty()) return false;
+    try {
+        if (!computed) computed.emplace(shader_folder, raster_tasks);
+        computed->prepare(*targets);
+        occlusion.prepareFound(*targets);
+        light.prepareFound(*targets);
+    } catch (const gl::GlError& problem) {
+        computed.reset();
+        refusal = problem.what();
+    }
+    return refusal.empty();
 }
 
 ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameView& view) const {
     ShadowScene scene;
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
-    scene.culled = mesh != nullptr && culls(*mesh, view);
     for (const SphereDraw& sphere : sphere_draws) {
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
@@ -135,9 +153,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
-        const CulledView of_region = region == 0 ? CulledView::kNearShadow : CulledView::kFarShadow;
-        if (mesh != nullptr && view.mode == ViewMode::kSurface)
-            shadow.drawBody(body, triangles[static_cast<size_t>(of_region)]);
+        if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
     }
@@ -152,8 +168,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (mesh != nullptr && view.mode == ViewMode::kSurface)
-        surface.draw(body, triangles[static_cast<size_t>(CulledView::kCamera)], view.look);
+    if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     clock.mark("body");
@@ -162,20 +177,49 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("cracks");
 }
 
-void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer) {
-    eraser.remember(targets->depth, targets->samples);
-    clock.mark("touched");
-    const gl::Texture& visibility = occlusion.run(*targets, view.scene_radius);
+void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, bool found) {
+    const gl::Texture& visibility = occlusion.run(*targets, view.scene_radius, found);
     clock.mark("occlusion");
-    const GLuint picture = gl::writableTexture(framebuffer, view.width, view.height);
-    shadow.bindMap();
-    light.compute(*targets, visibility, picture != 0 ? picture : targets->display.id());
-    ShadowPass::unbindMap();
+    const GLuint target = gl::writableTexture(framebuffer, view.width, view.height);
+    const GLuint picture = target != 0 ? target : targets->display.id();
+    if (found) {
+        computed->bindShadowMap();
+        light.computeFound(*targets, visibility, view.look, picture);
+    } else {
+        shadow.bindMap();
+        light.compute(*targets, visibility, picture);
+        ShadowPass::unbindMap();
+    }
     clock.mark("light");
-    if (picture != 0) return;
+    if (target != 0) return;
     glBlitNamedFramebuffer(targets->resolved.id(), framebuffer, 0, 0, view.width, view.height, 0, 0,
                            view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     clock.mark("present");
+}
+
+void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
+    computed->run(mesh, spheres, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality), clock);
+    if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
+    clock.mark("cracks");
+    computeLight(view, framebuffer, true);
+}
+
+void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    drawShadowMap(mesh, view);
+    drawMaterials(mesh, view);
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    if (view.quality == RenderQuality::kDraft) return drawLight(framebuffer);
+    eraser.remember(targets->depth, targets->samples);
+    clock.mark("touched");
+    computeLight(view, framebuffer, false);
 }
 
 void Renderer::Passes::drawLight(GLuint framebuffer) {
@@ -192,8 +236,8 @@ IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const Sphe
     return {mesh, body, spheres, view.show_floor ? &floor : nullptr};
 }
 
-Renderer::Renderer(const std::filesystem::path& shader_folder)
-    : passes_(std::make_unique<Passes>(shader_folder)) {
+Renderer::Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks)
+    : passes_(std::make_unique<Passes>(shader_folder, raster_tasks)) {
     gl::throwIfError("Setting up the renderer");
 }
 
@@ -212,23 +256,10 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
 
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glDisable(GL_SCISSOR_TEST);
-    glDisable(GL_BLEND);
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    p.chooseTriangles(mesh, view);
-    p.drawShadowMap(mesh, view);
-    p.drawMaterials(mesh, view);
-    glDisable(GL_CULL_FACE);
-    glDisable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-
-    if (view.quality == RenderQuality::kFull)
-        p.computeLight(view, target_framebuffer);
+    if (p.computes(mesh, view))
+        p.compute(*mesh, view, target_framebuffer);
     else
-        p.drawLight(target_framebuffer);
+        p.draw(mesh, view, target_framebuffer);
     p.sphere_draws = {};
     p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
@@ -253,23 +284,12 @@ std::vector<uint32_t> Renderer::fragmentIds(const FractureMesh* mesh, std::span<
     return ids;
 }
 
-std::array<uint64_t, 3> Renderer::lastTriangles() const {
-    std::array<uint64_t, 3> counts{};
-    for (size_t view = 0; view < counts.size(); ++view) {
-        if (passes_->triangles[view].mesh == nullptr) continue;
-        for (const TriangleList& list :
-             {passes_->triangles[view].exterior, passes_->triangles[view].interior}) {
-            uint32_t indices = 0;
-            list.commands->download(std::as_writable_bytes(std::span(&indices, 1)),
-                                    list.command * kDrawCommandBytes);
-            counts[view] += indices / 3;
-        }
-    }
-    return counts;
-}
-
 double Renderer::lastDrawMs() const {
     return passes_->clock.lastMs();
+}
+
+const std::string& Renderer::refusal() const {
+    return passes_->refusal;
 }
 
 std::span<const gl::PassTime> Renderer::lastPassTimes() const {

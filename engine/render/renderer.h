@@ -1,10 +1,11 @@
 // Draws one frame of a shot into the current framebuffer: the list of passes, in order.
 #pragma once
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/gl/pass_clock.h"
@@ -20,6 +21,10 @@ enum class ColourMap { kFragment, kDamage, kStress, kSpeed };
 /// What a frame may cost. kFull: 2048 px shadow map, soft penumbra, ambient occlusion. kDraft: 1024 px, four
 /// taps, no ambient occlusion: for software rasterisers and quick looks.
 enum class RenderQuality { kFull, kDraft };
+
+/// How the body is brought onto the picture: drawn, or, kFull and the surface only, found in compute passes.
+/// The pictures differ by rounding. kAuto computes on GPUs whose driver can, and draws in software.
+enum class Rasteriser { kAuto, kDraw, kCompute };
 
 /// How the body looks; linear colours.
 struct SurfaceLook {
@@ -49,8 +54,7 @@ struct FrameView {
     int width = 0, height = 0;  ///< px
     int samples = 4;            ///< MSAA, 1, 2 or 4; capped by what the driver offers
     RenderQuality quality = RenderQuality::kFull;
-    /// kFull only: triangles that no sample shows are left out before drawing. The picture is the same.
-    bool cull_triangles = true;
+    Rasteriser rasteriser = Rasteriser::kAuto;
     float scene_radius = 1.0f;  ///< m, what the shadow map must cover
     float scene_centre[3] = {0, 0.5f, 0};
 };
@@ -65,8 +69,10 @@ inline constexpr uint32_t kBackgroundId = 0xffffffffu, kFloorId = 0xfffffffeu, k
 
 class Renderer {
   public:
-    /// `shader_folder` holds the GLSL files. Throws GlError with the file and the compiler's message.
-    explicit Renderer(const std::filesystem::path& shader_folder);
+    /// `shader_folder` holds the GLSL files. `raster_tasks`: for how many squares of 16 px of large
+    /// triangles (52 bytes each) Rasteriser::kCompute has memory; where they do not suffice it goes slower.
+    /// Throws GlError with the file and the compiler's message.
+    explicit Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks = size_t{1} << 20);
     ~Renderer();
 
     /// Draws into `target_framebuffer` (0: the window) of size view.width x view.height.
@@ -85,9 +91,9 @@ class Renderer {
     /// The same, pass by pass. Valid until the next call of draw, lastDrawMs or lastPassTimes.
     std::span<const gl::PassTime> lastPassTimes() const;
 
-    /// Triangles of the body's surface that the last frame gave to the rasteriser: for the camera, the near
-    /// and the far region of the shadow map. Waits for the GPU.
-    std::array<uint64_t, 3> lastTriangles() const;
+    /// Why the driver refused to compute the picture, which is drawn since then, and slower; empty: it did
+    /// not.
+    const std::string& refusal() const;
 
   private:
     struct Passes;

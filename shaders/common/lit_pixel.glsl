@@ -5,14 +5,12 @@
 #include "common/shade.glsl"
 #include "common/floor.glsl"
 #include "common/tone.glsl"
-#if SAMPLES > 1
-layout(binding = 3) uniform usampler2DMS material_buffer;
-layout(binding = 4) uniform usampler2DMS normal_buffer;
-layout(binding = 5) uniform sampler2DMS depth_buffer;
+#if defined(COMPUTED)
+#include "common/computed_sample.glsl"
+#elif defined(EMPTY)
+#include "common/empty_sample.glsl"
 #else
-layout(binding = 3) uniform usampler2D material_buffer;
-layout(binding = 4) uniform usampler2D normal_buffer;
-layout(binding = 5) uniform sampler2D depth_buffer;
+#include "common/drawn_sample.glsl"
 #endif
 layout(location = 0) uniform vec4 curve;
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
@@ -48,10 +46,11 @@ vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position
 const int kSky = 0, kFloor = 1, kDrawn = 2;
 
 int kindOf(ivec2 pixel, int i, vec3 ray, out float along) {
-    float depth = texelFetch(depth_buffer, pixel, i).r;
-    float drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
-    along = min(drawn, floorAlong(ray));
-    return along == kNoFloor ? kSky : along < drawn ? kFloor : kDrawn;
+    along = floorAlong(ray);
+    float depth = kShowsBodies ? depthAt(pixel, i) : 0.0, drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
+    bool is_drawn = kShowsBodies && depth > 0.0 && drawn <= along;
+    along = min(drawn, along);
+    return is_drawn ? kDrawn : along == kNoFloor ? kSky : kFloor;
 }
 
 vec3 lit(ivec2 pixel, int i) {
@@ -61,10 +60,10 @@ vec3 lit(ivec2 pixel, int i) {
     if (kind == kSky) return skyRadiance(normalize(ray));
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
-    if (kind == kFloor) {
-        s = floorSurface(position, ray);
+    if (kShowsBodies && kind == kDrawn) {
+        s = surfaceAt(pixel, i, position);
     } else {
-        s = unpackSurface(texelFetch(material_buffer, pixel, i).r, texelFetch(normal_buffer, pixel, i).rg, position);
+        s = floorSurface(position, ray);
     }
     return throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position);
 }
@@ -85,10 +84,7 @@ uint distinctSamples(ivec2 pixel) {
         uvec3 values[SAMPLES];
         counts = 0u;
         for (int i = 0; i < SAMPLES; ++i) {
-            values[i] = uvec3(kinds[i], 0u, 0u);
-            if (kinds[i] == kDrawn) {  // nothing drawn is as smooth as 0, so no material is like kSky or kFloor
-                values[i] = uvec3(texelFetch(material_buffer, pixel, i).r, texelFetch(normal_buffer, pixel, i).rg);
-            }
+            values[i] = kinds[i] == kDrawn ? valueAt(pixel, i) : uvec3(kinds[i], 0u, 0u);
             int first = i;
             for (int j = i - 1; j >= 0; --j) {
                 if (values[i] == values[j]) first = j;

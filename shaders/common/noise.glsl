@@ -15,15 +15,24 @@ vec4 noiseOver(vec3 p, float footprint) {
     return vec4(t.xyz * 2.0, t.w);
 }
 
+// `p` in m, `per_metre` lattice cells. A pass that computes says how wide a pixel is on the surface; in one that draws the
+// pipeline knows.
+#ifdef COMPUTED
+float noise_footprint;  // m
+vec4 noise(vec3 p, float per_metre) { return noiseOver(p * per_metre, noise_footprint * per_metre); }
+#else
+vec4 noise(vec3 p, float per_metre) { return noise(p * per_metre); }
+#endif
+
 // Turns so that the octaves' lattices do not line up.
 const mat3 kTurn1 = mat3(0.36, 0.48, -0.80, -0.80, 0.60, 0.00, 0.48, 0.64, 0.60);
 const mat3 kTurn2 = mat3(0.60, 0.00, 0.80, 0.48, 0.80, -0.36, -0.64, 0.60, 0.48);
 
 // Three octaves; gradients keep their weight from octave to octave, values halve.
-vec4 fractureNoise(vec3 p) {
-    vec4 a = noise(p);
-    vec4 b = noise(kTurn1 * p * 2.03);
-    vec4 c = noise(kTurn2 * p * 4.11);
+vec4 fractureNoise(vec3 p, float per_metre) {
+    vec4 a = noise(p, per_metre);
+    vec4 b = noise(kTurn1 * p, 2.03 * per_metre);
+    vec4 c = noise(kTurn2 * p, 4.11 * per_metre);
     vec3 gradient = a.xyz + 0.8 * (transpose(kTurn1) * b.xyz) + 0.6 * (transpose(kTurn2) * c.xyz);
     return vec4(0.45 * gradient, (a.w + 0.5 * b.w + 0.25 * c.w) / 1.75);
 }

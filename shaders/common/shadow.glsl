@@ -1,18 +1,25 @@
 // Soft sun shadow: blockers are looked for first, the penumbra grows with their distance (percentage-closer soft shadows).
-layout(binding = 0) uniform sampler2DShadow shadow_compare;
 layout(binding = 1) uniform sampler2D shadow_depth;
+#if defined(COMPUTED) || defined(EMPTY)
+#define COARSE_SHADOWS
+// No depth format can be written by a compute pass, so that texels are compared and blended here.
+float litTap(vec3 p) {
+    vec2 size = vec2(textureSize(shadow_depth, 0)), at = p.xy * size - 0.5, first = floor(at), f = at - first;
+    vec4 lit = vec4(greaterThanEqual(textureGather(shadow_depth, (first + 1.0) / size), vec4(p.z)));
+    return mix(mix(lit.w, lit.z, f.x), mix(lit.x, lit.y, f.x), f.y);
+}
+#else
+layout(binding = 0) uniform sampler2DShadow shadow_compare;
+float litTap(vec3 p) { return texture(shadow_compare, p); }
+#endif
 
 #ifndef SHADOW_TAPS
 #define SHADOW_TAPS 20
 #endif
 const int kBlockerTaps = 24;
 
-// Point k of n spread evenly over the unit disc (Vogel), turned by `angle`.
-vec2 discPoint(int k, int n, float angle) {
-    float radius = sqrt((float(k) + 0.5) / float(n));
-    float theta = 2.39996323 * float(k) + angle;
-    return radius * vec2(cos(theta), sin(theta));
-}
+// Points spread evenly over the unit disc (Vogel): from one to the next they turn by the golden angle.
+const mat2 kNextPoint = mat2(-0.73736888, 0.67549029, -0.67549029, -0.73736888);
 
 // The map holds two square regions side by side: the near one fine, round the scene; the far one coarse, for pieces that
 // flew off (engine/render/frame_uniforms.cpp).
@@ -56,19 +63,41 @@ float litShare(Region region, vec3 p) {
     float lit = 0.0;
     for (int k = 0; k < 4; ++k) {
         vec2 offset = (vec2(k & 1, k >> 1) - 0.5) * 1.5 * region.texel / region.width;
-        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), p.z));
+        lit += litTap(vec3(inMap(region, p.xy + offset), p.z));
     }
     return 0.25 * lit;
 }
 #else
+#ifdef COARSE_SHADOWS
+layout(binding = 7) uniform sampler2D shadow_coarse;  // least depth of squares of kCoarseTexels
+const float kCoarseTexels = 64.0;
+
+// Does nothing in the squares round a point lie nearer to the sun than what surrounds it on its own plane?
+bool isInTheClear(Region region, vec3 p, vec2 slope, float search) {
+    float reach = search + region.texel / region.width, squares = 0.5 * float(textureSize(shadow_coarse, 0).x);
+    vec2 most = vec2(squares - 1.0);
+    ivec2 first = ivec2(clamp((p.xy - reach) * squares, vec2(0.0), most)), last = ivec2(clamp((p.xy + reach) * squares, vec2(0.0), most));
+    float nearest = 1.0;
+    for (int y = first.y; y <= last.y; ++y) {
+        for (int x = first.x; x <= last.x; ++x) {
+            nearest = min(nearest, texelFetch(shadow_coarse, ivec2(x + int(region.shift * squares), y), 0).r);
+        }
+    }
+    return min(p.z + length(slope) * reach, kFarEnd) <= nearest;
+}
+#endif
+
 float litShare(Region region, vec3 p, vec2 slope, float angle) {
     float texel = region.texel;
     float search = clamp(0.8 * frame.scene.w * frame.to_sun.w, 3.0 * texel, kWidest * texel) / region.width;
+#ifdef COARSE_SHADOWS
+    if (isInTheClear(region, p, slope, search)) return 1.0;
+#endif
     float blocker_sum = 0.0, blockers = 0.0, hidden = 0.0;
-    for (int k = 0; k < kBlockerTaps; ++k) {
+    vec2 start = vec2(cos(angle), sin(angle)), direction = start;
+    for (int k = 0; k < kBlockerTaps; ++k, direction = kNextPoint * direction) {
         // Closer together near the middle, where the blockers of small things on the floor are.
-        float share = (float(k) + 0.5) / float(kBlockerTaps);
-        vec2 offset = search * sqrt(share) * discPoint(k, kBlockerTaps, angle);
+        vec2 offset = search * (float(k) + 0.5) / float(kBlockerTaps) * direction;
         float depth = texture(shadow_depth, inMap(region, p.xy + offset)).r;
         float gap = receiverDepth(p.z, slope, offset) - depth;
         // A blocker counts where it covers part of the sun: the nearer it is, the closer it must stand.
@@ -84,9 +113,10 @@ float litShare(Region region, vec3 p, vec2 slope, float angle) {
     float radius = clamp(gap * frame.to_sun.w, 1.2 * texel, kWidest * texel) / region.width;
     if (hidden == float(kBlockerTaps) && radius <= search) return 0.0;  // deep in the shadow
     float lit = 0.0;
-    for (int k = 0; k < SHADOW_TAPS; ++k) {
-        vec2 offset = radius * discPoint(k, SHADOW_TAPS, angle);
-        lit += texture(shadow_compare, vec3(inMap(region, p.xy + offset), receiverDepth(p.z, slope, offset)));
+    direction = start;
+    for (int k = 0; k < SHADOW_TAPS; ++k, direction = kNextPoint * direction) {
+        vec2 offset = radius * sqrt((float(k) + 0.5) / float(SHADOW_TAPS)) * direction;
+        lit += litTap(vec3(inMap(region, p.xy + offset), receiverDepth(p.z, slope, offset)));
     }
     return lit / float(SHADOW_TAPS);
 }

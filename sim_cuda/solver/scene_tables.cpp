@@ -163,13 +163,22 @@ double effectiveModulusOf(const Material& material, double bond_modulus) {
     return kSpheresModulusShare * bond_modulus;
 }
 
+/// Of the strength that holds the critical velocity; in steps of 1/256, the same on every machine, whatever
+/// its pow() gives.
+double thinWallShareOf(const BreakableBody& body) {
+    if (!(body.mesh_area > 0)) return 1;  // particles without a surface
+    return std::round(256 * thinWallShare(cellsThroughWall(body.mesh_volume, body.mesh_area, body.spacing))) /
+           256;
+}
+
 /// sigma_c, Pa, of a bond of mean area: (13), or the rule that holds the critical velocity.
 double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
     const Material& material = instance.material;
     if (material.fracture_energy > 0)
         return griffithStrength(report.bond_modulus, material.poisson_ratio, material.fracture_energy,
                                 meanBondRadius(*instance.body));
-    return bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
+    return thinWallShareOf(*instance.body) *
+           bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
 }
 
 /// Modulus, strength and damping from the step (softened) or from the material.
@@ -247,6 +256,14 @@ double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_
     return dt;
 }
 
+/// 1/s^2. Bonds of a step safety below the usual one are softer than their step admits; contacts stay as soft
+/// in proportion, or a ball would grow harder by nothing but finer steps. Never more than the step admits.
+double contactCap(double step_safety, double dt) {
+    constexpr double kUsualSafety = SolverParams{}.step_safety;
+    const double share = std::min(1.0, step_safety / kUsualSafety);
+    return kContactStiffnessShare / (dt * dt) * (share * share);
+}
+
 void report(const ProgressCallback& progress, double fraction, const char* stage) {
     if (progress && !progress(fraction, stage)) throw Cancelled();
 }
@@ -275,6 +292,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     const double dt = chooseTimeStep(setup, omega);
     tables.substeps = static_cast<uint32_t>(std::max(1.0, std::ceil(setup.params.frame_time / dt - 1e-9)));
     tables.time_step = setup.params.frame_time / tables.substeps;
+    tables.contact_cap = contactCap(setup.params.step_safety, tables.time_step);
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         tables.body.push_back(bodyConstants(setup.bodies[b], setup.params, omega[b], tables.time_step));
         finishBody(first[b], first[b + 1] - first[b], tables.body[b], setup.bodies[b].body->spacing, tables);

@@ -47,6 +47,7 @@ struct SceneTables {
     double largest_radius = 0;  ///< m, of contact_radius
     double mass_in_bodies = 0;  ///< kg
     double time_step = 0;       ///< s
+    double contact_cap = 0;     ///< 1/s^2: a plain contact is at most this times m_e stiff
     uint32_t substeps = 0;      ///< per frame of params.frame_time
 };
 

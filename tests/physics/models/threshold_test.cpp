@@ -1,4 +1,7 @@
 // Strength means the same at any stiffness, and twice the strength bears twice the speed (physics.md D 25).
+#include <cmath>
+
+#include "sim_cuda/physics/softening.h"
 #include "tests/physics/models/packed_body.h"
 #include "tests/physics/models/shots.h"
 #include "tests/physics/solver/solver_under_test.h"
@@ -35,6 +38,23 @@ TEST_F(Threshold, StaysWithTwiceTheSubstepsAndDoublesWithTheStrength) {
     RecordProperty("threshold_mm_per_s", static_cast<int>(1000 * usual));
     EXPECT_NEAR(finer / usual, 1, 0.10);
     EXPECT_NEAR(stronger / usual, 2, 0.10);
+}
+
+class WallStrength : public OnEitherDevice {
+  protected:
+    /// Strength in force over beta rho c v_c.
+    static double shareOf(const Double3& sides, uint32_t particles) {
+        const Material material = sheetMaterial(2, 0);
+        const auto solver = makeSolver(dropped(boxBody(sides, particles, 1), material, 100, {}, 1));
+        const SofteningReport& softening = solver->softening();
+        return softening.strength / bondStrength(material.beta, material.density, softening.wave_speed, 2);
+    }
+};
+
+TEST_F(WallStrength, OneLayerOfCellsIsWeakenedAThickBodyIsNot) {
+    EXPECT_NEAR(shareOf({1, 0.05, 1}, 170), thinWallShare(2 * 0.05 / (2.2 * std::cbrt(0.05 / 170))), 0.002);
+    EXPECT_LT(shareOf({1, 0.05, 1}, 170), 0.85);
+    EXPECT_NEAR(shareOf({1, 0.3, 1}, 400), 1, 1e-12);
 }
 
 }  // namespace

@@ -72,6 +72,18 @@ Impact impactOf(Solver& solver, uint32_t look) {
     return impact;
 }
 
+TEST_F(SolverContactSeen, FinerStepsMakeNoContactHarder) {
+    const auto impactAt = [](uint32_t finer) {
+        SceneSetup setup = headOn(ContactLaw::kLinear, 0.9, 0.5);
+        setup.params.substeps *= finer;
+        setup.params.step_safety = 0.5 / finer;
+        return impactOf(*makeSolver(setup), 1);
+    };
+    const Impact usual = impactAt(1), fine = impactAt(8);
+    EXPECT_NEAR(fine.deepest / usual.deepest, 1, 0.05);
+    EXPECT_NEAR(fine.duration / usual.duration, 1, 0.15);
+}
+
 TEST_F(SolverContactSeen, HertzHeadOnImpactMatchesTheClosedForm) {  // D 1
     const double v = 0.5;
     auto solver = makeSolver(headOn(ContactLaw::kHertz, 1, v));

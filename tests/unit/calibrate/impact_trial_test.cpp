@@ -35,8 +35,18 @@ TEST(ImpactTrial, HoldsWhenSlowBreaksWhenFastInAnyOrder) {
         EXPECT_FALSE(trial.breaksAt(1));
         EXPECT_TRUE(trial.breaksAt(100));
         EXPECT_FALSE(trial.breaksAt(1)) << "a trial must not leave its mark on the next one";
-        EXPECT_GE(trial.simulated(), 2 * kTrialSeconds);
+        EXPECT_GE(trial.simulated(), 2 * trialSeconds(kind, 1, 1));
     }
+}
+
+TEST(ImpactTrial, LastsAsLongAsTheImpactTakes) {
+    EXPECT_EQ(trialSeconds(ImpactKind::kBall, 1, 50), kLeastTrial);
+    EXPECT_NEAR(trialSeconds(ImpactKind::kBall, 0.5, 4), 0.25, 1e-12);
+    EXPECT_NEAR(trialSeconds(ImpactKind::kBall, 0.5, 8) * 8, trialSeconds(ImpactKind::kBall, 0.5, 4) * 4,
+                1e-12)
+        << "the same way, so that thresholds are proportional to the strength";
+    EXPECT_NEAR(trialSeconds(ImpactKind::kDrop, 0.5, 1), 0.25, 1e-12);
+    EXPECT_EQ(trialSeconds(ImpactKind::kDrop, 2, 0.1), kLongestTrial);
 }
 
 TEST(ImpactTrial, AsksForTheBodyThatTheFastestBallHits) {
@@ -95,9 +105,13 @@ TEST_F(Calibrated, BreaksWhereItWasToldTo) {
         const double natural = calibrate(shot, body, {.tolerance = 0.03}, {}).velocity();
         // Weaker, not stronger: at twice its threshold this ball comes with 0.4 of the softened wave speed.
         shot.break_at = 0.6 * natural;
-        const Calibration told = calibrate(shot, body, {.tolerance = 0.01}, {});
+        const Calibration told = calibrate(shot, body, {.tolerance = 0.03}, {});
         EXPECT_FALSE(told.from_cache);
         EXPECT_NEAR(told.velocity() / *shot.break_at, 1, 0.10);
+        // The same strength again, and the same threshold beside it.
+        EXPECT_NEAR(criticalVelocityFor(shot, *body, told.velocity()) / told.shot.material.critical_velocity,
+                    1, 1e-6);
+        EXPECT_NEAR(thresholdOf(told.shot, *body)->measured.value(), told.velocity(), 1e-9);
     }
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/unit/app/temporary_folder.h"
 
 namespace demolish {
@@ -19,26 +21,79 @@ BreakableBody body() {
 TEST(ThresholdCache, GivesBackWhatWasWrittenAndNothingElse) {
     const test::TemporaryFolder folder;
     const auto place = folder.path() / "deep" / "thresholds";
-    EXPECT_FALSE(readCachedThreshold(place, 7));
+    EXPECT_TRUE(readCachedThresholds(place, 7).empty());
     writeCachedThreshold(place, 7, {1.5, 1.2, 1.9, 2.5, 4, 0.03});
-    const auto found = readCachedThreshold(place, 7);
-    ASSERT_TRUE(found);
-    EXPECT_EQ(found->share, 1.5);
-    EXPECT_EQ(found->lowest, 1.2);
-    EXPECT_EQ(found->highest, 1.9);
-    EXPECT_EQ(found->critical_velocity, 2.5);
-    EXPECT_EQ(found->packings, 4u);
-    EXPECT_EQ(found->tolerance, 0.03);
-    EXPECT_FALSE(readCachedThreshold(place, 8));
-    EXPECT_FALSE(readCachedThreshold({}, 7));
+    const auto found = readCachedThresholds(place, 7);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].share, 1.5);
+    EXPECT_EQ(found[0].lowest, 1.2);
+    EXPECT_EQ(found[0].highest, 1.9);
+    EXPECT_EQ(found[0].critical_velocity, 2.5);
+    EXPECT_EQ(found[0].packings, 4u);
+    EXPECT_EQ(found[0].tolerance, 0.03);
+    EXPECT_TRUE(readCachedThresholds(place, 8).empty());
+    EXPECT_TRUE(readCachedThresholds({}, 7).empty());
+}
+
+TEST(ThresholdCache, KeepsOneMeasurementAStrength) {
+    const test::TemporaryFolder folder;
+    for (const double critical : {4.0, 1.0, 2.0, 4.01}) {
+        CachedThreshold measured;
+        measured.share = 1 / critical;
+        measured.critical_velocity = critical;
+        writeCachedThreshold(folder.path(), 7, measured);
+    }
+    const auto found = readCachedThresholds(folder.path(), 7);
+    ASSERT_EQ(found.size(), 3u);
+    EXPECT_EQ(found[0].critical_velocity, 1);
+    EXPECT_EQ(found[1].critical_velocity, 2);
+    EXPECT_EQ(found[2].critical_velocity, 4.01);
+    ASSERT_NE(measuredAt(found, 1.995), nullptr);
+    EXPECT_EQ(measuredAt(found, 1.995)->critical_velocity, 2);
+    EXPECT_EQ(measuredAt(found, 3), nullptr);
+}
+
+CachedThresholds measuredTwice(double weaker, double stronger) {
+    CachedThresholds measured(2);
+    measured[0].critical_velocity = 2;
+    measured[0].share = weaker;
+    measured[1].critical_velocity = 4;
+    measured[1].share = stronger;
+    return measured;
+}
+
+TEST(ThresholdCache, OneMeasurementIsTakenAsProportional) {
+    CachedThresholds measured(1);
+    measured[0].critical_velocity = 2;
+    measured[0].share = 0.5;
+    EXPECT_NEAR(shareAt(measured, 7), 0.5, 1e-12);
+    EXPECT_NEAR(criticalVelocityAt(measured, 3), 6, 1e-12);
+}
+
+TEST(ThresholdCache, BetweenMeasurementsThresholdAndStrengthFollowTheSamePowerLaw) {
+    // v_th = v_c^0.6: share v_c^-0.4. Inside, at the ends and beyond them.
+    const auto measured = measuredTwice(std::pow(2, -0.4), std::pow(4, -0.4));
+    for (const double critical : {1.0, 2.0, 2.7, 4.0, 9.0}) {
+        EXPECT_NEAR(shareAt(measured, critical), std::pow(critical, -0.4), 1e-9) << critical;
+        EXPECT_NEAR(criticalVelocityAt(measured, std::pow(critical, 0.6)), critical, 1e-9) << critical;
+    }
+}
+
+TEST(ThresholdCache, WhatScatterTurnedRoundIsNotFollowedBeyondItsEnds) {
+    const auto measured = measuredTwice(1, 0.4);  // 2 m/s at 2, 1.6 m/s at 4
+    EXPECT_GT(criticalVelocityAt(measured, 3), 4);
+    EXPECT_NEAR(criticalVelocityAt(measured, 1), 0.5, 1e-9) << "v_th no flatter than the root of v_c";
+    const auto steep = measuredTwice(1, 2);  // 2 m/s at 2, 8 m/s at 4
+    EXPECT_NEAR(criticalVelocityAt(steep, 16), 8, 1e-9) << "nor steeper than v_c";
 }
 
 TEST(ThresholdCache, ADamagedFileCountsAsNone) {
     const test::TemporaryFolder folder;
     writeCachedThreshold(folder.path(), 7, {1.5, 1.2, 1.9, 2.5, 4, 0.03});
-    for (const char* text : {"", "{\"share\": 1", "{\"share\": \"x\"}", "[]"}) {
+    for (const char* text :
+         {"", "{\"measured\": [{\"share\": 1", "{\"measured\": [{\"share\": \"x\"}]}", "[]"}) {
         folder.write("0000000000000007.json", text);
-        EXPECT_FALSE(readCachedThreshold(folder.path(), 7)) << text;
+        EXPECT_TRUE(readCachedThresholds(folder.path(), 7).empty()) << text;
     }
 }
 

@@ -27,7 +27,18 @@ TEST(ThresholdSearch, AGoodGuessTakesFewTrials) {
         },
         4.6, 0.05);
     EXPECT_EQ(found.trials, trials);
-    EXPECT_LE(trials, 6u);
+    EXPECT_LE(trials, 9u);
+}
+
+TEST(ThresholdSearch, FindsTheSpeedFromWhichOnTheBodyBreaks) {
+    // Breaks from 3 on, holds again between 4 and 5 (a hole is punched), breaks from 5 on.
+    const auto breaks = [](double speed) { return speed >= 5 || (speed >= 3 && speed < 4); };
+    for (const double guess : {0.5, 2.9, 3.5, 6.0, 40.0}) {
+        const Bracket found = searchThreshold(breaks, guess, 0.03);
+        EXPECT_LT(found.holds, 5) << guess;
+        EXPECT_GE(found.breaks, 5) << guess;
+        EXPECT_NEAR(found.threshold() / 5, 1, 0.031) << guess;
+    }
 }
 
 TEST(ThresholdSearch, SaysWhenThereIsNoThreshold) {

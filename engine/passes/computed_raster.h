@@ -1,0 +1,62 @@
+// Finds in compute passes what every sample of the picture and every texel of the shadow map shows.
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "engine/gl/pass_clock.h"
+#include "engine/gl/program.h"
+#include "engine/gl/texture.h"
+#include "engine/passes/shadow_pass.h"
+#include "engine/passes/sphere_pass.h"
+#include "engine/render/render_targets.h"
+
+namespace demolish::engine {
+
+class ComputedRaster {
+  public:
+    /// `task_room`: squares of 16 px of large triangles, 52 bytes each; where they do not suffice it goes
+    /// slower.
+    /// Throws gl::GlError.
+    ComputedRaster(const std::filesystem::path& shaders, size_t task_room);
+
+    /// Has the driver as many and as large storage bindings as this picture of this mesh takes?
+    static bool suits(const FractureMesh& mesh, int width, int height, int samples);
+
+    /// Makes the shaders for these targets, which run() would do otherwise. Throws GlError.
+    void prepare(const RenderTargets& targets) { programsFor(targets); }
+
+    /// For the frame whose uniforms are bound. The shadow map is made anew when it does not hold `scene`, in
+    /// regions of `shadow_texels` squared. All that later passes read stays bound, but for bindShadowMap().
+    void run(const FractureMesh& mesh, const SpherePass& balls, const RenderTargets& targets,
+             const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
+    /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
+    void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
+    /// To units 1 and 7, as shaders/common/shadow.glsl has it.
+    void bindShadowMap() const;
+
+  private:
+    void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
+    void bind(const FractureMesh& mesh, const SpherePass& balls) const;
+    struct Programs {
+        gl::Program triangles, setup, squares, large, balls, cracks;
+        /// Those that know the views.
+        std::array<gl::Program*, 5> raster() { return {&triangles, &setup, &squares, &large, &balls}; }
+    };
+    Programs& programsFor(const RenderTargets& targets);
+    void clear(int shadow_texels);
+    void makeCoarseShadows();
+    static void rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows);
+
+    std::filesystem::path shaders_;
+    gl::Program clear_, coarse_;
+    std::map<int, Programs> programs_;  ///< by samples, made when first needed
+    gl::Buffer visible_, found_, tasks_, large_;
+    gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
+    gl::Texture shadow_coarse_;               ///< least depth of squares of it
+    std::optional<ShadowScene> shadow_scene_;
+    size_t task_room_;
+};
+
+}  // namespace demolish::engine

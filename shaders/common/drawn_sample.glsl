@@ -1,0 +1,23 @@
+// What a sample shows, as the drawing passes left it (common/gbuffer.glsl).
+#if SAMPLES > 1
+layout(binding = 3) uniform usampler2DMS material_buffer;
+layout(binding = 4) uniform usampler2DMS normal_buffer;
+layout(binding = 5) uniform sampler2DMS depth_buffer;
+#else
+layout(binding = 3) uniform usampler2D material_buffer;
+layout(binding = 4) uniform usampler2D normal_buffer;
+layout(binding = 5) uniform sampler2D depth_buffer;
+#endif
+
+const bool kShowsBodies = true;
+
+float depthAt(ivec2 pixel, int i) { return texelFetch(depth_buffer, pixel, i).r; }
+
+// Equal for samples that look alike; nothing drawn is as smooth as 0, so x is never that of floor or sky.
+uvec3 valueAt(ivec2 pixel, int i) {
+    return uvec3(texelFetch(material_buffer, pixel, i).r, texelFetch(normal_buffer, pixel, i).rg);
+}
+
+Surface surfaceAt(ivec2 pixel, int i, vec3 position) {
+    return unpackSurface(texelFetch(material_buffer, pixel, i).r, texelFetch(normal_buffer, pixel, i).rg, position);
+}

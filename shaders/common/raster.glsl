@@ -1,0 +1,87 @@
+// Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first, the nearest wins;
+// then, of the triangles that have this depth, the one drawn last gives its name.
+#include "common/frame.glsl"
+#include "common/body_triangle.glsl"
+#include "common/coverage.glsl"
+#include "common/visible.glsl"
+layout(binding = 0, r32ui) uniform coherent uimage2D shadow_map;  // depths as bits, two regions side by side
+
+// Triangles that one lane has done and that may show: to be named.
+layout(std430, binding = 8) buffer Found {
+    uint found_count;
+    uint large_count, task_count;
+    uint tile_count;  // of common/light_tiles.glsl
+    uint found[];
+};
+// Triangles that are more than one lane's work, and the squares of kTaskEdge px that they touch: place in `large`; x in the
+// low, y in the high half.
+struct Large {
+    Flat flat_on_view;
+    uint name;
+    int view, part;  // part: of two that the near plane makes
+    float shift;     // of depth
+};
+layout(std430, binding = 9) buffer Tasks { uvec2 tasks[]; };
+layout(std430, binding = 11) buffer LargeTriangles { Large large[]; };
+const int kTaskEdge = 16;
+
+layout(location = 0) uniform int naming;               // 0: depths, 1: names
+layout(location = 1) uniform ivec2 sample_at[SAMPLES]; // inside the pixel, grid steps
+layout(location = 6) uniform ivec4 sample_box;         // least and most of these
+layout(location = 7) uniform int shadow_texels;        // along a region; 0: the map is not drawn
+layout(location = 8) uniform vec2 shadow_offset;       // slopes, least steps of depth
+layout(location = 9) uniform int lane_pixels;          // of a box that one lane goes through
+layout(location = 10) uniform uint task_room;
+layout(location = 11) uniform uint large_room;
+
+const int kCamera = 0;  // views; 1 and 2 are the regions
+
+Flat cameraFlat(vec4 a, vec4 b, vec4 c) {
+    vec2 size = frame.viewport.xy;
+    return flatten((a.xy / a.w * 0.5 + 0.5) * size, (b.xy / b.w * 0.5 + 0.5) * size, (c.xy / c.w * 0.5 + 0.5) * size,
+                   vec3(a.z / a.w, b.z / b.w, c.z / c.w), sample_box.xy, sample_box.zw, ivec2(size));
+}
+
+Flat shadowFlat(vec3 p[3], int region) {
+    mat4 to_map = frame.light_matrix[region];
+    vec3 a = (to_map * vec4(p[0], 1.0)).xyz, b = (to_map * vec4(p[1], 1.0)).xyz, c = (to_map * vec4(p[2], 1.0)).xyz;
+    float texels = float(shadow_texels);
+    return flatten(a.xy * texels, b.xy * texels, c.xy * texels, vec3(a.z, b.z, c.z), ivec2(kGrid / 2), ivec2(kGrid / 2),
+                   ivec2(shadow_texels));
+}
+
+bool hasRoom() { return task_count <= task_room && large_count <= large_room; }
+
+bool isLanesWork(Flat f) {
+    ivec2 box = boxOf(f);
+    return box.x * box.y <= lane_pixels && isNear(f);
+}
+
+// As glPolygonOffset: away from the sun by the slope, and by steps of single precision.
+float shadowShift(Flat f) {
+    int exponent = int((floatBitsToUint(abs(f.most)) >> 23) & 0xffu);
+    float least_step = exponent > 23 ? uintBitsToFloat(uint(exponent - 23) << 23) : 0.0;
+    return shadow_offset.x * float(kGrid) * max(abs(f.slope.x), abs(f.slope.y)) + shadow_offset.y * least_step;
+}
+
+// Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
+bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
+    uint place = sampleIndex(pixel, SAMPLES, 0), held[SAMPLES];
+    for (int i = 0; i < SAMPLES; ++i) held[i] = visible[place + uint(i)];  // all are fetched before one is waited for
+    bool shows = false;
+    for (int i = 0; i < SAMPLES; ++i) {
+        float depth = depthAt(f, kGrid * pixel + sample_at[i]);
+        uint bits = floatBitsToUint(depth), own = place + uint(i);
+        if ((covered >> i & 1u) == 0u || depth <= 0.0 || depth > 1.0 || bits < held[i]) continue;
+        shows = true;
+        if (naming == 0) atomicMax(visible[own], bits);
+        else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
+    }
+    return shows;
+}
+
+void putShadow(ivec2 pixel, int region, float depth) {
+    ivec2 at = pixel + ivec2(region * shadow_texels, 0);
+    uint bits = depth > 0.0 ? floatBitsToUint(min(depth, 1.0)) : 0u;
+    if (bits < imageLoad(shadow_map, at).r) imageAtomicMin(shadow_map, at, bits);
+}

@@ -1,0 +1,113 @@
+#version 450 core
+// Hairlines over what is seen (common/crack.glsl): one thread an edge of the outside.
+layout(local_size_x = 128) in;
+#include "common/frame.glsl"
+#include "common/gbuffer.glsl"
+#include "common/noise.glsl"
+#include "common/body.glsl"
+#include "common/commands.glsl"
+#include "common/visible.glsl"
+#include "common/crack.glsl"
+#include "common/crack_cover.glsl"
+layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
+
+// One end of the ribbon.
+struct End {
+    vec3 rest;
+    vec4 clip;
+    vec2 window;  // px
+    float half_width, strength;
+};
+
+End endOf(uint vertex, FragmentTransform t, uint fragment, uint other) {
+    End end;
+    end.rest = restPosition(vertex);
+    vec3 p = moved(t, end.rest), normal = rotate(t.rotation, restNormal(vertex));
+    vec3 to_eye = normalize(frame.eye.xyz - p);
+    end.clip = frame.view_projection * vec4(lifted(p, normal, to_eye), 1.0);
+    end.window = (end.clip.xy / max(end.clip.w, 1e-4) * 0.5 + 0.5) * frame.viewport.xy;
+    float wanted = widthOnScreen(end.clip.w);
+    end.half_width = 0.5 * max(wanted, kLeastPixels);
+    end.strength = strengthOf(wanted, dot(normal, to_eye), openingAt(end.rest, t, fragment, other));
+    return end;
+}
+
+void darken(ivec2 pixel, int i, uint steps) { atomicAdd(visible[crackWord(pixel, SAMPLES, i)], steps << (16 * (i & 1))); }
+
+struct Ribbon {
+    End ends[2];
+    vec2 along, across;  // unit
+    float extent;        // px
+};
+
+// `place`: x from the first end on, y across.
+bool isInside(Ribbon r, vec2 place) {
+    float t = clamp(place.x / r.extent, 0.0, 1.0);
+    return place.x >= -0.5 * r.ends[0].half_width && place.x <= r.extent + 0.5 * r.ends[1].half_width &&
+           abs(place.y) <= mix(r.ends[0].half_width, r.ends[1].half_width, t) + 1.0;
+}
+
+vec2 placeOf(Ribbon r, vec2 at) {
+    vec2 from = at - r.ends[0].window;
+    return vec2(dot(from, r.along), dot(from, r.across));
+}
+
+void paintPixel(Ribbon r, ivec2 pixel) {
+    uint covered = 0u;
+    for (int i = 0; i < SAMPLES; ++i) {
+        vec2 place = placeOf(r, vec2(pixel) + sample_position[i]);
+        if (!isInside(r, place)) continue;
+        float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.extent);
+        if (depth >= uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)])) covered |= 1u << i;
+    }
+    if (covered == 0u) return;
+    vec2 place = placeOf(r, vec2(pixel) + 0.5);
+    // As far along the edge itself.
+    float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
+    t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
+    noise_footprint = distance(r.ends[0].rest, r.ends[1].rest) / r.extent;
+    float left = 1.0 - crackCover(mix(r.ends[0].rest, r.ends[1].rest, t), width, place.y,
+                                  mix(r.ends[0].half_width, r.ends[1].half_width, t),
+                                  mix(r.ends[0].strength, r.ends[1].strength, t));
+    uint steps = uint(-log2(max(left, 0.02)) * kCrackSteps + 0.5);
+    if (steps == 0u) return;
+    for (int i = 0; i < SAMPLES; ++i) {
+        if ((covered >> i & 1u) != 0u) darken(pixel, i, steps);
+    }
+}
+
+// Goes along the axis on which the ribbon is longer.
+void paint(Ribbon r) {
+    int axis = abs(r.along.x) >= abs(r.along.y) ? 0 : 1, other = 1 - axis;
+    vec2 size = frame.viewport.xy;
+    vec2 start = r.ends[0].window, end = r.ends[1].window;
+    float wide = max(r.ends[0].half_width, r.ends[1].half_width) + 1.0;
+    float first = min(start[axis], end[axis]) - wide, last = max(start[axis], end[axis]) + wide;
+    float slope = r.along[other] / r.along[axis], reach = 1.5 * wide + 1.0;
+    for (int u = max(int(floor(first)), 0); u <= min(int(last), int(size[axis]) - 1); ++u) {
+        float middle = clamp(start[other] + slope * (float(u) + 0.5 - start[axis]), min(start[other], end[other]) - wide,
+                             max(start[other], end[other]) + wide);
+        int low = max(int(floor(middle - reach)), 0), high = min(int(middle + reach), int(size[other]) - 1);
+        for (int v = low; v <= high; ++v) paintPixel(r, axis == 0 ? ivec2(u, v) : ivec2(v, u));
+    }
+}
+
+void drawEdge(CrackEdge edge) {
+    uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
+    FragmentTransform t = transforms[fragment];
+    Ribbon r;
+    r.ends[0] = endOf(edge.vertex_0, t, fragment, other);
+    r.ends[1] = endOf(edge.vertex_1, t, fragment, other);
+    if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
+    if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
+    vec2 way = r.ends[1].window - r.ends[0].window;
+    r.extent = max(length(way), 1e-3);
+    r.along = length(way) > 1e-4 ? way / length(way) : vec2(1.0, 0.0);
+    r.across = vec2(-r.along.y, r.along.x);
+    paint(r);
+}
+
+void main() {
+    uint count = commands[kCrackCommand].instance_count, lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint k = gl_GlobalInvocationID.x; k < count; k += lanes) drawEdge(crack_edges[crack_list[k]]);
+}

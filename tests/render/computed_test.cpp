@@ -1,0 +1,118 @@
+// The body found in compute passes looks as it looks drawn, but for rounding at edges.
+#include <filesystem>
+#include <fstream>
+
+#include <glm/gtc/constants.hpp>
+
+#include "tests/render/gl_fixture.h"
+#include "tests/render/scenes.h"
+
+namespace demolish::engine::test {
+namespace {
+
+class Computed : public GlTest {
+  protected:
+    static void expectSameLook(Scene& scene) { expectSameLook(scene, renderer()); }
+
+    /// At an edge several triangles share a pixel: one that covers no middle of a pixel is shaded where it
+    /// covers it, drawn it is shaded beyond its end.
+    static void expectSameLook(Scene& scene, Renderer& computing) {
+        scene.view.rasteriser = Rasteriser::kDraw;
+        const Image drawn = drawPicture(renderer(), scene);
+        scene.view.rasteriser = Rasteriser::kCompute;
+        const Image computed = drawPicture(computing, scene);
+        EXPECT_EQ(computing.refusal(), "");
+        const auto pixels = static_cast<double>(drawn.width * drawn.height);
+        EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 5)), 0.005 * pixels);
+        EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 32)), 0.001 * pixels);
+    }
+};
+
+Scene small(const std::string& name) {
+    Scene scene = makeScene(name);
+    scene.view.width = 320;
+    scene.view.height = 180;
+    return scene;
+}
+
+void turn(Camera& camera, float angle) {
+    const glm::vec3 out = camera.eye - camera.target;
+    const float c = std::cos(angle), s = std::sin(angle);
+    camera.eye = camera.target + glm::vec3(c * out.x + s * out.z, out.y, c * out.z - s * out.x);
+}
+
+TEST_F(Computed, CracksAreTheSame) {
+    Scene scene = small("cracked_block");
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, PiecesAndProjectilesAreTheSameFromEverySide) {
+    Scene scene = small("broken_ball");
+    for (int side = 0; side < 2; ++side) {
+        SCOPED_TRACE(side);
+        expectSameLook(scene);
+        turn(scene.view.camera, 2.4f);
+    }
+}
+
+TEST_F(Computed, OfOneSampleEveryPixelIsTheSame) {
+    Scene scene = small("broken_ball");
+    scene.view.samples = 1;
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_LE(differingPixels(drawn, drawPicture(renderer(), scene), 3), 3u);
+}
+
+TEST_F(Computed, SmallTrianglesFromAfar) {
+    Scene scene = small("broken_ball");
+    const glm::vec3 out = scene.view.camera.eye - scene.view.camera.target;
+    scene.view.camera.eye = scene.view.camera.target + 6.0f * out;
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, TheNearPlaneCutsPieces) {
+    Scene scene = small("broken_block");
+    Camera& camera = scene.view.camera;
+    camera.near_plane = 0.9f * glm::length(camera.eye - camera.target);
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, TooManyLargeTrianglesForTheirMemory) {
+    Renderer poor(shaderFolder(), 10);
+    Scene scene = small("broken_block");
+    expectSameLook(scene, poor);
+}
+
+TEST_F(Computed, TheSameFrameIsTheSamePicture) {
+    Scene scene = small("broken_block");
+    scene.view.rasteriser = Rasteriser::kCompute;
+    const Image first = drawPicture(renderer(), scene);
+    EXPECT_TRUE(first.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+TEST_F(Computed, DraftsAreDrawn) {
+    Scene scene = small("broken_block_draft");
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_TRUE(drawn.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+TEST_F(Computed, WhereTheDriverRefusesAShaderThePictureIsDrawn) {
+    const auto folder = std::filesystem::temp_directory_path() / "demolish_refused_shader";
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(shaderFolder(), folder, std::filesystem::copy_options::recursive);
+    std::ofstream(folder / "raster_triangles.comp") << "#version 450\nrefused\n";
+    Renderer refused(folder);
+    Scene scene = small("broken_ball");
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_EQ(differingPixels(drawn, drawPicture(refused, scene), 0), 0u);
+    EXPECT_NE(refused.refusal().find("raster_triangles.comp"), std::string::npos) << refused.refusal();
+    std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace demolish::engine::test
