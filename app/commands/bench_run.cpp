@@ -1,5 +1,6 @@
 // The loops of the three ways to time a shot.
 #include "app/commands/bench_run.h"
+#include "app/commands/tell_refusal.h"
 
 #include <glad/gl.h>
 #include <spdlog/spdlog.h>
@@ -85,6 +86,7 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
 
 double BenchStage::draw(const Session& session) {
     headless_.renderer().draw(session.mesh(), session.spheres(), view_, target_.framebuffer());
+    tellRefusal(headless_.renderer());
     wait();
     return headless_.renderer().lastDrawMs();
 }

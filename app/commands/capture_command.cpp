@@ -9,6 +9,7 @@
 #include "app/commands/frame_files.h"
 #include "app/commands/headless_stage.h"
 #include "app/commands/run_report.h"
+#include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
 #include "app/session/output_file.h"
 #include "app/session/picture.h"
@@ -85,6 +86,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
         if (frame == capture.moments[drawn]) {
             for (size_t camera = 0; camera < views.size(); ++camera) {
                 stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());
+                tellRefusal(stage.renderer());
                 target.submit(camera * capture.moments.size() + drawn);
             }
             ++drawn;

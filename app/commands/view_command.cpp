@@ -7,6 +7,7 @@
 
 #include "app/commands/picture_target.h"
 #include "app/commands/session_json.h"
+#include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
 #include "app/commands/view_desk.h"
 #include "app/panel/gui.h"
@@ -107,6 +108,7 @@ struct ViewLoop {
     void draw() {
         const engine::FrameView view = desk.frameView(session);
         renderer.draw(session.mesh(), session.spheres(), view, target.framebuffer(view.width, view.height));
+        tellRefusal(renderer);
         target.copyToWindow(desk.picture, window.framebufferHeight());
         gui.endFrame();
     }

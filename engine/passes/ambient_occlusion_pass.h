@@ -16,6 +16,8 @@ class AmbientOcclusionPass {
     /// `scene_radius` in m sets how far neighbours count; `found`: depth is what ComputedRaster found and has
     /// bound. Result: r = visibility 0..1, g = linear depth, half size.
     const gl::Texture& run(const RenderTargets& targets, float scene_radius, bool found);
+    /// Makes the shader that run() needs with `found`. Throws GlError.
+    void prepareFound(const RenderTargets& targets) { reduceFor(targets.samples, true); }
 
   private:
     void resize(int width, int height);

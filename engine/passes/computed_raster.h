@@ -24,6 +24,9 @@ class ComputedRaster {
     /// Has the driver as many and as large storage bindings as this picture of this mesh takes?
     static bool suits(const FractureMesh& mesh, int width, int height, int samples);
 
+    /// Makes the shaders for these targets, which run() would do otherwise. Throws GlError.
+    void prepare(const RenderTargets& targets) { programsFor(targets); }
+
     /// For the frame whose uniforms are bound. The shadow map is made anew when it does not hold `scene`, in
     /// regions of `shadow_texels` squared. All that later passes read stays bound, but for bindShadowMap().
     void run(const FractureMesh& mesh, const SpherePass& balls, const RenderTargets& targets,

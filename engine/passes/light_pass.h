@@ -19,6 +19,11 @@ class LightPass {
     /// The same from what ComputedRaster found and has bound.
     void computeFound(const RenderTargets& targets, const gl::Texture& occlusion, const SurfaceLook& look,
                       GLuint picture);
+    /// Makes the shaders of computeFound(). Throws GlError.
+    void prepareFound(const RenderTargets& targets) {
+        programFor(targets, Way::kEmpty);
+        programFor(targets, Way::kFound);
+    }
     /// The same for drafts, which have no occlusion, into `framebuffer` (0: the window), drawn: llvmpipe
     /// takes longer to store a pixel from a compute shader than to light it.
     void draw(const RenderTargets& targets, GLuint framebuffer);

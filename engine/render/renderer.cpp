@@ -75,7 +75,8 @@ struct Renderer::Passes {
 
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
-    bool computes(const FractureMesh* mesh, const FrameView& view) const;
+    bool computes(const FractureMesh* mesh, const FrameView& view);
+    bool readyToCompute();
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
     void draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     void compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer);
@@ -98,6 +99,7 @@ struct Renderer::Passes {
     LightPass light;
     IdPass ids;
     std::optional<ComputedRaster> computed;  ///< made when first needed
+    std::string refusal;
     DepthEraser eraser;
     gl::Texture noise;
     gl::Sampler draft_noise;  ///< half the texels: software renderers feel it in every pixel
@@ -110,12 +112,28 @@ struct Renderer::Passes {
 };
 
 /// Software renderers compute as slowly as they draw.
-bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) const {
+bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
     if (mesh == nullptr || view.mode != ViewMode::kSurface || view.quality != RenderQuality::kFull)
         return false;
     if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
         return false;
-    return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples);
+    return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
+           readyToCompute();
+}
+
+/// A driver may refuse a shader that others take: then everything is drawn.
+bool Renderer::Passes::readyToCompute() {
+    if (!refusal.empty()) return false;
+    try {
+        if (!computed) computed.emplace(shader_folder, raster_tasks);
+        computed->prepare(*targets);
+        occlusion.prepareFound(*targets);
+        light.prepareFound(*targets);
+    } catch (const gl::GlError& problem) {
+        computed.reset();
+        refusal = problem.what();
+    }
+    return refusal.empty();
 }
 
 ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameView& view) const {
@@ -180,7 +198,6 @@ void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, b
 }
 
 void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
-    if (!computed) computed.emplace(shader_folder, raster_tasks);
     computed->run(mesh, spheres, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality), clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
     clock.mark("cracks");
@@ -269,6 +286,10 @@ std::vector<uint32_t> Renderer::fragmentIds(const FractureMesh* mesh, std::span<
 
 double Renderer::lastDrawMs() const {
     return passes_->clock.lastMs();
+}
+
+const std::string& Renderer::refusal() const {
+    return passes_->refusal;
 }
 
 std::span<const gl::PassTime> Renderer::lastPassTimes() const {

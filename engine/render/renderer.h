@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/gl/pass_clock.h"
@@ -89,6 +90,10 @@ class Renderer {
     double lastDrawMs() const;
     /// The same, pass by pass. Valid until the next call of draw, lastDrawMs or lastPassTimes.
     std::span<const gl::PassTime> lastPassTimes() const;
+
+    /// Why the driver refused to compute the picture, which is drawn since then, and slower; empty: it did
+    /// not.
+    const std::string& refusal() const;
 
   private:
     struct Passes;

@@ -20,6 +20,9 @@ inline constexpr uint32_t kMustBond = 1u, kRestless = 2u;
 /// Of a fragment: it vibrates or is about to be hit hard.
 inline constexpr uint32_t kNeedsBonds = 4u;
 
+/// When a particle is hit hard next.
+enum class HardHit : uint32_t { kNone, kLater, kAtOnce };
+
 /// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;
 
@@ -35,7 +38,8 @@ struct MeetingsIn {
     ContactRowsIn<Real> contacts;
     uint32_t in_bodies = 0;
     Real horizon{};  ///< s that the contact lists hold from their build on
-    Real soon{};     ///< s until the next decision
+    Real soon{};     ///< s until the next decision at the latest
+    Real at_once{};  ///< s, not above `soon`: a hit within them cannot wait for the next decision
 
     DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
     /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
@@ -44,15 +48,15 @@ struct MeetingsIn {
         return mayMeet(withW(positionOf(state, i), paths.position[i].w), state.velocity[i],
                        withW(positionOf(state, j), paths.position[j].w), state.velocity[j], soon);
     }
-    /// Closing faster than `limit` (m/s), and touching or about to on straight paths from here.
-    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit) const {
+    /// Closing faster than `limit` (m/s), and touching or, on straight paths, within `time` (s) from here.
+    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit, Real time) const {
         const Vec3<Real> x = positionOf(state, j) - positionOf(state, i);
         const Vec3<Real> v = xyz(state.velocity[j]) - xyz(state.velocity[i]);
         const Real speed2 = length2(v), closing = -dot(x, v);
         if (!(speed2 > limit * limit) || !(closing > Real(0))) return false;
         const Real reach = Real(kNearlyTouching) * (constants[i].z + constants[j].z), apart2 = length2(x);
         if (apart2 < reach * reach) return closing * closing > limit * limit * apart2;
-        const Real nearest = minOf(closing / speed2, soon);
+        const Real nearest = minOf(closing / speed2, time);
         return length2(axpy(nearest, v, x)) < reach * reach;
     }
 
@@ -183,13 +187,19 @@ struct FlagIslands {
     Vec3<Real> gravity;
     RegimeRules rules;
     Span<uint32_t> flags;
+    Span<uint32_t> words;  ///< kWorkWords
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k / kThreads, part = k % kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t slot = meetings.label[i];
         uint32_t found = i == slot && part == 0 ? ownFlags(slot) : 0;
-        if ((found & kMustBond) == 0 && isHitHard(i, slot, part)) found |= kMustBond;
+        if ((found & kMustBond) == 0) {
+            const HardHit hit = nextHit(i, slot, part);
+            if (hit == HardHit::kAtOnce) found |= kMustBond;
+            if (hit == HardHit::kLater && atomicLoadU32(&words[kHitsLater]) == 0)
+                atomicOrU32(&words[kHitsLater], 1u);
+        }
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
         if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
     }
@@ -211,30 +221,36 @@ struct FlagIslands {
         return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
     }
 
-    DEM_FN bool isHitHard(uint32_t i, uint32_t slot, uint32_t part) const {
+    DEM_FN HardHit nextHit(uint32_t i, uint32_t slot, uint32_t part) const {
         const WakeLaw<Real> own = wake[meetings.owner[i]];
         const Real size = sizeOf(slot);
-        if (part == 0 && !isCrumb(slot) &&
-            hitsPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6))))
-            return true;
-        bool hard = false;
+        HardHit hit = HardHit::kNone;
+        if (part == 0 && !isCrumb(slot))
+            hit = nextHitOnPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6)));
         meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             const uint32_t other = meetings.label[j];
-            if (hard || (isCrumb(slot) && isCrumb(other))) return;
-            hard = meetings.meetHard(i, j, wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other)));
+            if (hit == HardHit::kAtOnce || (isCrumb(slot) && isCrumb(other))) return;
+            const Real limit = wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other));
+            if (!meetings.meetHard(i, j, limit, meetings.soon)) return;
+            hit = meetings.meetHard(i, j, limit, meetings.at_once) ? HardHit::kAtOnce : HardHit::kLater;
         });
-        return hard;
+        return hit;
     }
-    DEM_FN bool hitsPlane(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
+    DEM_FN HardHit nextHitOnPlane(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
         const Vec3<Real> position = positionOf(meetings.state, i);
-        const Real soon = meetings.soon;
+        HardHit hit = HardHit::kNone;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
             const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
-            if (closing > limit && madd(soon, closing, Real(0.5) * soon * soon * falling) > gap) return true;
+            const auto reaches = [&](Real time) {
+                return madd(time, closing, Real(0.5) * time * time * falling) > gap;
+            };
+            if (!(closing > limit) || !reaches(meetings.soon)) continue;
+            if (reaches(meetings.at_once)) return HardHit::kAtOnce;
+            hit = HardHit::kLater;
         }
-        return false;
+        return hit;
     }
 };
 

@@ -63,6 +63,7 @@ class DeviceSolver final : public Solver {
     void buildLists();
     bool mustReassign(uint32_t remaining);
     void assignRegimes(bool frame_starts, uint32_t remaining);
+    uint32_t untilDecision(uint32_t at_most) const;
     double untilNextDecision(uint32_t remaining) const;
     void bookSoftening();
     void countAwake();
@@ -98,6 +99,7 @@ class DeviceSolver final : public Solver {
         uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
         uint32_t last_frame = 0;                ///< substeps in the last frame
         uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
+        uint64_t decide_at = ~uint64_t{0};      ///< substep at which they have to be decided again
         uint32_t shot_started = 0;              ///< 1: a projectile has started since then
         RegimeMemory regimes;
         uint32_t quiet = 0;        ///< 1: nothing has moved in the last frame, nor will unless it is shot at

@@ -158,6 +158,8 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
         if (progress_.rebuild != 0) {
             buildLists();
             if (mustReassign(n)) assignRegimes(false, n);
+        } else if (untilDecision(n) == 0) {
+            assignRegimes(false, n);
         }
         if (nothingMoves()) {
             const uint32_t quiet = substepsUntilNextStart(n);
@@ -166,7 +168,7 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
             continue;
         }
         moved = true;
-        const uint32_t chunk = substepsUntilNextStart(std::min(n, stretch().length()));
+        const uint32_t chunk = substepsUntilNextStart(untilDecision(std::min(n, stretch().length())));
         const StepStatus status = runChunk(chunk);
         if (status != StepStatus::kOk) return status;
         n -= chunk;
@@ -182,7 +184,7 @@ StepStatus DeviceSolver<Backend, Real>::runSubsteps(uint32_t n) {
 template <class Backend, class Real>
 bool DeviceSolver<Backend, Real>::mustReassign(uint32_t remaining) {
     if (!regimes_.on() || progress_.last_assigned == progress_.substeps) return false;
-    return progress_.shot_started != 0 || regimes_.movesRigid() ||
+    return progress_.shot_started != 0 || regimes_.movesRigid() || untilDecision(1) == 0 ||
            regimes_.stirs(data_, lists_, clusters_, untilNextDecision(remaining));
 }
 
@@ -288,14 +290,22 @@ double DeviceSolver<Backend, Real>::untilNextDecision(uint32_t remaining) const 
 /// `remaining`: substeps of the frame that are still to come.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
+    placeRigid();
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
                     untilNextDecision(remaining));
     if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();
     progress_.last_assigned = progress_.substeps;
+    progress_.decide_at =
+        regimes_.hitsLater() ? progress_.substeps + regimes_.decisionInterval() : ~uint64_t{0};
     progress_.shot_started = 0;
     progress_.regimes = regimes_.memory();
     progress_.moves_rigid = regimes_.movesRigid() ? 1 : 0;
     countAwake();
+}
+
+template <class Backend, class Real>
+uint32_t DeviceSolver<Backend, Real>::untilDecision(uint32_t at_most) const {
+    return static_cast<uint32_t>(std::min<uint64_t>(at_most, progress_.decide_at - progress_.substeps));
 }
 
 template <class Backend, class Real>

@@ -14,6 +14,7 @@
 #include "sim_cuda/physics/hand_over.h"
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fragment_motion.h"
+#include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/solver_data.h"
 
@@ -24,6 +25,10 @@ struct RegimeMemory {
     uint32_t awake = 0, must_bond = 0;  ///< particles: that do not sleep; of fragments that need their bonds
     uint32_t all_bonded = 0;            ///< 1: this frame all that is awake is moved with its bonds
 };
+
+/// s after which is decided anew while hard hits are ahead: bonds that wake a whole frame before they are hit
+/// cost more than the decisions.
+inline constexpr double kDecisionSeconds = 0.003;
 
 /// From this share of awake particles on that need their bonds, all are moved with them: two ways of moving
 /// side by side cost more than they save.
@@ -42,7 +47,7 @@ class Regimes {
 
     /// Decides anew for the present state, whose contact lists must be good. `frame_starts`: `substeps` have
     /// passed since the last frame started, and motion.gather() was called for the state. `soon`: s until the
-    /// frame ends. Waits.
+    /// next decision at the latest. Waits.
     void assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                 const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
                 const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
@@ -65,6 +70,10 @@ class Regimes {
     /// Some rigid fragment may touch what is moved with its bonds: substeps carry it from one contact step to
     /// the next.
     bool carries() const { return counts_[kCarriedCount] > 0; }
+    /// Somebody will be hit hard before the next decision but not at once, and has not been woken for it:
+    /// decide anew within decisionInterval() substeps.
+    bool hitsLater() const { return counts_[kHitsLater] != 0; }
+    uint32_t decisionInterval() const { return decision_substeps_; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
     uint32_t carriedParticles() const { return counts_[kCarriedCount]; }
     uint32_t activeParticles() const { return counts_[kActiveCount]; }
@@ -101,6 +110,8 @@ class Regimes {
     Backend& backend_;
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
+    uint32_t decision_substeps_;
+    double at_once_;  ///< s
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
@@ -126,6 +137,10 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       counts_of_(tables.counts),
       hand_over_(setup.params.hand_over),
       sleeping_(setup.params.sleeping),
+      decision_substeps_(
+          kRigidStretch.length() *
+          static_cast<uint32_t>(std::ceil(kDecisionSeconds / (kRigidStretch.length() * tables.time_step)))),
+      at_once_((decision_substeps_ + kRigidStride) * tables.time_step),
       calm_substeps_(static_cast<uint32_t>(std::ceil(kCalmSeconds / tables.time_step))),
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
       crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
@@ -197,7 +212,8 @@ MeetingsIn<Real> Regimes<Backend, Real>::meetingsOf(SolverData<Backend, Real>& d
             lists.contacts().in(),
             counts_of_.in_bodies,
             static_cast<Real>(lists.horizon()),
-            static_cast<Real>(soon)};
+            static_cast<Real>(soon),
+            static_cast<Real>(std::min(soon, at_once_))};
 }
 
 template <class Backend, class Real>
@@ -247,11 +263,11 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
     backend_.forEach(size_t{total} * kThreads, JoinIslands<kThreads, Real>{meetings, island_.span()},
                      "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-    backend_.forEach(
-        size_t{total} * kThreads,
-        FlagIslands<kThreads, Real>{meetings, rows, island_.view(), regime_.view(), clock_.view(),
-                                    wake_.view(), params.planes, params.gravity, rules, flags_.span()},
-        "flag islands");
+    backend_.forEach(size_t{total} * kThreads,
+                     FlagIslands<kThreads, Real>{meetings, rows, island_.view(), regime_.view(),
+                                                 clock_.view(), wake_.view(), params.planes, params.gravity,
+                                                 rules, flags_.span(), words_.span()},
+                     "flag islands");
     backend_.forEach(
         total,
         ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,

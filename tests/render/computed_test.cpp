@@ -1,4 +1,7 @@
 // The body found in compute passes looks as it looks drawn, but for rounding at edges.
+#include <filesystem>
+#include <fstream>
+
 #include <glm/gtc/constants.hpp>
 
 #include "tests/render/gl_fixture.h"
@@ -18,6 +21,7 @@ class Computed : public GlTest {
         const Image drawn = drawPicture(renderer(), scene);
         scene.view.rasteriser = Rasteriser::kCompute;
         const Image computed = drawPicture(computing, scene);
+        EXPECT_EQ(computing.refusal(), "");
         const auto pixels = static_cast<double>(drawn.width * drawn.height);
         EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 5)), 0.005 * pixels);
         EXPECT_LE(static_cast<double>(differingPixels(drawn, computed, 32)), 0.001 * pixels);
@@ -67,11 +71,10 @@ TEST_F(Computed, SmallTrianglesFromAfar) {
     expectSameLook(scene);
 }
 
-TEST_F(Computed, ACameraAmongThePiecesWhoseNearPlaneCutsThem) {
-    Scene scene = small("broken_ball");
-    scene.view.camera.eye = {0.4f, 0.6f, 0.3f};
-    scene.view.camera.target = scene.view.camera.eye + glm::vec3(std::cos(1.7f), -0.2f, std::sin(1.7f));
-    scene.view.camera.near_plane = 0.15f;
+TEST_F(Computed, TheNearPlaneCutsPieces) {
+    Scene scene = small("broken_block");
+    Camera& camera = scene.view.camera;
+    camera.near_plane = 0.9f * glm::length(camera.eye - camera.target);
     expectSameLook(scene);
 }
 
@@ -94,6 +97,21 @@ TEST_F(Computed, DraftsAreDrawn) {
     const Image drawn = drawPicture(renderer(), scene);
     scene.view.rasteriser = Rasteriser::kCompute;
     EXPECT_TRUE(drawn.pixels == drawPicture(renderer(), scene).pixels);
+}
+
+TEST_F(Computed, WhereTheDriverRefusesAShaderThePictureIsDrawn) {
+    const auto folder = std::filesystem::temp_directory_path() / "demolish_refused_shader";
+    std::filesystem::remove_all(folder);
+    std::filesystem::copy(shaderFolder(), folder, std::filesystem::copy_options::recursive);
+    std::ofstream(folder / "raster_triangles.comp") << "#version 450\nrefused\n";
+    Renderer refused(folder);
+    Scene scene = small("broken_ball");
+    scene.view.rasteriser = Rasteriser::kDraw;
+    const Image drawn = drawPicture(renderer(), scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    EXPECT_EQ(differingPixels(drawn, drawPicture(refused, scene), 0), 0u);
+    EXPECT_NE(refused.refusal().find("raster_triangles.comp"), std::string::npos) << refused.refusal();
+    std::filesystem::remove_all(folder);
 }
 
 }  // namespace
