@@ -95,11 +95,11 @@ struct CountFast {
     Span<const Vec4<Real>> constants;
     Span<const VelocityRanges<Real>> ranges;  ///< one
     Span<const SlowBins> slow;                ///< one
-    Span<const uint32_t> enclosed;
-    Span<uint32_t> count;  ///< one, 0 before
+    Span<const uint32_t> place_kind;          ///< 0: looked for in the grid (fill_grid.h)
+    Span<uint32_t> count;                     ///< one, 0 before
 
     DEM_FN void operator()(uint32_t i) const {
-        if (!(constants[i].x > Real(0)) || enclosed[i] != 0) return;
+        if (!(constants[i].x > Real(0)) || place_kind[i] != 0) return;
         if (isOutside(xyz(state.velocity[i]), ranges[0].bodies, slow[0])) atomicAddU32(&count[0], 1);
     }
 };

@@ -1,7 +1,7 @@
 // Contact steps of rigid fragments on the GPU: two kernels each, several steps as one graph.
 #pragma once
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
-#include "sim_cuda/solver/cuda_graph_cache.cuh"
+#include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/rigid_runner.h"
 
 namespace demolish {
@@ -47,23 +47,11 @@ class RigidRunner<CudaBackend, Real> {
 
     /// What the launches of a step depend on.
     GraphKey keyOf(const Step& step) const {
-        const SubstepArrays<Real> arrays = step.arrays();
-        const StepParams<Real>& params = step.params;
-        return {keyWord(arrays.in.position),
-                keyWord(arrays.contact_row),
-                keyWord(arrays.neighbour),
-                keyWord(arrays.contact_spring),
-                keyWord(arrays.body_laws),
-                keyWord(arrays.pair_laws),
-                keyWord(arrays.wall_laws),
-                keyWord(load_.view()),
-                keyWord(double(params.gravity.x)),
-                keyWord(double(params.gravity.y)),
-                keyWord(double(params.gravity.z)),
-                uint64_t{step.ledger},
-                roundedUp(step.work.active_at_most),
-                roundedUp(step.work.fragments_at_most),
-                roundedUp(step.work.large_at_most, 1)};
+        GraphKey key = stepKey(step.arrays(), step.params, step.ledger);
+        key.insert(key.end(),
+                   {keyWord(load_.view()), roundedUp(step.work.active_at_most),
+                    roundedUp(step.work.fragments_at_most), roundedUp(step.work.large_at_most, 1)});
+        return key;
     }
 
   private:

@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "sim_cuda/kernels/substep_cuda.cuh"
-#include "sim_cuda/solver/cuda_graph_cache.cuh"
+#include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
 
@@ -51,25 +51,12 @@ class SubstepRunner<CudaBackend, Real> {
 
   private:
     static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
-        return {keyWord(arrays.in.position),
-                keyWord(arrays.constants),
-                keyWord(arrays.contact_row),
-                keyWord(arrays.neighbour),
-                keyWord(arrays.contact_spring),
-                keyWord(arrays.body_laws),
-                keyWord(arrays.pair_laws),
-                keyWord(arrays.wall_laws),
-                keyWord(double(params.gravity.x)),
-                keyWord(double(params.gravity.y)),
-                keyWord(double(params.gravity.z)),
-                keyWord(double(params.velocity_keep)),
-                params.breaking,
-                keyWord(double(params.dt)),
-                uint64_t{ledger},
-                keyWord(arrays.work.ids),
-                keyWord(arrays.work.regime),
-                launchedParticles(arrays.work, params),
-                threadsFor(arrays.work, params)};
+        GraphKey key = stepKey(arrays, params, ledger);
+        key.insert(key.end(),
+                   {keyWord(double(params.velocity_keep)), params.breaking, keyWord(double(params.dt)),
+                    keyWord(arrays.work.ids), keyWord(arrays.work.regime),
+                    launchedParticles(arrays.work, params), threadsFor(arrays.work, params)});
+        return key;
     }
 
     /// Particles that threads are started for.
