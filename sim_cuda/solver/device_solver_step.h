@@ -219,8 +219,7 @@ void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& 
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
             rigid_runner_.gather(backend_, step, stride);
             runner_.runOne(backend_, data_, step.contacts, params, step.ledger);
-            for (uint32_t k = 1; k < stride; ++k)
-                runner_.runOne(backend_, data_, step.contacts, params_, step.ledger);
+            runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
             rigid_runner_.move(backend_, step, stride, true);
             done += stride;
         }
