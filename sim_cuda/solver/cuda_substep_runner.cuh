@@ -20,7 +20,7 @@ inline uint32_t threadsPerParticle(uint32_t particles) {
         if (std::has_single_bit(threads) && threads <= 16) return threads;
     }
     if (particles < 8'000) return 16;
-    return particles < 60'000 ? 8 : 4;
+    return particles < 48'000 ? 8 : 4;
 }
 
 template <class Real>
