@@ -6,6 +6,7 @@
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/kernels/book_softening.h"
 #include "sim_cuda/kernels/look_at_state.h"
+#include "sim_cuda/kernels/strayed_paths.h"
 #include "sim_cuda/solver/device_solver.h"
 
 namespace demolish {
@@ -66,6 +67,8 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       surface_(backend_, concatenateGeometry(setup.bodies)),
       reader_(backend_),
       look_words_(backend_.template allocate<uint32_t>(kLookWords)),
+      stray_words_(backend_.template allocate<uint32_t>(kStrayWords)),
+      strayed_(backend_.template allocate<uint32_t>(kMostStrayed)),
       hash_sum_(backend_.template allocate<uint64_t>(1)),
       shown_projectiles_(backend_.template allocate<Vec4<Real>>(kMaxProjectiles)),
       broken_bonds_(backend_.template allocate<uint8_t>(data_.bonds.count)),
@@ -237,9 +240,14 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     runAwake(second);
     const std::vector<uint32_t>& words = reader_.wait();
     const double needed = (progress_.since_build + static_cast<double>(next)) * tables_.time_step;
+    const auto status = static_cast<StepStatus>(words[kLookStatus]);
     progress_.left_paths = words[kLookRebuild] != 0 ? 1 : 0;
-    if (progress_.left_paths != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
-    return static_cast<StepStatus>(words[kLookStatus]);
+    if (status == StepStatus::kOk && progress_.left_paths != 0 && needed <= lists_.horizon())
+        followStrayed(next);
+    else if (progress_.left_paths != 0)
+        progress_.rebuild = 1;
+    if (needed > lists_.horizon()) progress_.rebuild = 1;
+    return status;
 }
 
 /// Contact steps move only those particles of a rigid fragment that may touch something; before anybody reads
