@@ -8,6 +8,7 @@
 #include <bit>
 
 #include "sim_cuda/data/planes.h"
+#include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/find_neighbours.h"
 
 namespace demolish {
