@@ -274,7 +274,6 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
-    if (getenv("DBG")) fprintf(stderr, "BUILD after %u horizon %.2f\n", progress_.since_build, 1e3*lists_.horizon());
     placeRigid();
     NeighbourSettings settings = progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{};
     if (progress_.shot_started == 0)
@@ -298,7 +297,6 @@ double DeviceSolver<Backend, Real>::untilNextDecision(uint32_t remaining) const 
 /// `remaining`: substeps of the frame that are still to come.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
-    if (getenv("DBG")) fprintf(stderr, "DECIDE\n");
     placeRigid();
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
                     untilNextDecision(remaining));

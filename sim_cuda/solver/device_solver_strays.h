@@ -35,7 +35,6 @@ void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
     reader_.take(backend_, stray_words_.span());
     const std::vector<uint32_t>& words = reader_.wait();
     const double unlisted = secondsOf(words[kTouchesUnlisted]), decide = secondsOf(words[kMustDecide]);
-    if (getenv("DBG")) fprintf(stderr, "STRAY n %u unlisted %.2f decide %.2f left %.2f ms stretch %.2f -> %s\n", words[kStrayedCount], 1e3*std::min(unlisted,9.), 1e3*std::min(decide,9.), 1e3*(lists_.horizon()-elapsed), 1e3*stretch, words[kStrayedCount] > kMostStrayed || unlisted < stretch ? "rebuild" : decide < stretch ? "decide" : "none");
     if (words[kStrayedCount] > kMostStrayed || unlisted < stretch) {
         progress_.rebuild = 1;
         return;
