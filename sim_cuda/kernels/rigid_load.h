@@ -46,10 +46,23 @@ DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const Ste
     return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching,
                        [&] { return formerBondSlot<kLedger>(arrays, params, own, slot, load.tally); });
 }
+/// The other end of a contact and its fragment: most of those that are listed are of the same one.
+struct ContactFragment {
+    uint32_t id = 0, label = 0;
+};
+template <class Real>
+DEM_FN ContactFragment contactFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
+                                       uint32_t slot) {
+    const uint32_t j = arrays.neighbour[slot];
+    return {j, label[j]};
+}
+/// Nothing within a fragment here either.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                       const OwnParticle<Real>& own, uint32_t slot,
-                                       const ContactEnd<Real>& end, RigidLoad<Real>& load) {
+                                       uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
+                                       const ContactFragment& other, RigidLoad<Real>& load) {
+    if (other.label == own_label) return {};
+    const ContactEnd<Real> end = contactEnd(arrays, slot);
     return countedSlot(end.constants, arrays.contact_spring[slot], load.touching,
                        [&] { return contactSlot<kLedger>(arrays, params, own, slot, end, load.tally); });
 }
@@ -80,7 +93,8 @@ struct GatherRigidLoad {
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
             sums.add(slot - first,
-                     countedContactSlot<kLedger>(arrays, params, own, slot, contactEnd(arrays, slot), out));
+                     countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
+                                                 contactFragment(arrays, work.label, slot), out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, own, out);
         load[place] = out;

@@ -6,26 +6,32 @@
 
 namespace demolish {
 
-/// T threads a particle.
+/// T threads a particle. Both kernels start while the one before still runs, as substepKernel does.
 template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock)
     rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
                     const Span<RigidLoad<Real>> load) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
+    letNextStart();
     const uint32_t count = work.counts[kActiveCount];
-    if (blockIdx.x * kParticles >= count) return;
+    if (blockIdx.x > 0 && blockIdx.x * kParticles >= count) return;
     const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = place < count;
-    const OwnParticle<Real> own = loadOwn(arrays, work.active[present ? place : count - 1]);
+    const uint32_t id = work.active[present ? place : count > 0 ? count - 1 : 0];
+    const RowEnds ends = rowEnds(arrays, id, present);
+    const uint32_t label = work.label[id];
+    awaitPrevious();
+    const OwnParticle<Real> own = loadOwn(arrays, id);
     LanePartials<T, Real> sums;
     RigidLoad<Real> out;
     gatherRows<T>(
-        arrays, rowEnds(arrays, own.id, present), lane, sums,
+        arrays, ends, lane, sums,
         [&](uint32_t slot, const BondLink& link) {
             return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
         },
-        [&](uint32_t slot, const ContactEnd<Real>& end) {
-            return countedContactSlot<kLedger>(arrays, params, own, slot, end, out);
+        [&](uint32_t slot) { return contactFragment(arrays, work.label, slot); },
+        [&](uint32_t slot, const ContactFragment& other) {
+            return countedContactSlot<kLedger>(arrays, params, label, own, slot, other, out);
         });
     __syncwarp();
     out.wrench = sums.total();
@@ -97,6 +103,8 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, uint32_t entry) 
 template <bool kLedger, class Real>
 __global__ void __launch_bounds__(kRigidLanes)
     rigidStepKernel(const StepRigid<kLedger, Real> step, uint32_t large_blocks) {
+    letNextStart();
+    awaitPrevious();
     if (blockIdx.x < large_blocks) {
         if (blockIdx.x < step.work.counts[kLargeCount]) moveLarge(step, step.work.large[blockIdx.x]);
         return;

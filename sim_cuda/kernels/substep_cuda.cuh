@@ -154,15 +154,16 @@ __device__ __forceinline__ RowEnds rowEnds(const SubstepArrays<Real>& arrays, ui
     return {arrays.bond_row[i], arrays.bond_row[i + 1], arrays.contact_row[i], arrays.contact_row[i + 1]};
 }
 
-/// The rows of a particle. Both start before the first is gone through.
-template <uint32_t T, class Real, class BondSlot, class ContactSlot>
+/// The rows of a particle; peek_at_end(slot) for the other end of a contact. Both start before the first is
+/// gone through.
+template <uint32_t T, class Real, class BondSlot, class PeekAtEnd, class ContactSlot>
 __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, const RowEnds& ends,
                                            uint32_t lane, LanePartials<T, Real>& sums,
-                                           const BondSlot& bond_slot, const ContactSlot& contact_slot) {
+                                           const BondSlot& bond_slot, const PeekAtEnd& peek_at_end,
+                                           const ContactSlot& contact_slot) {
     const auto peekAtLink = [&](uint32_t slot) { return BondLink{arrays.link[slot]}; };
-    const auto peekAtEnd = [&](uint32_t slot) { return contactEnd(arrays, slot); };
     RowCursor<T, decltype(peekAtLink)> bonds(ends.first_bond, ends.last_bond, lane, peekAtLink);
-    RowCursor<T, decltype(peekAtEnd)> contacts(ends.first_contact, ends.last_contact, lane, peekAtEnd);
+    RowCursor<T, PeekAtEnd> contacts(ends.first_contact, ends.last_contact, lane, peek_at_end);
     gatherRow<T>(bonds, sums, bond_slot);
     gatherRow<T>(contacts, sums, contact_slot);
 }
@@ -298,6 +299,7 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
         [&](uint32_t slot, const BondLink& link) {
             return bondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
         },
+        [&](uint32_t slot) { return contactEnd(arrays, slot); },
         [&](uint32_t slot, const ContactEnd<Real>& end) {
             return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
         });

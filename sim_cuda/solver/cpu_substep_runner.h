@@ -18,7 +18,8 @@ class SubstepRunner<CpuBackend, Real> {
         for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger);
     }
     void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
-                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger) {
+                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+                bool = false) {
         ledger ? runWith<true>(backend, data, contacts, params)
                : runWith<false>(backend, data, contacts, params);
         data.current = 1 - data.current;

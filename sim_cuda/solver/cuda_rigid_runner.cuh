@@ -1,6 +1,7 @@
 // Contact steps of rigid fragments on the GPU: two kernels each, several steps as one graph.
 #pragma once
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
+#include "sim_cuda/solver/cuda_chained_launch.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/rigid_runner.h"
 
@@ -19,7 +20,7 @@ class RigidRunner<CudaBackend, Real> {
         graphs_.run(backend, key, [&] {
             for (uint32_t done = 0; done < n;) {
                 const uint32_t stride = std::min(kRigidStride, n - done);
-                gather(backend, step, stride);
+                gather(backend, step, stride, done > 0);
                 move(backend, step, stride, false);
                 done += stride;
             }
@@ -37,9 +38,11 @@ class RigidRunner<CudaBackend, Real> {
         key.push_back(n);
         graphs_.run(backend, key, steps);
     }
-    void gather(CudaBackend& backend, const Step& step, uint32_t stride) {
-        step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
+    void gather(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
+        step.ledger ? gatherWith<true>(backend, step, stride, follows)
+                    : gatherWith<false>(backend, step, stride, follows);
     }
+    /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
         step.ledger ? moveWith<true>(backend, step, stride, carried)
                     : moveWith<false>(backend, step, stride, carried);
@@ -65,30 +68,28 @@ class RigidRunner<CudaBackend, Real> {
     }
 
     template <bool kLedger>
-    void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride) {
+    void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
         const uint32_t active = roundedUp(step.work.active_at_most);
-        if (step.work.active_at_most == 0) return;
         if (active <= kFewActive)
-            launchGather<16, kLedger>(backend, step, stride, active);
+            launchGather<16, kLedger>(backend, step, stride, active, follows);
         else
-            launchGather<4, kLedger>(backend, step, stride, active);
+            launchGather<4, kLedger>(backend, step, stride, active, follows);
     }
     template <uint32_t T, bool kLedger>
-    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active) {
+    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active,
+                      bool follows) {
         constexpr uint32_t kParticles = kSubstepBlock / T;
-        rigidLoadKernel<T, kLedger, Real>
-            <<<(active + kParticles - 1) / kParticles, kSubstepBlock, 0, backend.stream()>>>(
-                step.arrays(), rigidParams(step.params, stride), step.work, load_.span());
-        checkCuda(cudaGetLastError(), "starting a contact step");
+        launchChained(backend.stream(), follows, rigidLoadKernel<T, kLedger, Real>,
+                      (active + kParticles - 1) / kParticles, kSubstepBlock, step.arrays(),
+                      rigidParams(step.params, stride), step.work, load_.span());
     }
     template <bool kLedger>
     void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
         constexpr uint32_t kWarps = kRigidLanes / kWarp;
         const uint32_t large = roundedUp(step.work.large_at_most, 1);
         const uint32_t small = (roundedUp(step.work.fragments_at_most) + kWarps - 1) / kWarps;
-        rigidStepKernel<kLedger, Real><<<large + small, kRigidLanes, 0, backend.stream()>>>(
-            step.template mover<kLedger>(load_.view(), stride, carried), large);
-        checkCuda(cudaGetLastError(), "starting a contact step");
+        launchChained(backend.stream(), true, rigidStepKernel<kLedger, Real>, large + small, kRigidLanes,
+                      step.template mover<kLedger>(load_.view(), stride, carried), large);
     }
 
     CudaBackend::Buffer<RigidLoad<Real>> load_;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "sim_cuda/kernels/substep_cuda.cuh"
+#include "sim_cuda/solver/cuda_chained_launch.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
@@ -35,7 +36,7 @@ class SubstepRunner<CudaBackend, Real> {
             runInterval(backend, data, contacts, params, ledger);
         for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger, k > 0);
     }
-    /// `follows`: right after another substep of the same work list, whose end it need not wait for to start.
+    /// `follows`: right after another step of the same work lists, whose end it need not wait for to start.
     void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                 ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
                 bool follows = false) {
@@ -106,30 +107,14 @@ class SubstepRunner<CudaBackend, Real> {
         }
     }
 
-    /// Whether the code that runs was compiled for a GPU on which kernels can wait for the one before.
-    template <class Kernel>
-    static bool awaitsPrevious(Kernel* kernel) {
-        cudaFuncAttributes attributes{};
-        return cudaFuncGetAttributes(&attributes, kernel) == cudaSuccess && attributes.ptxVersion >= 90;
-    }
-
     template <uint32_t T, bool kLedger>
     static void launchT(const Launch& launch, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
         constexpr uint32_t kParticles = kSubstepBlock / T;
         const uint32_t particles = launchedParticles(arrays.work, params);
         const uint32_t blocks = (particles + kParticles - 1) / kParticles + kMaxProjectiles;
-        const auto kernel = substepKernel<T, kLedger, Real>;
-        cudaLaunchAttribute early{};
-        early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
-        early.val.programmaticStreamSerializationAllowed = 1;
-        cudaLaunchConfig_t config{};
-        config.gridDim = blocks;
-        config.blockDim = kSubstepBlock;
-        config.stream = launch.stream;
-        config.attrs = &early;
-        config.numAttrs = launch.follows && awaitsPrevious(kernel) ? 1 : 0;
-        checkCuda(cudaLaunchKernelEx(&config, kernel, arrays, params), "starting a substep");
+        launchChained(launch.stream, launch.follows, substepKernel<T, kLedger, Real>, blocks, kSubstepBlock,
+                      arrays, params);
     }
 
     CudaGraphCache graphs_;

@@ -150,7 +150,8 @@ StepStatus DeviceSolver<Backend, Real>::passQuietly(uint32_t n) {
 /// Without bonds nothing happens fast.
 template <class Backend, class Real>
 Stretch DeviceSolver<Backend, Real>::stretch() const {
-    return !regimes_.on() || regimes_.movesBonds() ? kBondedStretch : kRigidStretch;
+    if (regimes_.on() && !regimes_.movesBonds()) return kRigidStretch;
+    return tables_.time_step < kShortSubstep ? kShortBondedStretch : kBondedStretch;
 }
 
 template <class Backend, class Real>
@@ -220,8 +221,8 @@ void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& 
             const uint32_t stride = std::min(kRigidStride, n - done);
             StepParams<Real> params = params_;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
-            rigid_runner_.gather(backend_, step, stride);
-            runner_.runOne(backend_, data_, step.contacts, params, step.ledger);
+            rigid_runner_.gather(backend_, step, stride, done > 0);
+            runner_.runOne(backend_, data_, step.contacts, params, step.ledger, true);
             runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
             rigid_runner_.move(backend_, step, stride, true);
             done += stride;

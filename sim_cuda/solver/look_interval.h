@@ -11,8 +11,10 @@ struct Stretch {
     constexpr uint32_t length() const { return first + second; }
 };
 
-/// Something is moved with its bonds.
-inline constexpr Stretch kBondedStretch{10, 10};
+/// Something is moved with its bonds: two stretches, for long substeps and for short ones (below
+/// kShortSubstep, s), since what may happen unseen is a matter of time.
+inline constexpr Stretch kBondedStretch{10, 10}, kShortBondedStretch{20, 20};
+inline constexpr double kShortSubstep = 4e-5;
 /// Nothing is: contact steps are few, and the answer needs one of them.
 inline constexpr Stretch kRigidStretch{30, 10};
 

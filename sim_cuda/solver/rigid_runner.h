@@ -61,7 +61,7 @@ class RigidRunner<CpuBackend, Real> {
     void run(CpuBackend& backend, const Step& step, uint32_t n) {
         for (uint32_t done = 0; done < n;) {
             const uint32_t stride = std::min(kRigidStride, n - done);
-            gather(backend, step, stride);
+            gather(backend, step, stride, done > 0);
             move(backend, step, stride, false);
             done += stride;
         }
@@ -71,8 +71,9 @@ class RigidRunner<CpuBackend, Real> {
     void repeat(CpuBackend&, const Step&, const Runner&, uint32_t, const Steps& steps) {
         steps();
     }
-    /// The two halves of one contact step; substeps that carry particles stand between them.
-    void gather(CpuBackend& backend, const Step& step, uint32_t stride) {
+    /// The two halves of one contact step; substeps that carry particles stand between them. On the GPU the
+    /// first half may `follow` a second one.
+    void gather(CpuBackend& backend, const Step& step, uint32_t stride, bool) {
         if (load_.size() < step.work.active_at_most)
             load_ =
                 backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
