@@ -32,7 +32,7 @@ void drawLegend(ImDrawList& list, ImVec2 low, ImVec2 high, double top) {
     word("draw", kDrawColour);
     word("rest", kRestTextColour);
     char scale[32];
-    std::snprintf(scale, sizeof scale, "%.3g ms", top);
+    std::snprintf(scale, sizeof scale, top < 10 ? "%.1f ms" : "%.0f ms", top);
     x = high.x - ImGui::CalcTextSize(scale).x - 4;
     word(scale, kRestTextColour);
 }
