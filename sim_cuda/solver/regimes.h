@@ -17,7 +17,6 @@
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/solver_data.h"
-#include "sim_cuda/solver/wake_share.h"
 
 namespace demolish {
 
@@ -154,15 +153,15 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     if (!on()) return;
     const uint32_t total = counts_of_.total;
     std::vector<double> calm(tables.owners(), 0.0);
-    std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30)});
+    std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30), Real(1e30)});
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         const BodyInstance& body = setup.bodies[b];
         const Material& material = body.material;
         const double speed = calmSpeed(material.beta, material.critical_velocity);
         calm[b] = speed * speed;
         const WakeLaw<double> law = wakeLaw(material.beta, material.critical_velocity, body.threshold_share,
-                                            wakeShare(spreadOf(*body.body)));
-        wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light)};
+                                            static_cast<double>(body.body->particles.size()));
+        wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light), static_cast<Real>(law.body)};
         gentlest_hit_ = std::min(gentlest_hit_, law.heavy);
     }
     calm_speed2_ = backend.uploaded(calm);

@@ -36,7 +36,7 @@ class Crowd {
         labels_ = arrays_.backend.uploaded(label_);
         zeros_ = arrays_.backend.allocate<uint32_t>(total);
         clock_ = arrays_.backend.allocate<CalmClock>(total);
-        wake_ = arrays_.backend.uploaded(std::vector<WakeLaw<float>>(1, {4.0f, 0.0f}));
+        wake_ = arrays_.backend.uploaded(std::vector<WakeLaw<float>>(1, {4.0f, 0.0f, 1.0f}));
     }
     template <uint32_t kThreads>
     std::vector<uint32_t> flagged() {
