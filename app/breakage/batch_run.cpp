@@ -83,8 +83,9 @@ SceneSetup sceneOf(const BreakagePlan& plan, const std::vector<BreakageRun>& run
         instance.material = materialOf(experiment, run.size);
         const double height = kStartGap * experiment.diameters[run.size] - lowestOf(*instance.body);
         const double middle = static_cast<double>(columns) / 2;
+        const size_t row = k / columns;
         instance.position = {pitch * (static_cast<double>(k % columns) - middle), height,
-                             pitch * (static_cast<double>(k / columns) - middle)};
+                             pitch * (static_cast<double>(row) - middle)};
         instance.velocity = {0, -run.velocity, 0};
         setup.bodies.push_back(std::move(instance));
     }

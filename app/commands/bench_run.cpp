@@ -82,7 +82,7 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
     : headless_(on_gpu),
       view_(makeFrameView(built.shot, *built.body, size.width, size.height,
                           renderQuality(options, headless_.info().software))),
-      target_(size.width, size.height, [](uint64_t, engine::Image) {}) {}
+      target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {}
 
 double BenchStage::draw(const Session& session) {
     headless_.renderer().draw(session.mesh(), session.spheres(), view_, target_.framebuffer());

@@ -4,7 +4,6 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include <algorithm>
 #include <fstream>
 #include <map>
 #include <sstream>
@@ -136,19 +135,17 @@ void ScriptDriver::inject(ItemRegistry& items, const PictureArea& picture) {
 }
 
 void ScriptDriver::apply(const Input& input) {
-    ImGuiIO& io = ImGui::GetIO();
-    if (input.x) mouse_x_ = *input.x;
-    if (input.y) mouse_y_ = *input.y;
-    io.MousePos = ImVec2(mouse_x_, mouse_y_);
-    std::fill(std::begin(io.MouseDown), std::end(io.MouseDown), false);
-    io.MouseDown[ImGuiMouseButton_Left] = input.left;
-    io.MouseDown[ImGuiMouseButton_Middle] = input.middle;
-    io.KeyCtrl = input.ctrl;
-    io.KeyShift = input.shift;
-    io.KeyAlt = false;
-    std::fill(std::begin(io.KeysDown), std::end(io.KeysDown), false);
-    if (input.key >= 0) io.KeysDown[input.key] = true;
-    for (const char letter : input.text) io.AddInputCharacter(static_cast<unsigned char>(letter));
+    HeldInput now = held_;
+    if (input.x) now.x = *input.x;
+    if (input.y) now.y = *input.y;
+    now.left = input.left;
+    now.middle = input.middle;
+    now.ctrl = input.ctrl;
+    now.shift = input.shift;
+    now.key = input.key;
+    holdInput(now, held_);
+    held_ = now;
+    for (const char letter : input.text) ImGui::GetIO().AddInputCharacter(static_cast<unsigned char>(letter));
 }
 
 void ScriptDriver::afterDraw() {

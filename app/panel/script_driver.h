@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/panel/input_events.h"
 #include "app/panel/item_registry.h"
 #include "app/panel/layout.h"
 
@@ -63,9 +64,9 @@ class ScriptDriver {
     std::vector<Line> lines_;
     size_t next_ = 0;
     std::deque<Input> inputs_;
-    std::optional<Line> output_;  ///< screenshot or state to write after drawing
-    float mouse_x_ = -1, mouse_y_ = -1;
-    int patience_ = 0;  ///< frames left until a missing control is an error
+    std::optional<Line> output_;           ///< screenshot or state to write after drawing
+    HeldInput held_ = {.x = -1, .y = -1};  ///< in the last frame
+    int patience_ = 0;                     ///< frames left until a missing control is an error
 };
 
 }  // namespace demolish

@@ -4,11 +4,13 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "app/panel/input_events.h"
+
 namespace demolish {
 namespace {
 
 bool pressed(int key, int keypad = -1) {
-    return ImGui::IsKeyPressed(key, false) || (keypad >= 0 && ImGui::IsKeyPressed(keypad, false));
+    return keyPressed(key) || (keypad >= 0 && keyPressed(keypad));
 }
 
 void lookAlong(engine::Camera& camera, const CameraHome& home, glm::vec3 direction) {
@@ -38,8 +40,8 @@ void handleShortcuts(PanelContext& context, engine::Camera& camera, const Camera
     if (pressed(GLFW_KEY_SPACE)) context.commands.emplace_back(command::TogglePlay{});
     if (pressed(GLFW_KEY_R)) context.commands.emplace_back(command::Reset{});
     if (pressed(GLFW_KEY_ENTER, GLFW_KEY_KP_ENTER)) context.commands.emplace_back(command::Fire{});
-    if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT)) context.commands.emplace_back(command::Step{});
-    if (ImGui::IsKeyPressed(GLFW_KEY_LEFT) && context.status.cursor > 0)
+    if (keyPressed(GLFW_KEY_RIGHT, true)) context.commands.emplace_back(command::Step{});
+    if (keyPressed(GLFW_KEY_LEFT, true) && context.status.cursor > 0)
         context.commands.emplace_back(command::Scrub{context.status.cursor - 1});
     handleViews(camera, home);
 }

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "app/panel/widgets.h"
 
@@ -10,7 +11,7 @@ namespace {
 
 constexpr ImU32 kSimColour = IM_COL32(240, 150, 60, 255), kTransferColour = IM_COL32(150, 115, 200, 255),
                 kDrawColour = IM_COL32(90, 170, 240, 255), kOtherColour = IM_COL32(90, 95, 105, 255),
-                kLineColour = IM_COL32(255, 255, 255, 90);
+                kLineColour = IM_COL32(255, 255, 255, 90), kRestTextColour = IM_COL32(158, 165, 178, 255);
 
 /// The scale's top: above nearly all frames, so that one hiccup does not flatten the rest.
 double graphTop(std::span<const FrameSample> samples) {
@@ -19,18 +20,38 @@ double graphTop(std::span<const FrameSample> samples) {
     return std::max(1.0, 1.25 * quantile(frames, 0.98));
 }
 
+/// What the colours mean and how high the graph is, in its upper edge.
+void drawLegend(ImDrawList& list, ImVec2 low, ImVec2 high, double top) {
+    float x = low.x + 4;
+    const auto word = [&](const char* text, ImU32 colour) {
+        list.AddText(ImVec2(x, low.y + 1), colour, text);
+        x += ImGui::CalcTextSize(text).x + 8;
+    };
+    word("sim", kSimColour);
+    word("export", kTransferColour);
+    word("draw", kDrawColour);
+    word("rest", kRestTextColour);
+    char scale[32];
+    std::snprintf(scale, sizeof scale, top < 10 ? "%.1f ms" : "%.0f ms", top);
+    x = high.x - ImGui::CalcTextSize(scale).x - 4;
+    word(scale, kRestTextColour);
+}
+
 void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
-    const ImVec2 size(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 5);
-    const ImVec2 low = ImGui::GetCursorScreenPos();
-    const ImVec2 high(low.x + size.x, low.y + size.y);
-    ImGui::InvisibleButton("graph", size);
+    const float legend = ImGui::GetTextLineHeight() + 2;
+    const ImVec2 whole(ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 5 + legend);
+    const ImVec2 corner = ImGui::GetCursorScreenPos();
+    const ImVec2 low(corner.x, corner.y + legend), high(corner.x + whole.x, corner.y + whole.y);
+    const ImVec2 size(high.x - low.x, high.y - low.y);
+    ImGui::InvisibleButton("graph", whole);
     noteItem(context, "statistics.graph");
     tooltipOnHover(
         "Time of each frame: orange simulation, violet export and transfer, blue drawing, grey the rest "
         "(waiting for the screen). The line is 1/60 s.");
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(low, high, IM_COL32(18, 19, 22, 255), 3);
+    list.AddRectFilled(corner, high, IM_COL32(18, 19, 22, 255), 3);
     const double top = graphTop(samples);
+    drawLegend(list, corner, high, top);
     const float width = size.x / 240;
     for (size_t i = 0; i < samples.size(); ++i) {
         const float x = high.x - static_cast<float>(samples.size() - i) * width;
@@ -88,7 +109,8 @@ void showStatisticsPanel(PanelContext& context) {
     const FrameStats& stats = context.status.stats;
     valueRow("Particles", "%u of %.3g mm, %.4g kg", stats.particles, 1000 * context.status.particle_size,
              stats.mass);
-    valueRow("Bonds", "%u, broken %u, parted %u", stats.bonds, stats.bonds_broken, stats.bonds_parted);
+    valueRow("Bonds", "%u", stats.bonds);
+    valueRow("Broken, parted", "%u, %u", stats.bonds_broken, stats.bonds_parted);
     tooltipOnHover(
         "Broken: the bond has failed. Parted, of these: its two ends have left each other; between the "
         "others "

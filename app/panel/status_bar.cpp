@@ -11,8 +11,9 @@ void showStatusBar(PanelContext& context) {
     ImGui::Text("%.0f FPS  %.1f ms", summary.fps_median,
                 summary.fps_median > 0 ? 1000 / summary.fps_median : 0);
     ImGui::SameLine(0, 24);
-    ImGui::Text("%u particles  %u bonds  %u fragments", status.stats.particles,
-                status.stats.bonds - status.stats.bonds_broken, status.stats.fragments);
+    ImGui::Text("%u particles  %u bonds  %u %s", status.stats.particles,
+                status.stats.bonds - status.stats.bonds_broken, status.stats.fragments,
+                status.stats.fragments == 1 ? "fragment" : "fragments");
     ImGui::SameLine(0, 24);
     ImGui::Text("%s, %s", status.device.c_str(), status.transfer.c_str());
     ImGui::SameLine(0, 24);

@@ -2,6 +2,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <cstdio>
 
 #include "app/panel/widgets.h"
 
@@ -48,16 +49,19 @@ void showTimeline(PanelContext& context) {
     const int last = status.recorded_frames > 0 ? static_cast<int>(status.recorded_frames) - 1 : 0;
     int frame = static_cast<int>(status.cursor);
     ImGui::SetNextItemWidth(-1);
-    char format[96];
-    std::snprintf(format, sizeof format, "frame %%d of %d   %.3f s   %zu MB of %zu", last, status.stats.time,
-                  status.recorded_bytes >> 20, status.memory_limit >> 20);
+    char format[64], tip[192];
+    std::snprintf(format, sizeof format, "%%d / %d   %.3f s", last, status.stats.time);
+    std::snprintf(
+        tip, sizeof tip,
+        "Recorded frames (%zu MB of %zu): drag to look back. Play goes on from there, and simulates on "
+        "from the last one.",
+        status.recorded_bytes >> 20, status.memory_limit >> 20);
     ImGui::BeginDisabled(last == 0);
     if (ImGui::SliderInt("##timeline", &frame, 0, std::max(1, last), format, ImGuiSliderFlags_AlwaysClamp))
         context.commands.emplace_back(command::Scrub{static_cast<size_t>(frame)});
     noteItem(context, "transport.timeline");
     ImGui::EndDisabled();
-    tooltipOnHover(
-        "Recorded frames: drag to look back. Play goes on from there, and simulates on from the last one.");
+    tooltipOnHover(tip);
 }
 
 }  // namespace

@@ -37,6 +37,11 @@ void noteItem(PanelContext& context, const char* id) {
 
 void tooltipOnHover(const char* text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    // Whoever has clicked here knows it by now; the tip would cover what the click brought up below, as the
+    // bar of a rebuild and its Cancel.
+    const ImVec2 click = ImGui::GetIO().MouseClickedPos[0], low = ImGui::GetItemRectMin(),
+                 high = ImGui::GetItemRectMax();
+    if (click.x >= low.x && click.y >= low.y && click.x < high.x && click.y < high.y) return;
     ImGui::BeginTooltip();
     ImGui::PushTextWrapPos(ImGui::GetFontSize() * 24);
     ImGui::TextUnformatted(text);
@@ -112,7 +117,9 @@ void valueRow(const char* label, const char* format, ...) {
     ImGui::SameLine(ImGui::GetFontSize() * 9);
     va_list arguments;
     va_start(arguments, format);
+    ImGui::PushTextWrapPos(0);
     ImGui::TextV(format, arguments);
+    ImGui::PopTextWrapPos();
     va_end(arguments);
 }
 

@@ -31,8 +31,9 @@ int combo(PanelContext& context, const char* id, const char* label, const std::v
 
 /// Registers the item that was just made.
 void noteItem(PanelContext& context, const char* id);
+/// Of the item that was just made; not after a click on it.
 void tooltipOnHover(const char* text);
-/// A row "label    value" in small type.
+/// A row "label    value" in small type; what is too long goes on in the next line.
 void valueRow(const char* label, const char* format, ...) __attribute__((format(printf, 2, 3)));
 
 }  // namespace demolish

@@ -45,6 +45,16 @@ struct BondRowsIn {
     Span<const Vec4<Real>> spring;   ///< per slot, once broken: (tangential spring seen from i, m; 0)
 };
 
+/// A particle that its bonds leave no outside (`buried`, 1 of a particle) touches nothing while all of them
+/// hold.
+DEM_FN bool standsBetweenBonds(const Span<const uint32_t>& buried, const Span<const uint32_t>& row_start,
+                               const Span<const BondLink>& link, uint32_t i) {
+    if (buried[i] == 0) return false;
+    for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
+        if (!isBonded(link[slot])) return false;
+    return true;
+}
+
 template <class Backend, class Real>
 struct BondArrays {
     template <class T>

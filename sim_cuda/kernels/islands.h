@@ -7,6 +7,7 @@
 // Flags are bits set in any order, islands carry their lowest slot: the same on every device.
 #pragma once
 #include "sim_cuda/data/contact_rows.h"
+#include "sim_cuda/data/planes.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
@@ -20,8 +21,11 @@ inline constexpr uint32_t kMustBond = 1u, kRestless = 2u;
 /// Of a fragment: it vibrates or is about to be hit hard.
 inline constexpr uint32_t kNeedsBonds = 4u;
 
-/// When a particle is hit hard next.
-enum class HardHit : uint32_t { kNone, kLater, kAtOnce };
+/// When a particle is hit hard: both may be true, and each is found by whoever goes through that part of the
+/// rows, so that any number of threads finds the same.
+struct HardHits {
+    bool later = false, at_once = false;
+};
 
 /// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;
@@ -193,12 +197,11 @@ struct FlagIslands {
         const uint32_t i = k / kThreads, part = k % kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t slot = meetings.label[i];
-        uint32_t found = i == slot && part == 0 ? ownFlags(slot) : 0;
+        uint32_t found = i == slot ? ownFlags(slot) : 0;
         if ((found & kMustBond) == 0) {
-            const HardHit hit = nextHit(i, slot, part);
-            if (hit == HardHit::kAtOnce) found |= kMustBond;
-            if (hit == HardHit::kLater && atomicLoadU32(&words[kHitsLater]) == 0)
-                atomicOrU32(&words[kHitsLater], 1u);
+            const HardHits hits = hardHits(i, slot, part);
+            if (hits.at_once) found |= kMustBond;
+            if (hits.later && atomicLoadU32(&words[kHitsLater]) == 0) atomicOrU32(&words[kHitsLater], 1u);
         }
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
         if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
@@ -221,24 +224,24 @@ struct FlagIslands {
         return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
     }
 
-    DEM_FN HardHit nextHit(uint32_t i, uint32_t slot, uint32_t part) const {
+    DEM_FN HardHits hardHits(uint32_t i, uint32_t slot, uint32_t part) const {
         const WakeLaw<Real> own = wake[meetings.owner[i]];
         const Real size = sizeOf(slot);
-        HardHit hit = HardHit::kNone;
+        HardHits hits;
         if (part == 0 && !isCrumb(slot))
-            hit = nextHitOnPlane(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6)));
+            hits = hitsOnPlanes(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6)));
         meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             const uint32_t other = meetings.label[j];
-            if (hit == HardHit::kAtOnce || (isCrumb(slot) && isCrumb(other))) return;
+            if (isCrumb(slot) && isCrumb(other)) return;
             const Real limit = wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other));
-            if (!meetings.meetHard(i, j, limit, meetings.soon)) return;
-            hit = meetings.meetHard(i, j, limit, meetings.at_once) ? HardHit::kAtOnce : HardHit::kLater;
+            if (meetings.meetHard(i, j, limit, meetings.soon))
+                (meetings.meetHard(i, j, limit, meetings.at_once) ? hits.at_once : hits.later) = true;
         });
-        return hit;
+        return hits;
     }
-    DEM_FN HardHit nextHitOnPlane(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
+    DEM_FN HardHits hitsOnPlanes(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
         const Vec3<Real> position = positionOf(meetings.state, i);
-        HardHit hit = HardHit::kNone;
+        HardHits hits;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
             const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
@@ -246,11 +249,10 @@ struct FlagIslands {
             const auto reaches = [&](Real time) {
                 return madd(time, closing, Real(0.5) * time * time * falling) > gap;
             };
-            if (!(closing > limit) || !reaches(meetings.soon)) continue;
-            if (reaches(meetings.at_once)) return HardHit::kAtOnce;
-            hit = HardHit::kLater;
+            if (closing > limit && reaches(meetings.soon))
+                (reaches(meetings.at_once) ? hits.at_once : hits.later) = true;
         }
-        return hit;
+        return hits;
     }
 };
 

@@ -20,7 +20,7 @@ __global__ void __launch_bounds__(kSubstepBlock)
     LanePartials<T, Real> sums;
     RigidLoad<Real> out;
     gatherRows<T>(
-        arrays, own.id, present, lane, sums,
+        arrays, rowEnds(arrays, own.id, present), lane, sums,
         [&](uint32_t slot, const BondLink& link) {
             return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
         },

@@ -144,20 +144,25 @@ __device__ __forceinline__ void gatherRow(RowCursor<T, Peek>& row, LanePartials<
     }
 }
 
+/// Where the rows of a particle begin and end.
+struct RowEnds {
+    uint32_t first_bond = 0, last_bond = 0, first_contact = 0, last_contact = 0;
+};
+template <class Real>
+__device__ __forceinline__ RowEnds rowEnds(const SubstepArrays<Real>& arrays, uint32_t i, bool present) {
+    if (!present) return {};
+    return {arrays.bond_row[i], arrays.bond_row[i + 1], arrays.contact_row[i], arrays.contact_row[i + 1]};
+}
+
 /// The rows of a particle. Both start before the first is gone through.
 template <uint32_t T, class Real, class BondSlot, class ContactSlot>
-__device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, uint32_t i, bool present,
+__device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, const RowEnds& ends,
                                            uint32_t lane, LanePartials<T, Real>& sums,
                                            const BondSlot& bond_slot, const ContactSlot& contact_slot) {
-    const auto end = [&](const Span<const uint32_t>& rows, uint32_t which) {
-        return present ? rows[i + which] : 0u;
-    };
     const auto peekAtLink = [&](uint32_t slot) { return BondLink{arrays.link[slot]}; };
     const auto peekAtEnd = [&](uint32_t slot) { return contactEnd(arrays, slot); };
-    RowCursor<T, decltype(peekAtLink)> bonds(end(arrays.bond_row, 0), end(arrays.bond_row, 1), lane,
-                                             peekAtLink);
-    RowCursor<T, decltype(peekAtEnd)> contacts(end(arrays.contact_row, 0), end(arrays.contact_row, 1), lane,
-                                               peekAtEnd);
+    RowCursor<T, decltype(peekAtLink)> bonds(ends.first_bond, ends.last_bond, lane, peekAtLink);
+    RowCursor<T, decltype(peekAtEnd)> contacts(ends.first_contact, ends.last_contact, lane, peekAtEnd);
     gatherRow<T>(bonds, sums, bond_slot);
     gatherRow<T>(contacts, sums, contact_slot);
 }
@@ -233,36 +238,63 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
 /// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
 /// registers are worth more than blocks.
 constexpr int blocksAtOnce(uint32_t threads) {
-    return threads >= 8 ? 5 : 7;
+    return threads >= 16 ? 4 : threads >= 8 ? 5 : 7;
+}
+
+/// Places of the work list.
+template <class Real>
+__device__ __forceinline__ uint32_t workCount(const SubstepArrays<Real>& arrays,
+                                              const StepParams<Real>& params) {
+    return arrays.work.all() ? params.in_bodies : arrays.work.listed();
+}
+/// The particle at a place; beyond the list an old one, so that it is read together with the list's length.
+template <class Real>
+__device__ __forceinline__ uint32_t workAt(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                           uint32_t k) {
+    const uint32_t last = params.in_bodies - 1, place = k < last ? k : last;
+    return arrays.work.all() ? place : arrays.work.ids[place];
+}
+
+/// Programmatic dependent launch: the kernel after this one may start, and waits for the end of the one
+/// before it. Nothing on GPUs that know of no such thing.
+__device__ __forceinline__ void letNextStart() {
+#if __CUDA_ARCH__ >= 900
+    cudaTriggerProgrammaticLaunchCompletion();
+#endif
+}
+__device__ __forceinline__ void awaitPrevious() {
+#if __CUDA_ARCH__ >= 900
+    cudaGridDependencySynchronize();
+#endif
 }
 
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
-/// bodies' particles: all, or those of the work list.
+/// bodies' particles: all, or those of the work list. Started while the substep before still runs:
+/// what no substep changes is read before its end is waited for.
 template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
+    letNextStart();
     if (blockIdx.x < kMaxProjectiles) {
+        awaitPrevious();
         const uint32_t shot = params.in_bodies + blockIdx.x;
         if (arrays.work.movesProjectile(shot)) stepProjectile<kLedger>(arrays, params, shot);
         return;
     }
-    const bool all = arrays.work.all();
     const uint32_t first = (blockIdx.x - kMaxProjectiles) * kParticles;
     const uint32_t k = first + threadIdx.x / T, lane = threadIdx.x % T;
-    // Ids beyond the list are old ones, and are read together with its length.
-    const uint32_t last = params.in_bodies - 1, place = k < last ? k : last;
-    const uint32_t id = all ? place : arrays.work.ids[place];
-    const uint32_t count = all ? params.in_bodies : arrays.work.listed();
+    const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = k < count;
+    const RowEnds ends = rowEnds(arrays, id, present);
+    const BodyLaw<Real> law = arrays.body_laws[arrays.owner[id]];
+    awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
-    // Read here: stores to links keep it from leaving the loop.
-    const BodyLaw<Real> law = arrays.body_laws[own.owner];
     LanePartials<T, Real> sums;
     Tally<Real> tally;
     gatherRows<T>(
-        arrays, own.id, present, lane, sums,
+        arrays, ends, lane, sums,
         [&](uint32_t slot, const BondLink& link) {
             return bondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
         },

@@ -23,6 +23,11 @@ class SubstepRunner<CpuBackend, Real> {
                : runWith<false>(backend, data, contacts, params);
         data.current = 1 - data.current;
     }
+    void runOn(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
+               ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+               uint32_t n) {
+        run(backend, data, contacts, params, ledger, n);
+    }
 
   private:
     template <bool kLedger>

@@ -20,7 +20,7 @@ inline uint32_t threadsPerParticle(uint32_t particles) {
         if (std::has_single_bit(threads) && threads <= 16) return threads;
     }
     if (particles < 8'000) return 16;
-    return particles < 40'000 ? 8 : 4;
+    return particles < 48'000 ? 8 : 4;
 }
 
 template <class Real>
@@ -33,15 +33,22 @@ class SubstepRunner<CudaBackend, Real> {
              uint32_t n) {
         for (; n >= kSubstepsTogether; n -= kSubstepsTogether)
             runInterval(backend, data, contacts, params, ledger);
-        for (; n > 0; --n) runOne(backend, data, contacts, params, ledger);
+        for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger, k > 0);
     }
+    /// `follows`: right after another substep of the same work list, whose end it need not wait for to start.
     void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
-                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger) {
+                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+                bool follows = false) {
         const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
-        ledger ? launchWith<true>(backend.stream(), arrays, params)
-               : launchWith<false>(backend.stream(), arrays, params);
-        checkCuda(cudaGetLastError(), "starting a substep");
+        const Launch launch{backend.stream(), follows};
+        ledger ? launchWith<true>(launch, arrays, params) : launchWith<false>(launch, arrays, params);
         data.current = 1 - data.current;
+    }
+    /// n more right after one. Does not wait.
+    void runOn(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
+               ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+               uint32_t n) {
+        for (; n > 0; --n) runOne(backend, data, contacts, params, ledger, true);
     }
     /// What the launches of a substep depend on.
     static GraphKey keyOf(SolverData<CudaBackend, Real>& data, ContactArrays<CudaBackend, Real>& contacts,
@@ -50,6 +57,10 @@ class SubstepRunner<CudaBackend, Real> {
     }
 
   private:
+    struct Launch {
+        cudaStream_t stream = nullptr;
+        bool follows = false;
+    };
     static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
         GraphKey key = stepKey(arrays, params, ledger);
         key.insert(key.end(),
@@ -73,34 +84,52 @@ class SubstepRunner<CudaBackend, Real> {
                      bool ledger) {
         static_assert(kSubstepsTogether % 2 == 0, "a graph must end on the state it started from");
         graphs_.run(backend, keyOf(data, contacts, params, ledger), [&] {
-            for (uint32_t k = 0; k < kSubstepsTogether; ++k) runOne(backend, data, contacts, params, ledger);
+            for (uint32_t k = 0; k < kSubstepsTogether; ++k)
+                runOne(backend, data, contacts, params, ledger, k > 0);
         });
     }
 
     template <bool kLedger>
-    static void launchWith(cudaStream_t stream, const SubstepArrays<Real>& arrays,
+    static void launchWith(const Launch& launch, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
         switch (threadsFor(arrays.work, params)) {
             case 1:
-                return launchT<1, kLedger>(stream, arrays, params);
+                return launchT<1, kLedger>(launch, arrays, params);
             case 2:
-                return launchT<2, kLedger>(stream, arrays, params);
+                return launchT<2, kLedger>(launch, arrays, params);
             case 4:
-                return launchT<4, kLedger>(stream, arrays, params);
+                return launchT<4, kLedger>(launch, arrays, params);
             case 8:
-                return launchT<8, kLedger>(stream, arrays, params);
+                return launchT<8, kLedger>(launch, arrays, params);
             default:
-                return launchT<16, kLedger>(stream, arrays, params);
+                return launchT<16, kLedger>(launch, arrays, params);
         }
     }
 
+    /// Whether the code that runs was compiled for a GPU on which kernels can wait for the one before.
+    template <class Kernel>
+    static bool awaitsPrevious(Kernel* kernel) {
+        cudaFuncAttributes attributes{};
+        return cudaFuncGetAttributes(&attributes, kernel) == cudaSuccess && attributes.ptxVersion >= 90;
+    }
+
     template <uint32_t T, bool kLedger>
-    static void launchT(cudaStream_t stream, const SubstepArrays<Real>& arrays,
+    static void launchT(const Launch& launch, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
         constexpr uint32_t kParticles = kSubstepBlock / T;
         const uint32_t particles = launchedParticles(arrays.work, params);
         const uint32_t blocks = (particles + kParticles - 1) / kParticles + kMaxProjectiles;
-        substepKernel<T, kLedger, Real><<<blocks, kSubstepBlock, 0, stream>>>(arrays, params);
+        const auto kernel = substepKernel<T, kLedger, Real>;
+        cudaLaunchAttribute early{};
+        early.id = cudaLaunchAttributeProgrammaticStreamSerialization;
+        early.val.programmaticStreamSerializationAllowed = 1;
+        cudaLaunchConfig_t config{};
+        config.gridDim = blocks;
+        config.blockDim = kSubstepBlock;
+        config.stream = launch.stream;
+        config.attrs = &early;
+        config.numAttrs = launch.follows && awaitsPrevious(kernel) ? 1 : 0;
+        checkCuda(cudaLaunchKernelEx(&config, kernel, arrays, params), "starting a substep");
     }
 
     CudaGraphCache graphs_;

@@ -60,6 +60,7 @@ class DeviceSolver final : public Solver {
     Stretch stretch() const;
     void placeRigid();
     void look(uint32_t lookahead);
+    void followStrayed(uint32_t next);
     void buildLists();
     bool mustReassign(uint32_t remaining);
     void assignRegimes(bool frame_starts, uint32_t remaining);
@@ -126,7 +127,7 @@ class DeviceSolver final : public Solver {
     uint32_t written_of_ = kNothingWritten;  ///< broken bonds when the draw lists were last written
     Checkpoint<Backend, Real> frame_start_, dry_run_;
     typename Backend::Reader reader_;
-    Buffer<uint32_t> look_words_;
+    Buffer<uint32_t> look_words_, stray_words_, strayed_;
     mutable Buffer<uint64_t> hash_sum_;
     Buffer<Vec4<Real>> shown_projectiles_;
     Buffer<uint8_t> broken_bonds_;
@@ -143,3 +144,4 @@ class DeviceSolver final : public Solver {
 #include "sim_cuda/solver/device_solver_projectiles.h"
 #include "sim_cuda/solver/device_solver_state.h"
 #include "sim_cuda/solver/device_solver_step.h"
+#include "sim_cuda/solver/device_solver_strays.h"

@@ -6,6 +6,7 @@
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/kernels/book_softening.h"
 #include "sim_cuda/kernels/look_at_state.h"
+#include "sim_cuda/kernels/strayed_paths.h"
 #include "sim_cuda/solver/device_solver.h"
 
 namespace demolish {
@@ -66,6 +67,8 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       surface_(backend_, concatenateGeometry(setup.bodies)),
       reader_(backend_),
       look_words_(backend_.template allocate<uint32_t>(kLookWords)),
+      stray_words_(backend_.template allocate<uint32_t>(kStrayWords)),
+      strayed_(backend_.template allocate<uint32_t>(kMostStrayed)),
       hash_sum_(backend_.template allocate<uint64_t>(1)),
       shown_projectiles_(backend_.template allocate<Vec4<Real>>(kMaxProjectiles)),
       broken_bonds_(backend_.template allocate<uint8_t>(data_.bonds.count)),
@@ -219,8 +222,7 @@ void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& 
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
             rigid_runner_.gather(backend_, step, stride);
             runner_.runOne(backend_, data_, step.contacts, params, step.ledger);
-            for (uint32_t k = 1; k < stride; ++k)
-                runner_.runOne(backend_, data_, step.contacts, params_, step.ledger);
+            runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
             rigid_runner_.move(backend_, step, stride, true);
             done += stride;
         }
@@ -238,9 +240,14 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
     runAwake(second);
     const std::vector<uint32_t>& words = reader_.wait();
     const double needed = (progress_.since_build + static_cast<double>(next)) * tables_.time_step;
+    const auto status = static_cast<StepStatus>(words[kLookStatus]);
     progress_.left_paths = words[kLookRebuild] != 0 ? 1 : 0;
-    if (progress_.left_paths != 0 || needed > lists_.horizon()) progress_.rebuild = 1;
-    return static_cast<StepStatus>(words[kLookStatus]);
+    if (status == StepStatus::kOk && progress_.left_paths != 0 && needed <= lists_.horizon())
+        followStrayed(next);
+    else if (progress_.left_paths != 0)
+        progress_.rebuild = 1;
+    if (needed > lists_.horizon()) progress_.rebuild = 1;
+    return status;
 }
 
 /// Contact steps move only those particles of a rigid fragment that may touch something; before anybody reads

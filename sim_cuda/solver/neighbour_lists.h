@@ -10,6 +10,7 @@
 // The host learns how long the rows are while they are written already; should they not fit, they are
 // written again.
 #pragma once
+#include <algorithm>
 #include <bit>
 #include <utility>
 
@@ -67,6 +68,9 @@ class NeighbourLists {
 
     /// s after the last build.
     double horizon() const { return horizon_; }
+    /// They do not hold for longer than this (s after the last build).
+    void holdUntil(double seconds) { horizon_ = std::min(horizon_, seconds); }
+    Span<const uint32_t> buried() const { return buried_.view(); }
     /// Builds so far.
     uint64_t builds() const { return builds_; }
 

@@ -66,12 +66,16 @@ class Regimes {
     const RigidWork& rigid() const { return rigid_; }
     RigidConstants<Real> rigidConstants() { return {rigid_constants_.span(), in_substeps_.span()}; }
     bool movesBonds() const { return counts_[kBondedCount] > 0 || bonded_shots_; }
+    /// Something is rigid or sleeps, so that what meets it has to be known beforehand.
+    bool leavesBonds() const { return movesRigid() || counts_[kAsleepCount] > 0; }
     bool movesRigid() const { return counts_[kFragmentCount] > 0; }
     /// Some rigid fragment may touch what is moved with its bonds: substeps carry it from one contact step to
     /// the next.
     bool carries() const { return counts_[kCarriedCount] > 0; }
     /// Somebody will be hit hard before the next decision but not at once, and has not been woken for it:
     /// decide anew within decisionInterval() substeps.
+    /// m/s: no meeting slower than this wakes bonds.
+    double gentlestHit() const { return gentlest_hit_; }
     bool hitsLater() const { return counts_[kHitsLater] != 0; }
     uint32_t decisionInterval() const { return decision_substeps_; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
@@ -111,7 +115,8 @@ class Regimes {
     ParticleCounts counts_of_;
     bool hand_over_, sleeping_;
     uint32_t decision_substeps_;
-    double at_once_;  ///< s
+    double at_once_;              ///< s
+    double gentlest_hit_ = 1e30;  ///< m/s
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
@@ -156,6 +161,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
         const WakeLaw<double> law =
             wakeLaw(material.beta, material.critical_velocity, setup.bodies[b].threshold_share);
         wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light)};
+        gentlest_hit_ = std::min(gentlest_hit_, law.heavy);
     }
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);

@@ -5,7 +5,7 @@
 namespace demolish {
 
 /// run(backend, data, contacts, params, ledger, n): n substeps from data.current on, which turns with each of
-/// them.
+/// them. runOne: one; runOn: n more right after it.
 template <class Backend, class Real>
 class SubstepRunner;
 

@@ -2,6 +2,7 @@
 // unlisted.
 #include <gtest/gtest.h>
 
+#include "sim_cuda/kernels/strayed_paths.h"
 #include "tests/unit/neighbours/particle_cloud.h"
 
 namespace demolish {
@@ -16,6 +17,9 @@ struct Flight {
     float dt = 5e-5f, since_build = 0;
     int interval = 5;  ///< steps between two looks
     size_t touching = 0, missed = 0, looks = 0;
+    bool follows = false;  ///< who strays gets a new path where that is enough
+    size_t followed = 0;
+    double holds = 0;  ///< s after the build that the lists hold
 
     explicit Flight(Cloud start)
         : cloud(std::move(start)),
@@ -26,6 +30,45 @@ struct Flight {
         arrays.move(cloud);
         lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
         since_build = 0;
+        holds = lists.horizon();
+    }
+    /// False: the lists must be made again.
+    bool follow(float lookahead) {
+        auto strayed = arrays.backend.allocate<uint32_t>(kMostStrayed);
+        auto words = arrays.backend.allocate<uint32_t>(kStrayWords);
+        std::vector<uint32_t> label(cloud.items.size());
+        for (uint32_t i = 0; i < label.size(); ++i) label[i] = i;
+        auto labels = arrays.backend.uploaded(label);
+        auto& contacts = lists.contacts();
+        const PathsNow<float> paths{arrays.state(), contacts.paths(), since_build, lookahead};
+        const size_t total = cloud.items.size();
+        arrays.backend.forEach(total, ListStrayed<float>{paths, strayed.span(), words.span()}, "list");
+        const auto bonds = arrays.bonds.in();
+        arrays.backend.forEach(total,
+                               SeeStrayed<float>{paths,
+                                                 bonds,
+                                                 contacts.in(),
+                                                 lists.buried(),
+                                                 labels.view(),
+                                                 {},
+                                                 arrays.particles.constants.view(),
+                                                 {},
+                                                 float(holds) - since_build,
+                                                 1e9f,
+                                                 cloud.in_bodies,
+                                                 strayed.view(),
+                                                 words.span()},
+                               "see");
+        arrays.backend.forEach(
+            kMostStrayed,
+            RestartStrayed<float>{paths, strayed.view(), words.view(), contacts.built_position.span(),
+                                  contacts.built_velocity.span()},
+            "restart");
+        const double unlisted = secondsOf(words.span()[kTouchesUnlisted]);
+        if (words.span()[kStrayedCount] > kMostStrayed || unlisted < double(lookahead)) return false;
+        holds = std::min(holds, double(since_build) + unlisted);
+        ++followed;
+        return true;
     }
     void look() {
         ++looks;
@@ -36,7 +79,9 @@ struct Flight {
             cloud.items.size(),
             CheckPaths<float>{arrays.state(), lists.contacts().paths(), flag.span(), since_build, lookahead},
             "check paths");
-        if (flag.span()[0] != 0 || since_build + lookahead > lists.horizon()) refresh();
+        if (flag.span()[0] != 0 && follows && since_build + lookahead <= holds && follow(lookahead))
+            flag.span()[0] = 0;
+        if (flag.span()[0] != 0 || since_build + lookahead > holds) refresh();
     }
     bool listed(uint32_t i, uint32_t j) const {
         const auto in = lists.contacts().in();
@@ -87,6 +132,57 @@ TEST(FlyingDebris, NeverTouchesUnlisted) {
         EXPECT_EQ(flight.missed, 0u) << "seed " << seed;
         EXPECT_LT(flight.lists.builds(), flight.looks) << "the horizon was worth nothing";
     }
+}
+
+TEST(FlyingDebris, ThoseWhoStrayAreFollowedAndTouchNothingUnlisted) {
+    for (const unsigned seed : {1u, 2u, 3u}) {
+        Flight made_again(test::randomCloud(350, 0.35, 0.006, 0.014, 10, seed)), followed(made_again.cloud);
+        followed.follows = true;
+        for (Flight* flight : {&made_again, &followed}) flight->fly(800, seed == 3);
+        EXPECT_GT(followed.touching, 3000u);
+        EXPECT_EQ(followed.missed, 0u) << "seed " << seed;
+        EXPECT_GT(followed.followed, 0u) << "seed " << seed;
+        EXPECT_LT(followed.lists.builds(), made_again.lists.builds()) << "seed " << seed;
+    }
+}
+
+TEST(FlyingDebris, ACrumbThatTurnsRoundInTheOpenCostsNoBuild) {
+    Cloud cloud;
+    cloud.items = {{{0, 0, 0}, {5, 0, 0}, 0.01f, true}, {{0, 0.3f, 0}, {}, 0.01f, true}};
+    cloud.addProjectileSlots();
+    Flight flight(cloud);
+    flight.follows = true;
+    flight.refresh();
+    flight.since_build = 1e-3f;
+    flight.cloud.items[0].x.x = 5e-3f;
+    flight.cloud.items[0].v.x = -5;
+    flight.look();
+    EXPECT_EQ(flight.followed, 1u);
+    EXPECT_EQ(flight.lists.builds(), 1u);
+    // On its new path it strays no more.
+    flight.since_build = 2e-3f;
+    flight.cloud.items[0].x.x = 0;
+    flight.look();
+    EXPECT_EQ(flight.followed, 1u);
+    EXPECT_EQ(flight.lists.builds(), 1u);
+}
+
+TEST(FlyingDebris, ListsHoldOnlyUntilACrumbMayReachAStranger) {
+    Cloud cloud;
+    cloud.items = {{{0, 0, 0}, {-5, 0, 0}, 0.01f, true}, {{0.2f, 0, 0}, {}, 0.01f, true}};
+    cloud.addProjectileSlots();
+    Flight flight(cloud);
+    flight.follows = true;
+    flight.refresh();
+    EXPECT_FALSE(flight.listed(0, 1));
+    const double before = flight.holds;
+    flight.since_build = 1e-3f;
+    flight.cloud.items[0].x.x = -5e-3f;
+    flight.cloud.items[0].v.x = 5;
+    flight.look();
+    EXPECT_EQ(flight.followed, 1u);
+    // Reaches with skins: 0.205 m less 2 (0.01 + 0.005), at 5 m/s.
+    EXPECT_NEAR(flight.holds, std::min(before, 1e-3 + 0.175 / 5), 1e-5);
 }
 
 TEST(FlyingDebris, FragmentsThatFlyTogetherDoNotRebuild) {

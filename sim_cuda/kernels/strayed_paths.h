@@ -1,0 +1,189 @@
+// The few that leave the paths on which contact lists rely (predicted_path.h): crumbs that bounce, corners of
+// what spins. Lists for all need not be made again for them. They get new paths from where they are; what is
+// asked is when one of them may touch somebody whom its row does not name, and when it may meet somebody with
+// whom the last decision has not reckoned.
+//
+//   list the strayed -> see whom they meet -> start their paths anew
+#pragma once
+#include <bit>
+
+#include "sim_cuda/data/planes.h"
+#include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/find_neighbours.h"
+
+namespace demolish {
+
+/// With more than this many, lists are made again.
+inline constexpr uint32_t kMostStrayed = 64;
+
+/// Words for the host, 0 before: how many have strayed (above kMostStrayed: too many), and two moments as
+/// soonest() tells them: somebody may touch who is not listed; something has to be decided.
+inline constexpr uint32_t kStrayedCount = 0, kTouchesUnlisted = 1, kMustDecide = 2, kStrayWords = 3;
+
+/// The sooner, the larger the word: threads agree by the largest, and 0 means never. `seconds` >= 0.
+DEM_FN uint32_t soonest(float seconds) {
+    return ~std::bit_cast<uint32_t>(seconds);
+}
+/// s; infinite for never.
+inline double secondsOf(uint32_t word) {
+    return word == 0 ? 1e30 : static_cast<double>(std::bit_cast<float>(~word));
+}
+
+/// As in PathsIn, but the position is that of this moment.
+template <class Real>
+struct PathFromHere {
+    Vec4<Real> position, velocity;
+};
+
+/// Paths at a moment, `elapsed` s after the build.
+template <class Real>
+struct PathsNow {
+    StateIn<Real> state;
+    PathsIn<Real> paths;
+    Real elapsed{}, lookahead{};
+
+    DEM_FN bool strays(uint32_t i) const {
+        return leavesPath(paths.position[i], paths.velocity[i], positionOf(state, i), xyz(state.velocity[i]),
+                          elapsed, lookahead);
+    }
+    DEM_FN PathFromHere<Real> former(uint32_t i) const {
+        const Vec4<Real> start = paths.position[i], velocity = paths.velocity[i];
+        return {withW(axpy(elapsed, xyz(velocity), xyz(start)), start.w), velocity};
+    }
+    DEM_FN PathFromHere<Real> anew(uint32_t i) const {
+        return {withW(positionOf(state, i), paths.position[i].w),
+                withW(xyz(state.velocity[i]), paths.velocity[i].w)};
+    }
+    DEM_FN PathFromHere<Real> now(uint32_t i) const { return strays(i) ? anew(i) : former(i); }
+};
+
+/// One thread a particle or projectile slot.
+template <class Real>
+struct ListStrayed {
+    PathsNow<Real> paths;
+    Span<uint32_t> strayed;  ///< kMostStrayed ids, in any order
+    Span<uint32_t> words;    ///< kStrayWords
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (!paths.strays(i) || atomicLoadU32(&words[kStrayedCount]) > kMostStrayed) return;
+        const uint32_t place = atomicAddU32(&words[kStrayedCount], 1);
+        if (place < kMostStrayed) strayed[place] = i;
+    }
+};
+
+/// One thread a particle or projectile slot, which looks at all the strayed.
+template <class Real>
+struct SeeStrayed {
+    PathsNow<Real> paths;
+    BondRowsIn<Real> bonds;
+    ContactRowsIn<Real> contacts;
+    Span<const uint32_t> buried;         ///< per particle of a body, as StartPaths has it
+    Span<const uint32_t> label, regime;  ///< without `regime` everything is moved with its bonds
+    Span<const Vec4<Real>> constants;
+    PlaneSet<Real> planes;
+    Real remaining{};  ///< s that the lists hold from here
+    Real gentle{};     ///< m/s: no meeting slower than this wakes bonds
+    uint32_t in_bodies = 0;
+    Span<const uint32_t> strayed;
+    Span<uint32_t> words;  ///< kStrayWords
+
+    DEM_FN void operator()(uint32_t j) const {
+        const uint32_t count = words[kStrayedCount];
+        if (count == 0 || count > kMostStrayed || !takesPart(j) || isEnclosed(j)) return;
+        const PathFromHere<Real> other = paths.now(j);
+        for (uint32_t k = 0; k < count; ++k) {
+            const uint32_t i = strayed[k];
+            if (i == j)
+                seePlanes(i);
+            else if (!isEnclosed(i) && !moveAsOne(i, j))
+                seePair(i, j, paths.anew(i), other);
+        }
+    }
+
+  private:
+    DEM_FN bool takesPart(uint32_t i) const { return paths.paths.velocity[i].w >= Real(0); }
+    DEM_FN bool isEnclosed(uint32_t i) const {
+        return i < in_bodies && standsBetweenBonds(buried, bonds.row_start, bonds.link, i);
+    }
+    DEM_FN bool moveAsOne(uint32_t i, uint32_t j) const {
+        return label[i] == label[j] && regime.count > 0 && regime[label[i]] != wordOf(Regime::kBonded);
+    }
+    DEM_FN bool isListed(uint32_t i, uint32_t j) const {
+        uint32_t low = contacts.row_start[i], high = contacts.row_start[i + 1];
+        const uint32_t end = high;
+        while (low < high) {
+            const uint32_t middle = (low + high) / 2;
+            if (contacts.neighbour[middle] < j)
+                low = middle + 1;
+            else
+                high = middle;
+        }
+        return low < end && contacts.neighbour[low] == j;
+    }
+    DEM_FN bool hasRecord(uint32_t i, uint32_t j) const {
+        for (uint32_t slot = bonds.row_start[i]; slot < bonds.row_start[i + 1]; ++slot)
+            if (linkedParticle(bonds.link[slot]) == j) return true;
+        return false;
+    }
+    DEM_FN void tell(uint32_t word, Real seconds) const {
+        const uint32_t told = soonest(static_cast<float>(seconds));
+        if (told > atomicLoadU32(&words[word])) atomicMaxU32(&words[word], told);
+    }
+
+    DEM_FN void seePair(uint32_t i, uint32_t j, const PathFromHere<Real>& own,
+                        const PathFromHere<Real>& other) const {
+        if (!mayMeet(own.position, own.velocity, other.position, other.velocity, remaining)) return;
+        const Vec3<Real> x = xyz(other.position) - xyz(own.position),
+                         v = xyz(other.velocity) - xyz(own.velocity);
+        const Real gap = length(x) - (own.position.w + other.position.w), speed2 = length2(v);
+        const Real seconds = gap > Real(0) ? minOf(gap * inverseSqrt(speed2), remaining) : Real(0);
+        if (!isListed(i, j) && !hasRecord(i, j))
+            tell(kTouchesUnlisted, seconds);
+        else if (label[i] != label[j] && (speed2 > gentle * gentle || !wereToMeet(i, j)))
+            tell(kMustDecide, seconds);
+    }
+    /// By the paths before, and by so much that the last decision has seen it.
+    DEM_FN bool wereToMeet(uint32_t i, uint32_t j) const {
+        const PathFromHere<Real> a = paths.former(i), b = paths.former(j);
+        return mayMeet(withW(xyz(a.position), a.position.w - Real(0.5) * a.velocity.w), a.velocity,
+                       withW(xyz(b.position), b.position.w - Real(0.5) * b.velocity.w), b.velocity,
+                       remaining);
+    }
+
+    DEM_FN void seePlanes(uint32_t i) const {
+        const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
+        const Real radius = constants[i].w, skin = own.velocity.w;
+        for (uint32_t p = 0; p < planes.count; ++p) {
+            const Real gap = heightOver(p, own) - (radius + skin), sinking = sinkingTo(p, own);
+            if (!(sinking > Real(0)) || !(sinking * remaining > gap)) continue;
+            const bool was_near = heightOver(p, before) - maxOf(sinkingTo(p, before), Real(0)) * remaining <
+                                  radius + Real(0.5) * skin;
+            if (sinking > gentle || !was_near)
+                tell(kMustDecide, gap > Real(0) ? minOf(gap / sinking, remaining) : Real(0));
+        }
+    }
+    DEM_FN Real heightOver(uint32_t p, const PathFromHere<Real>& path) const {
+        return dot(xyz(planes.planes[p]), xyz(path.position)) - planes.planes[p].w;
+    }
+    DEM_FN Real sinkingTo(uint32_t p, const PathFromHere<Real>& path) const {
+        return -dot(xyz(planes.planes[p]), xyz(path.velocity));
+    }
+};
+
+/// One thread one of the strayed: its path as if it had always been on it since the build.
+template <class Real>
+struct RestartStrayed {
+    PathsNow<Real> paths;
+    Span<const uint32_t> strayed, words;
+    Span<Vec4<Real>> built_position, built_velocity;
+
+    DEM_FN void operator()(uint32_t k) const {
+        if (k >= words[kStrayedCount] || words[kStrayedCount] > kMostStrayed) return;
+        const uint32_t i = strayed[k];
+        const PathFromHere<Real> own = paths.anew(i);
+        built_position[i] = withW(axpy(-paths.elapsed, xyz(own.velocity), xyz(own.position)), own.position.w);
+        built_velocity[i] = own.velocity;
+    }
+};
+
+}  // namespace demolish
