@@ -92,6 +92,11 @@ int main(int argument_count, char** arguments) {
     app.add_option("--device", options.device)->check(CLI::IsMember({"cpu", "cuda"}));
     app.add_option("--folder", options.folder, "where the sphere's mesh goes");
     CLI11_PARSE(app, argument_count, arguments);
-    demolish::tests::runStudy(options);
+    try {
+        demolish::tests::runStudy(options);
+    } catch (const demolish::Error& error) {
+        std::fprintf(stderr, "threshold_study: %s\n", error.what());
+        return static_cast<int>(error.code());
+    }
     return 0;
 }
