@@ -8,7 +8,6 @@
 #include <map>
 
 #include "app/bridge/fragment_reader.h"
-#include "app/session/ball_flight.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 
@@ -16,11 +15,27 @@ namespace demolish {
 namespace {
 
 constexpr double kFrameTime = 1.0 / 60;  // s
-constexpr double kFlight = 0.004;   // s before the ball meets the surface: clear of a body that has sagged
-constexpr double kMostDelay = 0.1;  // s, of a ball so slow that it creeps up to the first particle
+constexpr double kFlight = 0.004;     // s before the ball meets the surface: clear of a body that has sagged
+constexpr double kClear = 1.2;        // of what particles reach beyond the surface
+constexpr double kMostFlight = 0.02;  // s: a longer one is so bent by gravity that it leads through the body
+constexpr int kQuietFrames = 6;       // 0.1 s without a bond that breaks: what holds until then has held
+constexpr int kMostFrames = 60;       // 1 s
+constexpr double kMostDelay = 0.1;    // s, of a ball so slow that it creeps up to the first particle
 
 bool isDrop(const Shot& shot) {
     return shot.impact.kind == ImpactKind::kDrop;
+}
+
+/// m. In a thin wall particles touch as spheres of half the distance to the next one, wider than the wall: a
+/// slow ball that is placed at the surface would start inside them, and be shot away by what it presses on.
+double reachBeyondSurface(const BreakableBody& body) {
+    std::vector<double> radius(body.particles.size(), 0.0);
+    for (const BondGeometry& bond : body.bonds)
+        for (const uint32_t end : {bond.i, bond.j})
+            if (!(radius[end] > 0) || bond.length < 2 * radius[end]) radius[end] = bond.length / 2;
+    double reach = 0;
+    for (size_t i = 0; i < radius.size(); ++i) reach = std::max(reach, radius[i] - body.particles[i].depth);
+    return reach;
 }
 
 }  // namespace
@@ -53,6 +68,7 @@ ImpactTrial::ImpactTrial(const Shot& shot, std::shared_ptr<const BreakableBody> 
     : shot_(shot), options_(options) {
     shot_.impact.velocity = 1;  // above 0, so that a drop is set up as one; every trial has its own
     setup_ = makeSetup(shot_, {std::move(body)});
+    beyond_ = reachBeyondSurface(*setup_.bodies[0].body);
     setup_.params.ledger = false;
     setup_.params.substeps *= options.finer_steps;
     setup_.params.step_safety /= options.finer_steps;
@@ -82,35 +98,41 @@ void ImpactTrial::placeAboveFloor(double speed) {
     instance.velocity = {0, -speed, 0};
 }
 
-Projectile ImpactTrial::ballAt(double speed) const {
+ThrownBall ImpactTrial::ballAt(double speed) const {
     Shot shot = shot_;
     shot.impact.velocity = speed;
-    return makeBall(shot, setup_, shot.balls[0], kFlight).ball;
+    const double flight = std::clamp(kClear * beyond_ / speed, kFlight, kMostFlight);
+    return makeBall(shot, setup_, shot.balls[0], flight);
 }
 
 bool ImpactTrial::breaksAt(double speed) {
     const bool drop = isDrop(shot_);
     std::unique_ptr<Solver> dropped;
+    double flight = 0;
     if (drop) {
         placeAboveFloor(speed);
         dropped = makeSolver({});
     } else {
         solver_->restore(start_);
-        solver_->fire(ballAt(speed));
+        const ThrownBall thrown = ballAt(speed);
+        solver_->fire(thrown.ball);
+        flight = thrown.flight;
     }
     Solver& solver = drop ? *dropped : *solver_;
     // Particles touch as spheres inside their cells: up to half a spacing later than the surface does.
     const double gap = 0.5 * setup_.bodies[0].body->spacing;
-    const double delay = std::min(kMostDelay, gap / std::max(speed, 1e-3)) + (drop ? 0 : kFlight);
+    const double delay = std::min(kMostDelay, gap / std::max(speed, 1e-3)) + flight;
     const BreakableBody& body = *setup_.bodies[0].body;
     const double seconds =
         trialSeconds(shot_.impact.kind, body.bounds_max.y - body.bounds_min.y, speed) + delay;
     const int frames = static_cast<int>(std::lround(seconds / kFrameTime));
-    for (int frame = 0; frame < frames; ++frame) {
+    for (int frame = 0, broke = 0; frame < frames || (frame < kMostFrames && frame - broke < kQuietFrames);
+         ++frame) {
         const StepStatus status = solver.advanceFrame();
         if (status != StepStatus::kOk) throw NumericalError(describe(status));
         simulated_ += kFrameTime;
         if (broken(solver)) return true;
+        if (solver.stats().fracture_changed) broke = frame + 1;
     }
     return false;
 }
@@ -138,7 +160,7 @@ double ImpactTrial::bodyMass() const {
 
 double ImpactTrial::ballMass() const {
     if (isDrop(shot_)) return 0;
-    const Projectile ball = ballAt(1);
+    const Projectile ball = ballAt(1).ball;
     return ball.density * 4.0 / 3 * 3.14159265358979323846 * ball.radius * ball.radius * ball.radius;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include <memory>
 
+#include "app/session/ball_flight.h"
 #include "app/session/shot.h"
 #include "sim_cuda/api/solver.h"
 
@@ -14,7 +15,8 @@ inline constexpr double kIntactShare = 0.8, kPieceShare = 0.01, kCrushedShare = 
 
 /// s. 0.1 (models.md E.2), but as long as the impact takes where it is slow: until the ball has gone twice
 /// the body's height, to the far wall of a hollow body, or a dropped body half its own, so that its other
-/// edge has struck; 0.5 at most. `height` in m, `speed` in m/s.
+/// edge has struck; 0.5 at most. `height` in m, `speed` in m/s. A trial goes on while bonds still break, to 1
+/// s.
 inline constexpr double kLeastTrial = 0.1, kLongestTrial = 0.5;
 double trialSeconds(ImpactKind kind, double height, double speed);
 
@@ -42,6 +44,9 @@ class ImpactTrial {
     /// blows up.
     bool breaksAt(double speed);
 
+    /// The ball of a trial at this speed (m/s), clear of all particles where that takes less than 0.02 s.
+    ThrownBall ballAt(double speed) const;
+
     /// kg, of the body and of the ball; the ball's is 0 for a drop.
     double bodyMass() const;
     double ballMass() const;
@@ -52,12 +57,12 @@ class ImpactTrial {
   private:
     std::unique_ptr<Solver> makeSolver(const ProgressCallback& progress) const;
     void placeAboveFloor(double speed);
-    Projectile ballAt(double speed) const;
     bool broken(Solver& solver) const;
 
     Shot shot_;
     TrialOptions options_;
     SceneSetup setup_;
+    double beyond_ = 0;               ///< m, by which particles reach beyond the surface
     std::unique_ptr<Solver> solver_;  ///< of the balls
     Snapshot start_;
     double simulated_ = 0;

@@ -58,10 +58,18 @@ std::vector<uint64_t> momentsOf(const CaptureOptions& options, const Shot& shot)
     return moments;
 }
 
+/// What particles are coloured by: their fragment, unless the view is named after something else.
+ParticleColour colourOf(const std::string& view) {
+    if (view == "damage") return ParticleColour::kDamage;
+    if (view == "stress") return ParticleColour::kStress;
+    if (view == "speed") return ParticleColour::kSpeed;
+    return ParticleColour::kFragment;
+}
+
 engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double yaw, bool software) {
     engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
                                            renderQuality(capture.options.shot, software));
-    if (capture.options.view == "particles") view.mode = engine::ViewMode::kParticles;
+    if (capture.options.view != "surface") view.mode = engine::ViewMode::kParticles;
     view.camera.orbit(static_cast<float>(glm::radians(yaw)),
                       static_cast<float>(glm::radians(capture.options.camera_pitch)));
     return view;
@@ -118,6 +126,7 @@ void runCapture(const CaptureOptions& options) {
     announce(built);
     HeadlessStage stage(on_gpu);
     Session session(std::move(built), {.draw = true});
+    session.setColour(colourOf(options.view));
     runFrames(capture, session, stage, files);
     files.finish();
 
@@ -149,9 +158,12 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
         ->type_name("DIR");
     command->add_option("--video", options.video, "Film, through the ffmpeg program")->type_name("FILE");
     command->add_option("--report", options.report, "Report of the run, JSON, SI units")->type_name("FILE");
-    command->add_option("--view", options.view, "What to draw")
-        ->type_name("surface|particles")
-        ->check(CLI::IsMember({"surface", "particles"}).description(""))
+    command
+        ->add_option("--view", options.view,
+                     "What to draw; the last three: particles by share of broken bonds, by bond stress over "
+                     "strength, by speed")
+        ->type_name("surface|particles|damage|stress|speed")
+        ->check(CLI::IsMember({"surface", "particles", "damage", "stress", "speed"}).description(""))
         ->capture_default_str();
     command->add_option("--at", options.at, "Draw these moments only, in seconds; instead of --frames")
         ->type_name("S,S,...")

@@ -127,6 +127,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["bonds"] = stats.bonds;
     json["bonds_broken"] = stats.bonds_broken;
     json["bonds_parted"] = stats.bonds_parted;
+    json["max_stress_ratio"] = stats.max_stress_ratio;
     json["fragments"] = stats.fragments;
     json["largest_fragment_fraction"] = stats.largest_fragment_fraction;
     json["mass"] = stats.mass;

@@ -8,11 +8,12 @@
 
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/wave_speed.h"
 
 namespace demolish {
 namespace {
 
-constexpr double kKappa = 0.68;    // dt_crit c_eff / h of the beam law, models.md E.1: 0.65-0.72
+constexpr double kKappa = 0.68;    // dt_crit c_eff / h of compact bodies, models.md E.1: 0.65-0.72
 constexpr double kGravity = 9.81;  // m/s^2
 constexpr double kSagFactor = 60;  // c_eff / sqrt(g H) at which no model of models.md E.4 sagged visibly
 constexpr uint32_t kLeastSubsteps = 40;
@@ -65,7 +66,12 @@ double wantedWaveSpeed(const Shot& shot, double body_height) {
 
 uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_safety) {
     if (shot.substeps) return *shot.substeps;
-    const double wanted = wantedWaveSpeed(shot, heightOf(body)) / (kKappa * step_safety * 60 * body.spacing);
+    const double speed = wantedWaveSpeed(shot, heightOf(body));
+    double wanted = speed / (kKappa * step_safety * 60 * body.spacing);
+    if (!body.bonds.empty()) {
+        const auto tried = static_cast<uint32_t>(std::ceil(wanted));
+        wanted = tried * speed / softenedWaveSpeed(body, shot.material, tried, step_safety);
+    }
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), double{kLeastSubsteps}, kSubstepRange.most));
 }
 

@@ -15,7 +15,9 @@ namespace demolish {
 double wantedWaveSpeed(const Shot& shot, double body_height);
 inline constexpr double kDefaultFailureStrain = 0.011;
 
-/// n_sub of models.md E.1: c_eff / (kappa safety 60 h).
+/// n_sub of models.md E.1: c_eff / (kappa safety 60 h), with the kappa of this very body, or the wave speed
+/// and the strength with it would hang on how many cells there are through a wall. Of the usual kappa without
+/// bonds.
 uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_safety);
 
 /// How many different fillings the shot's bodies ask for, at least 1.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Raised when trials, solver or criterion change so that old measurements no longer hold.
-constexpr uint32_t kMeasurementVersion = 2;
+constexpr uint32_t kMeasurementVersion = 3;
 
 /// FNV-1a over values, bit by bit.
 class Hash {

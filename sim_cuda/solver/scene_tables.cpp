@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numeric>
 #include <tuple>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/wave_speed.h"
 #include "sim_cuda/physics/bond_stiffness.h"
 #include "sim_cuda/physics/restitution.h"
 #include "sim_cuda/physics/softening.h"
@@ -299,6 +301,23 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     }
     report(progress, 1, "Finding the stable time step");
     return tables;
+}
+
+double softenedWaveSpeed(const BreakableBody& body, const Material& material, uint32_t substeps,
+                         double step_safety) {
+    BodyInstance instance;
+    instance.body = std::shared_ptr<const BreakableBody>(std::shared_ptr<void>(), &body);  // owns nothing
+    instance.material = material;
+    SceneTables tables;
+    tables.row_start.push_back(0);
+    appendParticles(instance, 0, tables);
+    appendBonds(instance, 0, 0, tables);
+    const double omega =
+        highestFrequency(tables, 0, static_cast<uint32_t>(tables.mass.size()), shearRatio(instance.material));
+    if (!(omega > 0)) return 0;
+    SolverParams params;
+    params.step_safety = step_safety;
+    return bodyConstants(instance, params, omega, 1.0 / 60 / substeps).report.wave_speed;
 }
 
 }  // namespace demolish

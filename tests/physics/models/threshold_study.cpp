@@ -58,7 +58,7 @@ std::vector<StudyShot> studyShots(const std::filesystem::path& folder) {
     };
     const Row rows[] = {{"sphere", sphereShot(folder), 1, 12},    {"cube", cubeShot(), 1, 5},
                         {"rabbit", loadScene("bunny"), 0.6, 3.5}, {"column", loadScene("column"), 0.3, 0.7},
-                        {"vase", loadScene("vase"), 0.22, 0.7},   {"wolf", loadScene("wolf"), 0.25, 1.2}};
+                        {"vase", loadScene("vase"), 0.2, 0.45},   {"wolf", loadScene("wolf"), 0.7, 0.45}};
     std::vector<StudyShot> shots;
     for (const Row& row : rows)
         for (const bool drop : {true, false}) {
@@ -90,6 +90,7 @@ double StudyResult::spread() const {
 StudyResult runCase(const StudyCase& wanted) {
     Shot shot = wanted.shot->shot;
     shot.fineness.particles = wanted.particles;
+    shot.seed += wanted.first_packing;
     const auto mesh = loadSolidMesh(shot.model, {.height = shot.height});
     const auto packings = fillPackings(shot, *mesh, wanted.packings, wanted.trial.on_gpu, {});
     const ImpactTrial trial(shot, packings[0], wanted.trial);

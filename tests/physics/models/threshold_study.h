@@ -25,6 +25,7 @@ struct StudyCase {
     uint32_t particles = 0, packings = 1;
     double tolerance = 0.06;
     TrialOptions trial;
+    uint32_t first_packing = 0;  ///< so that processes can share a case
 };
 struct StudyResult {
     double size_ratio = 0;                ///< D/h, D = diameter of the sphere of equal volume

@@ -15,7 +15,7 @@ struct StudyOptions {
     std::vector<std::string> bodies, kinds{"drop", "ball"};
     std::vector<uint32_t> particles{1000, 3000, 10000};
     std::vector<double> tough_factors{1, 2, 3, 4};
-    uint32_t packings = 4, finer_steps = 1;
+    uint32_t packings = 4, first_packing = 0, finer_steps = 1;
     double tolerance = 0.06;
 };
 
@@ -58,7 +58,8 @@ void runStudy(const StudyOptions& options) {
     for (const StudyShot& shot : shots)
         for (const uint32_t particles : options.particles) {
             const auto begun = std::chrono::steady_clock::now();
-            StudyCase wanted{&shot, particles, options.packings, options.tolerance, {}};
+            StudyCase wanted{
+                &shot, particles, options.packings, options.tolerance, {}, options.first_packing};
             wanted.trial = {options.device == "cuda", options.finer_steps};
             try {
                 const StudyResult result = runCase(wanted);
@@ -84,11 +85,18 @@ int main(int argument_count, char** arguments) {
     app.add_option("--particles", options.particles)->delimiter(',');
     app.add_option("--tough-factors", options.tough_factors, "1: no tough cells")->delimiter(',');
     app.add_option("--packings", options.packings);
+    app.add_option("--first-packing", options.first_packing,
+                   "which to begin with, so that processes can share");
     app.add_option("--finer-steps", options.finer_steps, "substeps at the same stiffness, that many times");
     app.add_option("--tolerance", options.tolerance);
     app.add_option("--device", options.device)->check(CLI::IsMember({"cpu", "cuda"}));
     app.add_option("--folder", options.folder, "where the sphere's mesh goes");
     CLI11_PARSE(app, argument_count, arguments);
-    demolish::tests::runStudy(options);
+    try {
+        demolish::tests::runStudy(options);
+    } catch (const demolish::Error& error) {
+        std::fprintf(stderr, "threshold_study: %s\n", error.what());
+        return static_cast<int>(error.code());
+    }
     return 0;
 }

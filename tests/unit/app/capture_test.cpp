@@ -47,6 +47,24 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
 }
 
+TEST(Capture, ParticlesAreColouredByWhatTheViewNames) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    std::vector<std::vector<uint8_t>> pictures;
+    for (const char* view : {"surface", "particles", "damage", "stress", "speed"}) {
+        const auto out = folder.path() / view;
+        const ProgramRun run =
+            runProgram({"capture", "block", "--device", "cpu", "--particles", "200", "--at", "0.25", "--size",
+                        "160x90", "--view", view, "--out", out, "--report", out / "report.json"});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+        const auto picture = engine::readPng(out / "frame_0000.png");
+        for (const auto& other : pictures) EXPECT_NE(picture.pixels, other) << view;
+        pictures.push_back(picture.pixels);
+        const auto report = nlohmann::json::parse(readText(out / "report.json"));
+        EXPECT_GT(report["max_stress_ratio"].get<double>(), 0);
+    }
+}
+
 TEST(Capture, TheCameraTurnsRoundTheBody) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;

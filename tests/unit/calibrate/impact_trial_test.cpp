@@ -5,9 +5,12 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 #include "app/calibrate/calibration.h"
 #include "app/session/scene_file.h"
+#include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/temporary_folder.h"
 
@@ -47,6 +50,50 @@ TEST(ImpactTrial, LastsAsLongAsTheImpactTakes) {
         << "the same way, so that thresholds are proportional to the strength";
     EXPECT_NEAR(trialSeconds(ImpactKind::kDrop, 0.5, 1), 0.25, 1e-12);
     EXPECT_EQ(trialSeconds(ImpactKind::kDrop, 2, 0.1), kLongestTrial);
+}
+
+/// The particles of a wall one cell thick touch as spheres wider than the wall: a slow ball placed at the
+/// surface would begin inside them.
+TEST(ImpactTrial, ASlowBallStartsClearOfAThinWall) {
+    Shot shot = loadScene("vase");
+    shot.fineness.particles = 500;
+    shot = trialShot(shot);
+    const auto body = bodyOf(shot);
+    const ImpactTrial trial(shot, body, {});
+    std::vector<double> radius(body->particles.size(), 1);
+    for (const BondGeometry& bond : body->bonds)
+        for (const uint32_t end : {bond.i, bond.j}) radius[end] = std::min(radius[end], bond.length / 2);
+    const BodyInstance& instance = trial.setup().bodies[0];
+    const Quaternion& q = instance.rotation;
+    for (const double speed : {0.6, 1.0, 4.0}) {
+        const Projectile ball = trial.ballAt(speed).ball;
+        double gap = 1;
+        for (size_t i = 0; i < radius.size(); ++i) {
+            const Double3& seed = body->particles[i].seed;
+            const glm::dvec3 at = glm::dquat(q.w, q.x, q.y, q.z) * glm::dvec3(seed.x, seed.y, seed.z);
+            const glm::dvec3 away(ball.position.x - instance.position.x - at.x,
+                                  ball.position.y - instance.position.y - at.y,
+                                  ball.position.z - instance.position.z - at.z);
+            gap = std::min(gap, glm::length(away) - ball.radius - radius[i]);
+        }
+        EXPECT_GT(gap, 0) << speed;
+        EXPECT_LT(gap, 0.015 + 0.004 * speed) << speed << ": nor far off";
+    }
+}
+
+/// Strength is proportional to the wave speed: a body that got another one at another size would break
+/// otherwise. Walls of one cell (vase) and legs (wolf) differ most from the usual kappa.
+TEST(ImpactTrial, TheWaveSpeedIsTheScenesAtEverySize) {
+    for (const char* scene : {"vase", "wolf", "bunny"})
+        for (const uint32_t particles : {200u, 600u}) {
+            Shot shot = loadScene(scene);
+            shot.fineness.particles = particles;
+            SceneSetup setup = makeSetup(trialShot(shot), {bodyOf(shot)});
+            setup.params.settle_time = 0;
+            const double speed = makeCpuSolver(setup)->softening().wave_speed;
+            EXPECT_GE(speed / shot.wave_speed, 0.999) << scene << ' ' << particles;
+            EXPECT_LE(speed / shot.wave_speed, 1 + 1.1 / setup.params.substeps) << scene << ' ' << particles;
+        }
 }
 
 TEST(ImpactTrial, AsksForTheBodyThatTheFastestBallHits) {

@@ -1,0 +1,70 @@
+// The ledger closes to 1.00-1.05 in every scene with every material (physics.md D 20), with hand-over and
+// sleep as the scene has them.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "app/session/data_folder.h"
+#include "app/session/scene_file.h"
+#include "tests/physics/scenes/outcome.h"
+#include "tests/physics/scenes/scene_run.h"
+
+namespace demolish::tests {
+namespace {
+
+constexpr uint32_t kParticles = 200;  // of the body that stays
+constexpr double kAfterwards = 0.4;   // s that pieces fly, fall and roll after the hit
+
+/// One body of the scene with the balls that are meant for it, its fastest if the scene has many.
+Shot oneBody(const std::string& scene) {
+    const Shot whole = loadScene(scene);
+    if (whole.bodies.empty()) return smallScene(scene, kParticles);
+    uint32_t hit = 0;
+    for (const TimedBall& ball : whole.balls)
+        if (ball.speed_share == 1) hit = ball.body;
+    return smallScene(scene, kParticles, {hit});
+}
+
+/// The scene in another material, hit as hard for its strength as the scene's own is.
+Shot inMaterial(const std::string& scene, const std::string& material) {
+    Shot shot = oneBody(scene);
+    const double critical = shot.material.critical_velocity;
+    if (!material.empty()) applyMaterial(shot, material);
+    shot.impact.velocity *= shot.material.critical_velocity / critical;
+    bringForward(shot, {0.1, 0.1});
+    return shot;
+}
+
+void expectClosed(const Shot& shot, double least, const std::string& name) {
+    const SceneOutcome outcome = outcomeOf(shot, 0.1 + kAfterwards);
+    std::printf("%s, %s: closure %.4f, damping %.3f, friction %.3f, fracture %.3f, %g bonds broken\n",
+                shot.scene.c_str(), name.c_str(), outcome.closure, outcome.damping, outcome.friction,
+                outcome.fracture, outcome.broken);
+    EXPECT_GE(outcome.closure, least) << name;
+    EXPECT_LE(outcome.closure, 1.05) << name;
+    EXPECT_GT(outcome.broken, 10) << name << " is to break";
+    for (const double taken : {outcome.damping, outcome.friction, outcome.fracture}) {
+        EXPECT_GE(taken, 0) << name;
+        EXPECT_LE(taken, 1) << name;
+    }
+}
+
+class Ledger : public testing::TestWithParam<std::string> {};
+
+TEST_P(Ledger, ClosesInTheScenesMaterialAndInEveryPreset) {
+    expectClosed(inMaterial(GetParam(), ""), 0.99, "own");
+    for (const std::string& material : assetNames("materials"))
+        expectClosed(inMaterial(GetParam(), material), 0.99, material);
+}
+
+TEST_P(Ledger, ClosesWithoutHandOver) {
+    Shot shot = inMaterial(GetParam(), "");
+    shot.hand_over = false;
+    expectClosed(shot, 0.995, "own, bonds alone");
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Ledger, testing::ValuesIn(assetNames("scenes")),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace demolish::tests
