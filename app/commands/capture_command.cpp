@@ -70,6 +70,7 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double
     engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
                                            renderQuality(capture.options.shot, software));
     if (capture.options.view != "surface") view.mode = engine::ViewMode::kParticles;
+    view.colour_map = static_cast<engine::ColourMap>(colourOf(capture.options.view));
     view.camera.orbit(static_cast<float>(glm::radians(yaw)),
                       static_cast<float>(glm::radians(capture.options.camera_pitch)));
     return view;
