@@ -34,9 +34,11 @@ using StateOut = StateSpans<Vec4<Real>>;
 template <class Real>
 struct ParticleConstants {
     Real inverse_mass{};  ///< 1/kg; 0: the slot takes part in nothing; < 0: moved in the other kind of step
-    Real inverse_inertia{};  ///< 1/(kg m^2), of I = 0.4 m R^2, R = (3 vol/4 pi)^(1/3)
-    Real contact_radius{};   ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
-    Real floor_radius{};     ///< m, R_w: against planes (models E.4, sole rule)
+    /// 1/(kg m^2), of I = 0.4 m R^2, R = (3 vol/4 pi)^(1/3). Of a rigid fragment's particle in contact steps
+    /// its own inverse mass, 1/kg, while inverse_mass is that of its share of the fragment.
+    Real inverse_inertia{};
+    Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
+    Real floor_radius{};    ///< m, R_w: against planes (models E.4, sole rule)
 };
 template <class Real>
 DEM_FN ParticleConstants<Real> asConstants(const Vec4<Real>& a) {

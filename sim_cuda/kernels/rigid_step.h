@@ -40,17 +40,40 @@ DEM_FN void placeParticle(const StateOut<Real>& out, uint32_t i, const Vec3<doub
     out.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, low.z);
 }
 
+/// Contacts among which the mass of a fragment of `particles` is shared at least, and of a projectile.
+inline constexpr uint32_t kLeastShare = 4;
+
+/// From so many contacts for each of the least share on it grows: the step is stable far beyond.
+inline constexpr uint32_t kContactsPerShare = 4;
+
+/// A flat landing brings many contacts in one step. A contact that became softer with each of them would lose
+/// what it holds, and what had met the first ones stiffer than so many allow would be thrown back: so many
+/// are counted upon, the root of the particles, whether they touch or not.
+DEM_FN uint32_t leastShare(uint32_t particles) {
+    uint32_t root = kLeastShare;
+    while ((root + 1) * (root + 1) <= particles) ++root;
+    return root;
+}
+
 /// Each contact stands for what the fragment sets against it there, over all its contacts of the step before:
-/// its mass and, across the arm to the particle, its turning. So restitution is nearly that of the fragment,
-/// and neither many dampers at once nor one at the tip of a splinter can turn its motion round. `arm`: m,
-/// from the centre, in the frame that the inertia belongs to.
+/// its mass and, across the arm to the particle, its turning, so that the step is stable however many touch,
+/// be it at the tip of a splinter. Its damper and what resists rolling are those of a substep, and go by the
+/// particle's own mass (`OwnMass`). `arm`: m, from the centre, in the frame that the inertia belongs to.
 template <class Real>
 DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm, const Vec4<Real>& own) {
-    const double share = double(body.contact_share);
     const Sym3& j = body.inverse_inertia;
     const double trace = j.xx + j.yy + j.zz;
     const double turning = 0.5 * (length2(arm) * trace - dot(arm, multiply(j, arm)));
-    return {Real(share * (body.inverse_mass + turning)), Real(share * trace), own.z, own.w};
+    return {Real(double(body.contact_share) * (body.inverse_mass + turning)), own.x, own.z, own.w};
+}
+
+/// The same in substeps that carry the particle on. Rolling resistance there takes what it takes of the
+/// particle alone, or of the fragment's share where that turns more easily.
+template <class Real>
+DEM_FN Vec4<Real> carriedConstants(const RigidBody& body, const Vec4<Real>& shared, const Vec4<Real>& own) {
+    const Sym3& j = body.inverse_inertia;
+    const Real share = Real(double(body.contact_share) * (j.xx + j.yy + j.zz));
+    return {-shared.x, maxOf(share, own.y / Real(kRigidStride)), own.z, own.w};
 }
 
 /// Constants in the kind of step that does not move the particle.
@@ -91,7 +114,8 @@ struct StepRigid {
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         advance(body, total.force, total.torque, asDouble(params.gravity), double(params.dt));
-        body.contact_share = total.touching > 1 ? total.touching : 1;
+        const uint32_t wanted = total.touching / kContactsPerShare;
+        body.contact_share = wanted > body.least_share ? wanted : body.least_share;
     }
     DEM_FN void keep(const RigidBody& body, uint32_t entry) const {
         const uint32_t slot = work.fragment[entry];
@@ -108,7 +132,7 @@ struct StepRigid {
             placeParticle(state, i, x, v, body.spin);
             placeParticle(arrays.out, i, x, v, body.spin);
             constants[i] = sharedConstants(body, work.arm[i], own_constants[i]);
-            in_substeps[i] = movedOtherwise(constants[i]);
+            in_substeps[i] = carriedConstants(body, constants[i], own_constants[i]);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {

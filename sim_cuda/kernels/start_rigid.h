@@ -40,6 +40,7 @@ struct StartBodies {
         start.angular = spin[rows.first[slot]].angular;
         start.inverse_inertia = inverted(spin[rows.first[slot]].inertia);
         start.inverse_mass = 1 / pose[rows.first[slot]].now.mass;
+        start.least_share = leastShare(rows.size[slot]);
         return start;
     }
     DEM_FN RigidBody ofProjectile(uint32_t slot) const {
@@ -51,6 +52,7 @@ struct StartBodies {
         start.angular = (1 / inverse) * start.spin;
         start.inverse_inertia = {inverse, inverse, inverse, 0, 0, 0};
         start.inverse_mass = double(constants[slot].x);
+        start.least_share = kLeastShare;
         return start;
     }
 };

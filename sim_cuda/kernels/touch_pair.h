@@ -19,7 +19,7 @@ inline constexpr double kShearDampingShare = 0.2;
 template <class Real>
 struct PairInertia {
     Real inverse_mass{};      ///< 1/kg, 1/m_i + 1/m_j
-    Real inverse_inertia{};   ///< 1/(kg m^2), likewise
+    Real inverse_inertia{};   ///< 1/(kg m^2), likewise; in contact steps 1/kg, as inverse_mass
     Real stiffness_share{1};  ///< of the stiffness that the step allows,
     Real damping_share{1};  ///< and of the tangential damper: less where one of the two moves in longer steps
     bool softens = false;   ///< the contact shall remember how soft it was
@@ -104,25 +104,45 @@ DEM_FN Real noStifferThan(Real kept, Real stiffness) {
     return kept > Real(0) && kept < stiffness ? kept : stiffness;
 }
 
+/// What a contact's damper and rolling resistance go by.
+template <class Real>
+struct OwnMass {
+    Real mass{};     ///< kg, reduced
+    Real inertia{};  ///< kg m^2, reduced
+};
+/// In contact steps the particles' own masses, as in substeps: a fragment bounces off as it does with its
+/// bonds, which give back most of what they take in, while dampers as strong as the fragment is heavy would
+/// end its rocking at once. Rolling resistance takes ten times as much in a step ten times as long, where the
+/// fragment's share (`shared`, kg) is heavy enough for it. `radius`: m.
+template <class Real>
+DEM_FN OwnMass<Real> ownMass(const PairInertia<Real>& against, const StepParams<Real>& params, Real radius,
+                             Real shared) {
+    const Real root = inverseSqrt(against.inverse_inertia), own = root * root;
+    if (params.softening == 0) return {shared, own};
+    const Real turned = minOf(Real(kRigidStride) * own, Real(4) * shared);
+    return {own, Real(0.4) * turned * (radius * radius)};
+}
+
 /// Contact constants by the law chosen; R* and overlap in m; `kept` as above.
 template <class Real>
 DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
                                       Real reduced_radius, const PairInertia<Real>& against,
                                       Real kept = Real(0)) {
     const Real root = inverseSqrt(against.inverse_mass), reduced_mass = root * root;
+    const OwnMass<Real> own = ownMass(against, params, reduced_radius, reduced_mass);
     TouchLaw<Real> law;
     law.softens = against.softens || params.softening != 0;
     if (params.hertz != 0) {
         const Real a = contactRadius(reduced_radius, overlap);
         law.elastic = hertzForce(pair.modulus, a, overlap);
-        law.normal_damping = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
+        law.normal_damping = hertzDamping(pair.damping, pair.modulus, own.mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
         const Real stiffness = noStifferThan(
             kept, minOf(pair.stiffness, against.stiffness_share * (params.stiffness_cap * reduced_mass)));
         law.stiffness = stiffness;
         law.elastic = stiffness * overlap;
-        law.normal_damping = linearDamping(pair.damping, stiffness, reduced_mass);
+        law.normal_damping = linearDamping(pair.damping, stiffness, own.mass);
         law.shear = Real(kContactShearRatio) * stiffness;
     }
     law.shear_damping = minOf(law.normal_damping,
@@ -131,8 +151,7 @@ DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParam
     law.friction = pair.friction;
     law.rolling = pair.rolling;
     law.radius = reduced_radius;
-    const Real spin_root = inverseSqrt(against.inverse_inertia);
-    law.inertia = spin_root * spin_root;
+    law.inertia = own.inertia;
     return law;
 }
 
@@ -173,8 +192,8 @@ DEM_FN TouchLaw<Real> brokenTouchLaw(const BondConstants<Real>& bond, const Body
     law.friction = body.friction;
     law.rolling = body.rolling;
     law.radius = reduced_radius;
-    const Real spin_root = inverseSqrt(against.inverse_inertia);
-    law.inertia = spin_root * spin_root;
+    const Real root = inverseSqrt(against.inverse_mass);
+    law.inertia = ownMass(against, params, reduced_radius, root * root).inertia;
     return law;
 }
 

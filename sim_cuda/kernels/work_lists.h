@@ -64,9 +64,6 @@ struct MarkWork {
     }
 };
 
-/// Contacts of a fragment that has not touched anything as a rigid body yet.
-inline constexpr uint32_t kFirstShare = 4;
-
 inline constexpr uint32_t kMarkRows = 4;
 
 /// After the scan of the rows of marks, one after the other (kMarkRows total + 1 sums).
@@ -113,9 +110,9 @@ struct WriteWork {
         in_substeps[k] = own;
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         RigidBody start = body[slot];
-        start.contact_share = share[slot] > 0 ? share[slot] : kFirstShare;
+        start.contact_share = share[slot] > start.least_share ? share[slot] : start.least_share;
         constants[k] = sharedConstants(start, arm[k], own);
-        in_substeps[k] = movedOtherwise(constants[k]);
+        in_substeps[k] = carriedConstants(start, constants[k], own);
     }
     DEM_FN void tellLengths() const {
         words[kActiveCount] = sum(0, places.total);

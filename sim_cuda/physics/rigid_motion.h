@@ -26,8 +26,8 @@ struct RigidBody {
     Quat<double> turned;         ///< since the start
     Sym3 inverse_inertia;        ///< J^-1 at the start, 1/(kg m^2)
     double inverse_mass = 0;     ///< 1/kg
-    uint32_t contact_share = 1;  ///< contacts among which its mass is shared
-    uint32_t reserved = 0;
+    uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
+    uint32_t least_share = 1;    ///< and how many at least
 };
 
 /// omega of J(q) omega = L.

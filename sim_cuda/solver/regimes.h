@@ -17,6 +17,7 @@
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/solver_data.h"
+#include "sim_cuda/solver/wake_share.h"
 
 namespace demolish {
 
@@ -155,11 +156,12 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     std::vector<double> calm(tables.owners(), 0.0);
     std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30)});
     for (uint32_t b = 0; b < tables.bodies; ++b) {
-        const Material& material = setup.bodies[b].material;
+        const BodyInstance& body = setup.bodies[b];
+        const Material& material = body.material;
         const double speed = calmSpeed(material.beta, material.critical_velocity);
         calm[b] = speed * speed;
-        const WakeLaw<double> law =
-            wakeLaw(material.beta, material.critical_velocity, setup.bodies[b].threshold_share);
+        const WakeLaw<double> law = wakeLaw(material.beta, material.critical_velocity, body.threshold_share,
+                                            wakeShare(spreadOf(*body.body)));
         wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light)};
         gentlest_hit_ = std::min(gentlest_hit_, law.heavy);
     }

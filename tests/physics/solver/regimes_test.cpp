@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <vector>
 
+#include "sim_cuda/solver/wake_share.h"
 #include "tests/physics/solver/breaking_scene.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/solver_under_test.h"
@@ -129,6 +131,61 @@ TEST_F(RigidMotion, TheWayIsThatOfTheBonds) {
     EXPECT_GT(std::abs(turned), 0.999f);
 }
 
+/// A block of 216 cells that lands on its face or, turned about x, on an edge; too slow to break.
+SceneSetup landingBlock(double turn) {
+    SceneSetup setup = freeBody(latticeBody(6, 6, 6, 0.03));
+    setup.bodies[0].threshold_share = 10;
+    setup.bodies[0].material.critical_velocity = 10;
+    setup.bodies[0].rotation = {static_cast<float>(std::sin(turn / 2)), 0, 0,
+                                static_cast<float>(std::cos(turn / 2))};
+    setup.bodies[0].position = {0, 0.04 + 0.09 * std::abs(std::sin(turn)), 0};
+    setup.bodies[0].velocity = {0, -0.3, 0};
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.planes.push_back(Plane{});
+    setup.params.substeps = 200;
+    return setup;
+}
+
+struct Landing {
+    double most = 0;  ///< kinetic and potential energy after the block has touched, over that before
+    double end = 0;   ///< likewise, after half a second
+    uint32_t most_rigid = 0, broken = 0;
+};
+Landing landed(const SceneSetup& setup) {
+    auto solver = makeSolver(setup);
+    const auto measured = [&] {
+        solver->measure();
+        const EnergyLedger& e = solver->stats().energy;
+        return e.kinetic + e.potential;
+    };
+    Landing landing;
+    const double start = measured();
+    for (int frame = 0; frame < 30; ++frame) {
+        EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        landing.most_rigid = std::max(landing.most_rigid, solver->stats().rigid_fragments);
+        landing.end = measured() / start;
+        if (frame >= 8) landing.most = std::max(landing.most, landing.end);
+    }
+    landing.broken = solver->stats().bonds_broken;
+    return landing;
+}
+
+/// Flat, 36 contacts come at once: with the mass shared among four of them at first the block was thrown back
+/// with many times its energy. On an edge it bounces and rocks, as it does with its bonds.
+TEST_F(RigidMotion, ALandingGainsNothingAndGivesBackAsBondsDo) {
+    for (const double turn : {0.0, 0.4}) {
+        const Landing rigid = landed(with(landingBlock(turn), {true, false}));
+        const Landing bonded = landed(with(landingBlock(turn), {false, false}));
+        std::printf("turned %.1f: rigid %.3f, then %.3f; bonded %.3f, then %.3f\n", turn, rigid.most,
+                    rigid.end, bonded.most, bonded.end);
+        EXPECT_EQ(rigid.most_rigid, 1u);
+        EXPECT_EQ(rigid.broken + bonded.broken, 0u);
+        EXPECT_LT(rigid.most, 1);
+        EXPECT_NEAR(rigid.most, bonded.most, 0.15);
+        EXPECT_NEAR(rigid.end, bonded.end, 0.03);
+    }
+}
+
 struct Outcome {
     FrameStats stats;
     uint64_t hash = 0;
@@ -240,6 +297,17 @@ TEST_F(Sleeping, ARestoredStateGoesOnExactly) {
     }
 }
 
+/// A slender body's pieces wake earlier than those of a compact one.
+TEST(WakeShare, FallsWithTheSpreadOfTheBody) {
+    EXPECT_NEAR(spreadOf(*latticeBody(4, 4, 4, 0.03)), 1, 1e-9);
+    EXPECT_NEAR(spreadOf(*latticeBody(2, 2, 20, 0.03)), std::sqrt((4 + 4 + 400) / 3.0 / std::cbrt(80 * 80)),
+                1e-9);
+    EXPECT_EQ(wakeShare(1), kMostWakeShare);
+    EXPECT_EQ(wakeShare(1.3), 0.562);
+    EXPECT_EQ(wakeShare(2.5), kLeastWakeShare);
+    EXPECT_EQ(wakeShare(0), kMostWakeShare);
+}
+
 class Carrying : public OnEitherDevice {};
 
 /// Two bricks in free space; a ball breaks the first, whose pieces fly into the second.
@@ -270,7 +338,7 @@ TEST_F(Carrying, FragmentsOfBothKindsExchangeMomentaToRoundOff) {
     }
     solver->measure();
     const FrameStats after = solver->stats();
-    EXPECT_GE(frames_carrying, 3u);
+    EXPECT_GE(frames_carrying, 2u);
     EXPECT_GT(after.bonds_broken, 50u);
     EXPECT_LT(lengthOf(minus(after.linear_momentum, before.linear_momentum)),
               1e-5 * lengthOf(before.linear_momentum));
