@@ -7,9 +7,9 @@
 namespace demolish {
 
 /// Inner vibration has died when the mean square of the particles' speeds against their fragment's rigid
-/// motion is below the square of this share of beta v_c for kCalmSeconds, a frame: 3 % of the energy at
+/// motion is below the square of this share of beta v_c for kCalmSeconds, a frame: 1.5 % of the energy at
 /// which the material breaks. At 0.25 vases broke a tenth fewer bonds than with bonds alone.
-inline constexpr double kCalmShare = 0.18, kCalmSeconds = 0.016;
+inline constexpr double kCalmShare = 0.12, kCalmSeconds = 0.016;
 
 /// Pieces of so many particles or fewer, or of this share of their body, are crumbs: whatever swings in them
 /// may stop, and once they are rigid they stay whole.
