@@ -23,4 +23,22 @@ expect "the missing packages are named" '[[ "$said" == *libassimp-dev* && "$said
 expect "the remedy is named" '[[ "$said" == *"sudo apt-get install"* ]]'
 expect "nothing was installed" '[ ! -e "$fakes/apt_ran" ]'
 
+# A tree with nothing but the script and a program that says what it was called with.
+tree=$fakes/tree
+mkdir -p "$tree/build/release/app"
+cp "$script" "$tree/demolish"
+touch "$tree/build/release/build.ninja"
+printf '#!/bin/sh\necho "$@"\n' >"$tree/build/release/app/demolish"
+printf '#!/bin/sh\necho installed\n' >"$fakes/dpkg-query"
+printf '#!/bin/sh\n' >"$fakes/cmake"  # nothing to build
+chmod +x "$tree/build/release/app/demolish" "$fakes/cmake"
+demo() { env -u DISPLAY -u WAYLAND_DISPLAY PATH="$fakes:$PATH" "$tree/demolish" demo "$@" 2>&1 | tail -1; }
+
+said=$(demo)
+expect "the demonstration without a display is a capture (said: $said)" \
+    '[[ "$said" == "capture bunny --frames 150 --out $tree/out/bunny --video "*" --report "* ]]'
+said=$(demo --frames 40 --out elsewhere)
+expect "what the caller asks for is asked once (said: $said)" \
+    '[[ "$said" == *" --frames 40 --out elsewhere" && "$said" != *"--frames 150"* && "$said" != *"--out $tree"* ]]'
+
 [ "$failures" -eq 0 ]
