@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "tests/physics/solver/exported_frame.h"
 
 namespace demolish::tests {
 
@@ -17,10 +20,9 @@ PieceCounter::PieceCounter(const SceneSetup& setup) {
 
 Pieces PieceCounter::count(Solver& solver, double seconds) {
     before_ = shown_;
-    RenderStreams streams;
-    streams.particles = {shown_.data(), shown_.size()};
-    streams.particle_fragment = {fragment_.data(), fragment_.size()};
-    solver.exportFrame(streams, true);
+    ExportedFrame frame = exportedFrame(solver, shown_.size());
+    shown_ = std::move(frame.particles);
+    fragment_ = std::move(frame.fragments);
     struct Piece {
         double mass = 0, fastest = 0;
         uint32_t particles = 0;

@@ -5,6 +5,7 @@
 
 #include "tests/physics/models/packed_body.h"
 #include "tests/physics/models/shots.h"
+#include "tests/physics/solver/exported_frame.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/solver_under_test.h"
 
@@ -14,11 +15,7 @@ namespace {
 class Rest : public OnEitherDevice {};
 
 std::vector<ParticleInstance> particlesOf(Solver& solver, const SceneSetup& setup) {
-    std::vector<ParticleInstance> particles(streamSizes(setup).particles);
-    RenderStreams streams;
-    streams.particles = {particles.data(), particles.size()};
-    solver.exportFrame(streams);
-    return particles;
+    return exportedFrame(solver, streamSizes(setup).particles).particles;
 }
 
 struct Standing {

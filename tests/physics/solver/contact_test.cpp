@@ -5,6 +5,7 @@
 
 #include "sim_cuda/physics/contact_laws.h"
 #include "sim_cuda/solver/double_solver.h"
+#include "tests/physics/solver/exported_frame.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/solver_under_test.h"
 
@@ -12,8 +13,6 @@ namespace demolish::tests {
 namespace {
 
 class SolverContact : public OnEitherDevice {};
-/// Reads the particles of a frame, which a GPU would write into its own memory.
-class SolverContactSeen : public OnTheCpu {};
 class SolverContactDouble : public OnTheCpu {};
 
 constexpr double kRadius = 0.1;
@@ -47,16 +46,13 @@ struct Impact {
 
 /// `look` substeps at a time until the balls are apart again.
 Impact impactOf(Solver& solver, uint32_t look) {
-    std::vector<ParticleInstance> shown(2);
-    RenderStreams streams;
-    streams.particles = {shown.data(), shown.size()};
     solver.measure();
     const double before = solver.stats().energy.kinetic;
     Impact impact;
     bool touched = false;
     for (int step = 0; step < 20000; ++step) {
         EXPECT_EQ(solver.advanceSubsteps(look), StepStatus::kOk);
-        solver.exportFrame(streams);
+        const std::vector<ParticleInstance> shown = exportedFrame(solver, 2).particles;
         const double overlap = 2 * kRadius - (static_cast<double>(shown[1].position.x) -
                                               static_cast<double>(shown[0].position.x));
         if (overlap > 0) {
@@ -72,7 +68,7 @@ Impact impactOf(Solver& solver, uint32_t look) {
     return impact;
 }
 
-TEST_F(SolverContactSeen, FinerStepsMakeNoContactHarder) {
+TEST_F(SolverContact, FinerStepsMakeNoContactHarder) {
     const auto impactAt = [](uint32_t finer) {
         SceneSetup setup = headOn(ContactLaw::kLinear, 0.9, 0.5);
         setup.params.substeps *= finer;
@@ -84,7 +80,7 @@ TEST_F(SolverContactSeen, FinerStepsMakeNoContactHarder) {
     EXPECT_NEAR(fine.duration / usual.duration, 1, 0.15);
 }
 
-TEST_F(SolverContactSeen, HertzHeadOnImpactMatchesTheClosedForm) {  // D 1
+TEST_F(SolverContact, HertzHeadOnImpactMatchesTheClosedForm) {  // D 1
     const double v = 0.5;
     auto solver = makeSolver(headOn(ContactLaw::kHertz, 1, v));
     const Material material = brittleMaterial();
@@ -98,7 +94,7 @@ TEST_F(SolverContactSeen, HertzHeadOnImpactMatchesTheClosedForm) {  // D 1
     EXPECT_NEAR(impact.restitution, 1, 1e-3);
 }
 
-TEST_F(SolverContactSeen, RestitutionIsTheOneAskedForAtTwoSpeeds) {  // D 2
+TEST_F(SolverContact, RestitutionIsTheOneAskedForAtTwoSpeeds) {  // D 2
     for (const ContactLaw law : {ContactLaw::kHertz, ContactLaw::kLinear})
         for (int tenth = 1; tenth <= 9; ++tenth)
             for (const double v : {0.2, 1.6}) {

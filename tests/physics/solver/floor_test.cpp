@@ -2,6 +2,7 @@
 #include <cmath>
 #include <vector>
 
+#include "tests/physics/solver/exported_frame.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/solver_under_test.h"
 
@@ -9,18 +10,8 @@ namespace demolish::tests {
 namespace {
 
 class Floor : public OnEitherDevice {};
-/// Reads the particles of a frame, which a GPU would write into its own memory.
-class FloorSeen : public OnTheCpu {};
 
-std::vector<ParticleInstance> particlesOf(Solver& solver, size_t count) {
-    std::vector<ParticleInstance> particles(count);
-    RenderStreams streams;
-    streams.particles = {particles.data(), particles.size()};
-    solver.exportFrame(streams);
-    return particles;
-}
-
-TEST_F(FloorSeen, ASettledBodyStandsStill) {
+TEST_F(Floor, ASettledBodyStandsStill) {
     SceneSetup setup = freeBody(latticeBody(4, 5, 4, 0.05, 0.2));
     setup.params.planes.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
@@ -28,9 +19,9 @@ TEST_F(FloorSeen, ASettledBodyStandsStill) {
     setup.params.settle_time = 0.8;
     setup.bodies[0].material.critical_velocity = 3;
     auto solver = makeSolver(setup);
-    const auto before = particlesOf(*solver, 80);
+    const auto before = exportedFrame(*solver, 80).particles;
     for (int frame = 0; frame < 30; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
-    const auto after = particlesOf(*solver, 80);
+    const auto after = exportedFrame(*solver, 80).particles;
     for (size_t i = 0; i < before.size(); ++i) {
         EXPECT_NEAR(after[i].position.x, before[i].position.x, 1e-4);
         EXPECT_NEAR(after[i].position.y, before[i].position.y, 1e-4);
