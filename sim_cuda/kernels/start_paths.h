@@ -31,7 +31,8 @@ struct StartPaths {
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
         built_velocity[i] = withW(velocity, active ? skin : Real(-1));
         VelocityRanges<Real> ranges;
-        if (i < in_bodies) place_kind[i] = standsBetweenBonds(buried, bond_row, link, i) ? kEnclosed : kInGrid;
+        if (i < in_bodies)
+            place_kind[i] = standsBetweenBonds(buried, bond_row, link, i) ? kEnclosed : kInGrid;
         if (!active) return ranges;
         VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
         range.low = range.high = velocity;
