@@ -47,7 +47,7 @@ struct MeetingsIn {
 
     DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
     /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
-    /// on by half a skin brings new lists, and a new decision.
+    /// on by half a skin brings a new decision where one is needed (strayed_paths.h).
     DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const {
         return mayMeet(withW(positionOf(state, i), paths.position[i].w), state.velocity[i],
                        withW(positionOf(state, j), paths.position[j].w), state.velocity[j], soon);

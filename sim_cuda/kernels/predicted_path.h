@@ -4,8 +4,8 @@
 // |x_j - x_i| >= |path_j - path_i| - skin_i - skin_j >= R_c,i + R_c,j. Fragments that fly apart, however
 // fast, stay on their paths and cost nothing.
 //
-// Lists are built again when a particle uses up half its skin; the other half is for what happens between two
-// looks and for round-off.
+// A particle that uses up half its skin gets a new path if few do (strayed_paths.h), else lists are built
+// again; the other half is for what happens between two looks and for round-off.
 #pragma once
 #include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/data/contact_rows.h"

@@ -50,7 +50,7 @@ struct MarkWork {
         return near;
     }
     /// On the straight path that the contact lists rely on: a particle off it by more than its skin brings
-    /// new lists, and with them this question again.
+    /// this question again, if its new path leads to a plane (strayed_paths.h).
     DEM_FN bool nearPlane(uint32_t i) const {
         const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
         const Real reach = meetings.constants[i].w + velocity.w;
