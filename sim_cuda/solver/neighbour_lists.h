@@ -55,7 +55,8 @@ class NeighbourLists {
     void use(const NeighbourSettings& settings) { settings_ = settings; }
 
     /// Builds the rows from the present state. Waits for their length, not for the rows. Needed at the start,
-    /// when elapsed + lookahead passes horizon(), when too many leave their paths, and when a projectile starts.
+    /// when elapsed + lookahead passes horizon(), when too many leave their paths, and when a projectile
+    /// starts.
     void build(const StateIn<Real>& state, Span<const Vec4<Real>> constants, const BondRowsIn<Real>& bonds);
 
     /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon
