@@ -33,8 +33,8 @@ struct NeighbourSettings {
 };
 
 /// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
-/// longer.
-inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 1, 40};
+/// longer; but long rows are gone through in every contact step.
+inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 0.012, 40};
 
 template <class Backend, class Real>
 class NeighbourLists {
