@@ -36,23 +36,32 @@ DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4
     if (other.inverse_mass < Real(0) && spring.w > Real(0)) ++touching;
     return counted(slot(), touching);
 }
-/// Whether a bond record is one between fragments: nothing comes from one that is solid, or whose ends are of
-/// the same.
-DEM_FN bool joinsFragments(BondLink link, const Span<const uint32_t>& label, uint32_t own_label) {
-    return !isBonded(link) && label[linkedParticle(link)] != own_label;
-}
-/// Of such a record.
+/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                    const OwnParticle<Real>& own, uint32_t slot, RigidLoad<Real>& load) {
-    const uint32_t j = linkedParticle(arrays.link[slot]);
+                                    const Span<const uint32_t>& label, const OwnParticle<Real>& own,
+                                    uint32_t slot, BondLink link, RigidLoad<Real>& load) {
+    const uint32_t j = linkedParticle(link);
+    if (isBonded(link) || label[j] == label[own.id]) return {};
     return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching,
                        [&] { return formerBondSlot<kLedger>(arrays, params, own, slot, load.tally); });
 }
-/// Of a contact with another fragment; most of those that are listed are with the same.
+/// The other end of a contact and its fragment: most of those that are listed are of the same one.
+struct ContactFragment {
+    uint32_t id = 0, label = 0;
+};
+template <class Real>
+DEM_FN ContactFragment contactFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
+                                       uint32_t slot) {
+    const uint32_t j = arrays.neighbour[slot];
+    return {j, label[j]};
+}
+/// Nothing within a fragment here either.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                       const OwnParticle<Real>& own, uint32_t slot, RigidLoad<Real>& load) {
+                                       uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
+                                       const ContactFragment& other, RigidLoad<Real>& load) {
+    if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
     return countedSlot(end.constants, arrays.contact_spring[slot], load.touching,
                        [&] { return contactSlot<kLedger>(arrays, params, own, slot, end, load.tally); });
@@ -77,15 +86,15 @@ struct GatherRigidLoad {
         const OwnParticle<Real> own = loadOwn(arrays, work.active[place]);
         RigidLoad<Real> out;
         PartialSums<kPartials, Real> sums;
-        const uint32_t label = work.label[own.id];
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            if (joinsFragments(arrays.link[slot], work.label, label))
-                sums.add(slot - first_bond, countedBondSlot<kLedger>(arrays, params, own, slot, out));
+            sums.add(slot - first_bond,
+                     countedBondSlot<kLedger>(arrays, params, work.label, own, slot, arrays.link[slot], out));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            if (work.label[arrays.neighbour[slot]] != label)
-                sums.add(slot - first, countedContactSlot<kLedger>(arrays, params, own, slot, out));
+            sums.add(slot - first,
+                     countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
+                                                 contactFragment(arrays, work.label, slot), out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, own, out);
         load[place] = out;

@@ -1,73 +1,39 @@
-// Contact steps on the GPU: some threads gather what a particle may touch; a warp moves a small fragment, a
-// block a large one.
+// Contact steps on the GPU: some threads gather the row of a particle; a warp moves a small fragment,
+// a block a large one.
 #pragma once
 #include "sim_cuda/kernels/rigid_step.h"
-#include "sim_cuda/kernels/rigid_touches.h"
 #include "sim_cuda/kernels/substep_cuda.cuh"
 
 namespace demolish {
 
-/// What comes of the touches of an active particle.
-template <bool kLedger, class Real>
-class TouchLoads {
-  public:
-    __device__ TouchLoads(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                          const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load)
-        : arrays_(arrays), params_(params), work_(work), own_(own), load_(load) {}
-
-    /// Of an entry of RigidTouches.
-    __device__ __forceinline__ Wrench<Real> of(uint32_t entry) {
-        return entry % 2 == 0 ? countedBondSlot<kLedger>(arrays_, params_, own_, entry / 2, load_)
-                              : countedContactSlot<kLedger>(arrays_, params_, own_, entry / 2, load_);
-    }
-    /// Of all in one of the sums.
-    __device__ Wrench<Real> ofRows(const RowEnds& ends, uint32_t sum) {
-        Wrench<Real> total;
-        const uint32_t label = work_.label[own_.id];
-        for (uint32_t slot = ends.first_bond + sum; slot < ends.last_bond; slot += kPartials)
-            if (joinsFragments(arrays_.link[slot], work_.label, label)) add(total, of(2 * slot));
-        for (uint32_t slot = ends.first_contact + sum; slot < ends.last_contact; slot += kPartials)
-            if (work_.label[arrays_.neighbour[slot]] != label) add(total, of(2 * slot + 1));
-        return total;
-    }
-
-  private:
-    const SubstepArrays<Real>& arrays_;
-    const StepParams<Real>& params_;
-    const RigidWork& work_;
-    const OwnParticle<Real>& own_;
-    RigidLoad<Real>& load_;
-};
-
-/// T threads a particle, T / kPartials a sum: those take its touches in turn, so that a round of all of them
-/// is added in the order of the list. Both kernels start while the one before still runs, as substepKernel
-/// does.
+/// T threads a particle. Both kernels start while the one before still runs, as substepKernel does.
 template <uint32_t T, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock)
     rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
-                    const RigidTouches touches, const Span<RigidLoad<Real>> load) {
-    constexpr uint32_t kParticles = kSubstepBlock / T, kTurns = T / kPartials;
+                    const Span<RigidLoad<Real>> load) {
+    constexpr uint32_t kParticles = kSubstepBlock / T;
     letNextStart();
-    const uint32_t active = work.counts[kActiveCount];
-    if (blockIdx.x > 0 && blockIdx.x * kParticles >= active) return;
+    const uint32_t count = work.counts[kActiveCount];
+    if (blockIdx.x > 0 && blockIdx.x * kParticles >= count) return;
     const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
-    const uint32_t sum = place * kPartials + lane % kPartials, turn = lane / kPartials;
-    const bool present = place < active;
-    const uint32_t id = work.active[present ? place : active > 0 ? active - 1 : 0];
-    const uint32_t count = present ? touches.count[sum] : 0;
-    const bool listed = count != kTooManyTouches;
+    const bool present = place < count;
+    const uint32_t id = work.active[present ? place : count > 0 ? count - 1 : 0];
+    const RowEnds ends = rowEnds(arrays, id, present);
+    const uint32_t label = work.label[id];
     awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
-    RigidLoad<Real> out;
-    TouchLoads<kLedger, Real> loads(arrays, params, work, own, out);
     LanePartials<T, Real> sums;
-    for (uint32_t k = turn; __any_sync(0xffffffffu, listed ? k < count : k == 0); k += kTurns) {
-        Wrench<Real> term;
-        if (listed && k < count) term = loads.of(touches.slot[size_t{sum} * kMostTouches + k]);
-        if (!listed && k == 0) term = loads.ofRows(rowEnds(arrays, id, present), lane);
-        __syncwarp();
-        sums.template add<0>(term);
-    }
+    RigidLoad<Real> out;
+    gatherRows<T>(
+        arrays, ends, lane, sums,
+        [&](uint32_t slot, const BondLink& link) {
+            return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
+        },
+        [&](uint32_t slot) { return contactFragment(arrays, work.label, slot); },
+        [&](uint32_t slot, const ContactFragment& other) {
+            return countedContactSlot<kLedger>(arrays, params, label, own, slot, other, out);
+        });
+    __syncwarp();
     out.wrench = sums.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)
         out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);

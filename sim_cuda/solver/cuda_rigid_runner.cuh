@@ -12,14 +12,9 @@ class RigidRunner<CudaBackend, Real> {
   public:
     using Step = RigidStepOf<CudaBackend, Real>;
 
-    /// To be called for every new work list, and when contact lists have changed. Does not wait.
-    void listTouches(CudaBackend& backend, const Step& step) {
-        makeRoom(backend, step.work);
-        backend.forEach(size_t{step.work.active_at_most} * kPartials,
-                        ListTouches<Real>{step.arrays(), step.work, touches()}, "list touches");
-    }
     /// As on the CPU; does not wait.
     void run(CudaBackend& backend, const Step& step, uint32_t n) {
+        makeRoom(backend, step.work);
         GraphKey key = keyOf(step);
         key.push_back(n);
         graphs_.run(backend, key, [&] {
@@ -35,6 +30,7 @@ class RigidRunner<CudaBackend, Real> {
     template <class Runner, class Steps>
     void repeat(CudaBackend& backend, const Step& step, const Runner& runner, uint32_t n,
                 const Steps& steps) {
+        makeRoom(backend, step.work);
         if (n % 2 != 0) return steps();
         GraphKey key = keyOf(step);
         const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
@@ -56,42 +52,41 @@ class RigidRunner<CudaBackend, Real> {
     GraphKey keyOf(const Step& step) const {
         GraphKey key = stepKey(step.arrays(), step.params, step.ledger);
         key.insert(key.end(),
-                   {keyWord(load_.view()), keyWord(touch_count_.view()), keyWord(touch_slots_.view()),
-                    roundedUp(step.work.active_at_most), roundedUp(step.work.fragments_at_most),
-                    roundedUp(step.work.large_at_most, kLeastLarge)});
+                   {keyWord(load_.view()), roundedUp(step.work.active_at_most),
+                    roundedUp(step.work.fragments_at_most), roundedUp(step.work.large_at_most, kLeastLarge)});
         return key;
     }
 
   private:
-    /// Active particles up to which sixteen threads share the touches of one, else eight.
-    static constexpr uint32_t kFewActive = 16'384;
+    /// Particles up to which sixteen and eight threads share the rows of one, else four.
+    static constexpr uint32_t kFewActive = 8192, kManyActive = 65'536;
+
     static constexpr uint32_t kLeastLarge = 16;
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
         backend.synchronize();  // what was started before may still use it
-        const size_t places = work.active_at_most + work.active_at_most / 2;
-        load_ = backend.allocate<RigidLoad<Real>>(places);
-        touch_count_ = backend.allocate<uint32_t>(places * kPartials);
-        touch_slots_ = backend.allocate<uint32_t>(places * kPartials * kMostTouches);
+        load_ = backend.allocate<RigidLoad<Real>>(work.active_at_most + work.active_at_most / 2);
     }
 
     template <bool kLedger>
     void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
-        roundedUp(step.work.active_at_most) <= kFewActive
-            ? launchGather<16, kLedger>(backend, step, stride, follows)
-            : launchGather<8, kLedger>(backend, step, stride, follows);
+        const uint32_t active = roundedUp(step.work.active_at_most);
+        if (active <= kFewActive)
+            launchGather<16, kLedger>(backend, step, stride, active, follows);
+        else if (active <= kManyActive)
+            launchGather<8, kLedger>(backend, step, stride, active, follows);
+        else
+            launchGather<4, kLedger>(backend, step, stride, active, follows);
     }
     template <uint32_t T, bool kLedger>
-    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
+    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active,
+                      bool follows) {
         constexpr uint32_t kParticles = kSubstepBlock / T;
-        const uint32_t active = roundedUp(step.work.active_at_most);
         launchChained(backend.stream(), follows, rigidLoadKernel<T, kLedger, Real>,
                       (active + kParticles - 1) / kParticles, kSubstepBlock, step.arrays(),
-                      rigidParams(step.params, stride), step.work, touches(), load_.span());
+                      rigidParams(step.params, stride), step.work, load_.span());
     }
-    RigidTouches touches() { return {touch_slots_.span(), touch_count_.span()}; }
-
     template <bool kLedger>
     void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
         constexpr uint32_t kWarps = kRigidLanes / kWarp;
@@ -102,7 +97,6 @@ class RigidRunner<CudaBackend, Real> {
     }
 
     CudaBackend::Buffer<RigidLoad<Real>> load_;
-    CudaBackend::Buffer<uint32_t> touch_slots_, touch_count_;
     CudaGraphCache graphs_;
 };
 

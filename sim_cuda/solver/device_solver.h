@@ -59,8 +59,6 @@ class DeviceSolver final : public Solver {
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     Stretch stretch() const;
     void placeRigid();
-    RigidStepOf<Backend, Real> rigidStep(const RigidConstants<Real>& constants);
-    void listTouches();
     void look(uint32_t lookahead);
     void followStrayed(uint32_t next);
     void buildLists();

@@ -193,19 +193,6 @@ bool DeviceSolver<Backend, Real>::mustReassign(uint32_t remaining) {
            regimes_.stirs(data_, lists_, clusters_, untilNextDecision(remaining));
 }
 
-template <class Backend, class Real>
-RigidStepOf<Backend, Real> DeviceSolver<Backend, Real>::rigidStep(const RigidConstants<Real>& constants) {
-    return {data_, lists_.contacts(), params_, regimes_.rigid(), constants, setup_.params.ledger};
-}
-
-/// After every decision and every change of the contact lists.
-template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::listTouches() {
-    if (!regimes_.on() || !regimes_.movesRigid()) return;
-    const RigidConstants<Real> constants = regimes_.rigidConstants();
-    rigid_runner_.listTouches(backend_, rigidStep(constants));
-}
-
 /// n substeps of what is moved with its bonds, and the same time of what is rigid.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
@@ -213,7 +200,7 @@ void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
     const bool ledger = setup_.params.ledger, on = regimes_.on();
     if (on && regimes_.movesRigid()) {
         const RigidConstants<Real> constants = regimes_.rigidConstants();
-        const RigidStepOf<Backend, Real> step = rigidStep(constants);
+        const RigidStepOf<Backend, Real> step{data_, contacts, params_, regimes_.rigid(), constants, ledger};
         regimes_.carries() ? runCarrying(step, n) : rigid_runner_.run(backend_, step, n);
     }
     if (!on || (regimes_.movesBonds() && !regimes_.carries()))
@@ -315,7 +302,6 @@ void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t rema
     placeRigid();
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
                     untilNextDecision(remaining));
-    listTouches();
     if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();
     progress_.last_assigned = progress_.substeps;
     progress_.decide_at =

@@ -39,10 +39,7 @@ void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
         progress_.rebuild = 1;
         return;
     }
-    if (words[kEntriesLacking] > 0) {
-        lists_.insert(lacking_.view().part(0, words[kEntriesLacking]));
-        listTouches();
-    }
+    if (words[kEntriesLacking] > 0) lists_.insert(lacking_.view().part(0, words[kEntriesLacking]));
     if (!regimes_.on() || !regimes_.leavesBonds()) return;
     const auto stretches = static_cast<uint64_t>(std::min(decide, 1.0) / stretch);
     if (decide < 1)

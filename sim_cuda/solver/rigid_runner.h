@@ -58,8 +58,6 @@ class RigidRunner<CpuBackend, Real> {
   public:
     using Step = RigidStepOf<CpuBackend, Real>;
 
-    /// The GPU lists what may touch; here rows are gone through.
-    void listTouches(CpuBackend&, const Step&) {}
     /// n substeps' time, in contact steps of kRigidStride substeps and a shorter last one.
     void run(CpuBackend& backend, const Step& step, uint32_t n) {
         for (uint32_t done = 0; done < n;) {
