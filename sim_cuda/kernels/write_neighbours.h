@@ -13,16 +13,8 @@ struct FormerRows {
 
     /// Null for a pair that was not listed.
     DEM_FN Vec4<Real> springOf(uint32_t i, uint32_t j) const {
-        uint32_t low = row_start[i], high = row_start[i + 1];
-        const uint32_t end = high;
-        while (low < high) {
-            const uint32_t middle = (low + high) / 2;
-            if (neighbour[middle] < j)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        return low < end && neighbour[low] == j ? spring[low] : Vec4<Real>{};
+        const uint32_t slot = findContact(row_start, neighbour, i, j);
+        return slot < row_start[i + 1] ? spring[slot] : Vec4<Real>{};
     }
 };
 
