@@ -1,7 +1,7 @@
 // The few that leave the paths on which contact lists rely (predicted_path.h): crumbs that bounce, corners of
 // what spins. Lists for all need not be made again for them. They get new paths from where they are; what is
-// asked is when one of them may touch somebody whom its row does not name, and when it may meet somebody with
-// whom the last decision has not reckoned.
+// asked is whom one of them may touch whom its row does not name, and when it may meet somebody with whom the
+// last decision has not reckoned.
 //
 //   list the strayed -> see whom they meet -> start their paths anew
 #pragma once
@@ -10,15 +10,16 @@
 #include "sim_cuda/data/planes.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/find_neighbours.h"
+#include "sim_cuda/kernels/insert_pairs.h"
 
 namespace demolish {
 
 /// With more than this many, lists are made again.
 inline constexpr uint32_t kMostStrayed = 64;
 
-/// Words for the host, 0 before: how many have strayed (above kMostStrayed: too many), and two moments as
-/// soonest() tells them: somebody may touch who is not listed; something has to be decided.
-inline constexpr uint32_t kStrayedCount = 0, kTouchesUnlisted = 1, kMustDecide = 2, kStrayWords = 3;
+/// Words for the host, 0 before: how many have strayed (above kMostStrayed: too many); how many entries the
+/// rows lack; when something has to be decided, as soonest() tells it.
+inline constexpr uint32_t kStrayedCount = 0, kEntriesLacking = 1, kMustDecide = 2, kStrayWords = 3;
 
 /// The sooner, the larger the word: threads agree by the largest, and 0 means never. `seconds` >= 0.
 DEM_FN uint32_t soonest(float seconds) {
@@ -85,7 +86,8 @@ struct SeeStrayed {
     Real gentle{};     ///< m/s: no meeting slower than this wakes bonds
     uint32_t in_bodies = 0;
     Span<const uint32_t> strayed;
-    Span<uint32_t> words;  ///< kStrayWords
+    Span<uint64_t> lacking;  ///< entries of NewEntries
+    Span<uint32_t> words;    ///< kStrayWords
 
     DEM_FN void operator()(uint32_t j) const {
         const uint32_t count = words[kStrayedCount];
@@ -126,10 +128,15 @@ struct SeeStrayed {
                          v = xyz(other.velocity) - xyz(own.velocity);
         const Real gap = length(x) - (own.position.w + other.position.w), speed2 = length2(v);
         const Real seconds = gap > Real(0) ? minOf(gap * inverseSqrt(speed2), remaining) : Real(0);
-        if (!isListed(i, j) && !hasRecord(i, j))
-            tell(kTouchesUnlisted, seconds);
-        else if (label[i] != label[j] && (speed2 > gentle * gentle || !wereToMeet(i, j)))
+        if (!isListed(i, j) && !hasRecord(i, j)) list(i, j);
+        if (label[i] != label[j] && (speed2 > gentle * gentle || !wereToMeet(i, j)))
             tell(kMustDecide, seconds);
+    }
+    /// If j strays too, it is asked whom it meets and finds i.
+    DEM_FN void list(uint32_t i, uint32_t j) const {
+        const NewEntries entries{lacking, words.part(kEntriesLacking, 1)};
+        entries.add(j, i);
+        if (!paths.strays(j)) entries.add(i, j);
     }
     /// By the paths before, and by so much that the last decision has seen it.
     DEM_FN bool wereToMeet(uint32_t i, uint32_t j) const {

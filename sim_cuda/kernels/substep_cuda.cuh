@@ -12,18 +12,18 @@ namespace demolish {
 
 inline constexpr uint32_t kSubstepBlock = 128;
 
-/// A slot that is still a solid bond; breaks it when its time has come.
+/// Breaks it when its time has come.
 template <bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>& arrays,
                                                       const StepParams<Real>& params,
                                                       const OwnParticle<Real>& own, const BodyLaw<Real>& law,
-                                                      uint32_t slot, BondLink link, Tally<Real>& tally) {
-    const uint32_t j = linkedParticle(link);
-    const BondConstants<Real> bond = bondConstants(arrays.rest[slot], link.grade, law);
-    const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
+                                                      const FormerBond<Real>& read, Tally<Real>& tally) {
+    const uint32_t j = linkedParticle(read.link);
+    const BondConstants<Real> bond = bondConstants(read.rest, read.link.grade, law);
+    const PairMotion<Real> pair = pairMotion(own.state, read.other);
     const BondEffect<Real> effect = bondEffect(bond, pair);
     const bool breaks = params.breaking != 0 && effect.severity >= effect.limit;
-    if (breaks) arrays.link[slot].link = linkWord(j, PairState::kBroken);
+    if (breaks) arrays.link[read.slot].link = linkWord(j, PairState::kBroken);
     if constexpr (kLedger) {
         const BondEffect<Real> damping = bondDamping(bond, pair);
         add(tally.damping, {damping.force, damping.torque_i});
@@ -32,15 +32,31 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
     return {effect.force, effect.torque_i};
 }
 
-template <bool kLedger, class Real>
+/// Many threads share a particle, so that there are few warps to hide the way to memory: reads ahead.
+template <uint32_t T>
+inline constexpr bool kReadsAhead = T >= 8;
+
+/// A slot that is still a solid bond, which breaks when its time has come, or one that no longer is. Where
+/// threads read ahead and some bonds of a warp are broken, what either kind needs is asked for before any of
+/// it is used.
+template <uint32_t T, bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
                                                  const BodyLaw<Real>& law, uint32_t slot, BondLink link,
                                                  Tally<Real>& tally) {
-    if (isBonded(link))
-        return own.isCarried() ? Wrench<Real>{}
-                               : solidBondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
-    return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
+    const bool solid = isBonded(link);
+    if (!kReadsAhead<T> && !solid) return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
+    const uint32_t j = linkedParticle(link);
+    FormerBond<Real> read{slot, link, loadState(arrays.in, j), {}, arrays.rest[slot], {}};
+    if (kReadsAhead<T> && __any_sync(__activemask(), !solid)) {
+        read.constants = asConstants(arrays.constants[solid ? own.id : j]);
+        read.spring = arrays.bond_spring[solid ? 0 : slot];
+        if (!solid)
+            return isApart(own, read.other.position, read.constants, link, params)
+                       ? Wrench<Real>{}
+                       : touchingFormerBond<kLedger>(arrays, params, own, read, tally);
+    }
+    return own.isCarried() ? Wrench<Real>{} : solidBondSlot<kLedger>(arrays, params, own, law, read, tally);
 }
 
 template <class Real>
@@ -116,7 +132,7 @@ class RowCursor {
 
   private:
     using Seen = decltype(std::declval<const Peek&>()(0u));
-    static constexpr bool kAhead = T >= 8;
+    static constexpr bool kAhead = kReadsAhead<T>;
 
     __device__ __forceinline__ Seen seenAt(uint32_t k) const {
         if constexpr (kAhead) return ahead_;
@@ -297,9 +313,11 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     gatherRows<T>(
         arrays, ends, lane, sums,
         [&](uint32_t slot, const BondLink& link) {
-            return bondSlot<kLedger>(arrays, params, own, law, slot, link, tally);
+            return bondSlot<T, kLedger>(arrays, params, own, law, slot, link, tally);
         },
-        [&](uint32_t slot) { return contactEnd(arrays, slot); },
+        [&](uint32_t slot) {
+            return kReadsAhead<T> ? contactEndWithOwner(arrays, slot) : contactEnd(arrays, slot);
+        },
         [&](uint32_t slot, const ContactEnd<Real>& end) {
             return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
         });

@@ -27,10 +27,11 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
     return length2(xyz(b) - xyz(a)) > limit * limit;
 }
 
-/// Writes the spring back and books; `share` of the pair's energy is this particle's (1 against a plane).
+/// `spring` as it was; writes what it becomes to `kept`, and books; `share` of the pair's energy is this
+/// particle's (1 against a plane).
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
-                               const PairMotion<Real>& pair, Vec4<Real>& spring,
+                               const PairMotion<Real>& pair, const Vec4<Real>& spring, Vec4<Real>& kept,
                                const StepParams<Real>& params, Real share, Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
     const TouchEffect<Real> effect = touchEffect(at, law, pair, before, params.dt);
@@ -39,7 +40,7 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
             const Real held = madd(law.shear / law.stiffness, length2(before), at.overlap * at.overlap);
             tally.softened += share * (Real(0.5) * (spring.w - law.stiffness) * held);
         }
-    spring = withW(effect.spring, law.softens ? law.stiffness : spring.w);
+    kept = withW(effect.spring, law.softens ? law.stiffness : spring.w);
     if constexpr (kLedger) {
         add(tally.damping, effect.damping);
         add(tally.friction, effect.friction);
@@ -51,11 +52,12 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
 
 /// The pair no longer touches: what its spring still held is friction heat.
 template <bool kLedger, class Real>
-DEM_FN void releaseTouch(Real shear, Vec4<Real>& spring, Real share, Tally<Real>& tally) {
+DEM_FN void releaseTouch(Real shear, const Vec4<Real>& spring, Vec4<Real>& kept, Real share,
+                         Tally<Real>& tally) {
     const Vec3<Real> before = xyz(spring);
     const Real squared = length2(before);
     if (!(squared > Real(0)) && !(spring.w > Real(0))) return;
-    spring = Vec4<Real>{};
+    kept = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * shear * squared);
 }
 
@@ -64,20 +66,20 @@ template <bool kLedger, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
                                  const PairMotion<Real>& pair, const CentreLine<Real>& line,
-                                 Vec4<Real>& spring, Tally<Real>& tally) {
+                                 const Vec4<Real>& spring, Vec4<Real>& kept, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
     const TouchLaw<Real> law = contactTouchLaw(pair_law, params, maxOf(overlap, Real(0)),
                                                reducedRadius(radius, other.contact_radius),
                                                pairInertia(own.constants, other), spring.w);
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law.shear, spring, Real(0.5), tally);
+        releaseTouch<kLedger>(law.shear, spring, kept, Real(0.5), tally);
         return {};
     }
     const Real arm_i = madd(Real(-0.5), overlap, radius),
                arm_j = madd(Real(-0.5), overlap, other.contact_radius);
     return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair, spring,
-                               params, Real(0.5), tally);
+                               kept, params, Real(0.5), tally);
 }
 
 /// Both ends are moved in contact steps and this is a substep, or this is a contact step and the other end is
@@ -89,17 +91,25 @@ DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstant
 }
 
 /// The other end of a contact, as far as it takes to see that nothing touches. The GPU reads it for the slot
-/// to come while it computes one.
+/// to come while it computes one, and then the owner too, by whom the law is found.
+inline constexpr uint32_t kUnknownOwner = 0xffffffffu;
 template <class Real>
 struct ContactEnd {
-    uint32_t id = 0;
+    uint32_t id = 0, owner = kUnknownOwner;
     Vec4<Real> position;
     ParticleConstants<Real> constants;
 };
 template <class Real>
 DEM_FN ContactEnd<Real> contactEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
     const uint32_t j = arrays.neighbour[slot];
-    return {j, arrays.in.position[j], asConstants(arrays.constants[j])};
+    return {j, kUnknownOwner, arrays.in.position[j], asConstants(arrays.constants[j])};
+}
+
+template <class Real>
+DEM_FN ContactEnd<Real> contactEndWithOwner(const SubstepArrays<Real>& arrays, uint32_t slot) {
+    ContactEnd<Real> end = contactEnd(arrays, slot);
+    end.owner = arrays.owner[end.id];
+    return end;
 }
 
 /// A slot of the contact list and its other end.
@@ -112,54 +122,89 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
         isLeftOut(own.constants, other, params))
         return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
-    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[end.id]];
-    return plainContact<kLedger>(params, law, own, other, pair, centreLine(pair.separation),
-                                 arrays.contact_spring[slot], tally);
+    const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
+    Vec4<Real>& spring = arrays.contact_spring[slot];
+    return plainContact<kLedger>(params, law, own, other, pair, centreLine(pair.separation), spring, spring,
+                                 tally);
+}
+
+/// All that the record of a bond that is no longer solid needs.
+template <class Real>
+struct FormerBond {
+    uint32_t slot = 0;
+    BondLink link;
+    LoadedState<Real> other;  ///< without orientation
+    ParticleConstants<Real> constants;
+    Vec4<Real> rest, spring;
+};
+template <class Real>
+DEM_FN FormerBond<Real> formerBond(const SubstepArrays<Real>& arrays, uint32_t slot, BondLink link) {
+    const uint32_t j = linkedParticle(link);
+    return {slot,
+            link,
+            loadWithoutRotation(arrays.in, arrays.in.position[j], j),
+            asConstants(arrays.constants[j]),
+            arrays.rest[slot],
+            arrays.bond_spring[slot]};
 }
 
 /// Type 3, and the step from it to type 1.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                               const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
-                               const PairMotion<Real>& pair, const CentreLine<Real>& line, uint32_t slot,
+                               const OwnParticle<Real>& own, const FormerBond<Real>& former,
+                               const PairMotion<Real>& pair, const CentreLine<Real>& line,
                                Tally<Real>& tally) {
+    const ParticleConstants<Real>& other = former.constants;
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
     const PairInertia<Real> against = pairInertia(own.constants, other);
     const BondConstants<Real> bond =
-        cappedFaces(bondConstants(arrays.rest[slot], arrays.link[slot].grade, body), params, against,
-                    arrays.bond_spring[slot].w);
+        cappedFaces(bondConstants(former.rest, former.link.grade, body), params, against, former.spring.w);
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
-    Vec4<Real>& spring = arrays.bond_spring[slot];
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(bond.stiffness.shear, spring, Real(0.5), tally);
+        releaseTouch<kLedger>(bond.stiffness.shear, former.spring, arrays.bond_spring[former.slot], Real(0.5),
+                              tally);
         const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
-        arrays.link[slot].link = linkWord(linkedParticle(arrays.link[slot]), next);
+        arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
         return {};
     }
     const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
     const TouchLaw<Real> law = brokenTouchLaw(bond, body, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
-    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, spring, params,
-                               Real(0.5), tally);
+    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, former.spring,
+                               arrays.bond_spring[former.slot], params, Real(0.5), tally);
 }
 
-/// The record of a bond that is no longer solid.
+/// Only a broken bond has faces that touch before the spheres do.
+template <class Real>
+DEM_FN bool isApart(const OwnParticle<Real>& own, const Vec4<Real>& position,
+                    const ParticleConstants<Real>& other, BondLink link, const StepParams<Real>& params) {
+    if (isLeftOut(own.constants, other, params)) return true;
+    return pairState(link) != PairState::kBroken &&
+           outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius);
+}
+/// The record of a bond that is no longer solid and whose ends are not apart.
+template <bool kLedger, class Real>
+DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                       const OwnParticle<Real>& own, const FormerBond<Real>& former,
+                                       Tally<Real>& tally) {
+    const PairMotion<Real> pair = pairMotion(own.state, former.other);
+    const CentreLine<Real> line = centreLine(pair.separation);
+    if (pairState(former.link) == PairState::kBroken)
+        return brokenBond<kLedger>(arrays, params, own, former, pair, line, tally);
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
+    return plainContact<kLedger>(params, law, own, former.constants, pair, line, former.spring,
+                                 arrays.bond_spring[former.slot], tally);
+}
+/// The record of a bond that is no longer solid: of ends that are apart no more is read than it takes to see
+/// it.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                    const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
     const BondLink link = arrays.link[slot];
     const uint32_t j = linkedParticle(link);
-    const bool broken = pairState(link) == PairState::kBroken;
-    const Vec4<Real> position = arrays.in.position[j];
-    const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
-    const Real reach = own.constants.contact_radius + other.contact_radius;
-    if (isLeftOut(own.constants, other, params)) return {};
-    if (!broken && outOfReach(own.state.position, position, reach)) return {};
-    const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, position, j));
-    const CentreLine<Real> line = centreLine(pair.separation);
-    if (broken) return brokenBond<kLedger>(arrays, params, own, other, pair, line, slot, tally);
-    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
-    return plainContact<kLedger>(params, law, own, other, pair, line, arrays.bond_spring[slot], tally);
+    if (isApart(own, arrays.in.position[j], asConstants(arrays.constants[j]), link, params)) return {};
+    return touchingFormerBond<kLedger>(arrays, params, own, formerBond(arrays, slot, link), tally);
 }
 
 template <class Real>
@@ -181,14 +226,14 @@ DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepPa
         contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
                         own.constants.floor_radius, againstWall(own.constants), spring.w);
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law.shear, spring, Real(1), tally);
+        releaseTouch<kLedger>(law.shear, spring, spring, Real(1), tally);
         return {};
     }
     PairMotion<Real> pair;
     pair.velocity_i = xyz(own.state.velocity);
     pair.spin_i = xyz(own.state.spin);
     return applyTouch<kLedger>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)}, law, pair, spring,
-                               params, Real(1), tally);
+                               spring, params, Real(1), tally);
 }
 
 }  // namespace demolish

@@ -1,4 +1,5 @@
-// Sequences of launches kept as CUDA graphs: recorded when the same is asked for a third time.
+// Sequences of launches kept as CUDA graphs: recorded when the same has been asked for
+// several times.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -35,12 +36,14 @@ class CudaGraphCache {
     void run(CudaBackend& backend, const GraphKey& key, const Launch& launch) {
         const auto recorded =
             std::find_if(graphs_.begin(), graphs_.end(), [&](const Recorded& r) { return r.key == key; });
-        if (recorded != graphs_.end()) return start(backend, *recorded);
-        if (isWorthIt(key)) {
+        if (recorded != graphs_.end()) {
+            std::rotate(recorded, recorded + 1, graphs_.end());
+        } else if (isWorthIt(key)) {
             record(backend, key, launch);
-            return start(backend, graphs_.back());
+        } else {
+            return launch();
         }
-        launch();
+        checkCuda(cudaGraphLaunch(graphs_.back().graph, backend.stream()), "starting substeps");
     }
 
   private:
@@ -52,21 +55,21 @@ class CudaGraphCache {
         GraphKey key;
         uint32_t times = 0;
     };
-    static constexpr size_t kGraphs = 32, kSeen = 64;
+    /// The longest not used go first. While many things break hardly any sequence comes again.
+    static constexpr size_t kGraphs = 96, kSeen = 192;
     /// Recording takes as long as some ten sequences of single launches.
-    static constexpr uint32_t kTimesBefore = 2;
+    static constexpr uint32_t kTimesBefore = 6;
 
     bool isWorthIt(const GraphKey& key) {
         const auto seen =
             std::find_if(seen_.begin(), seen_.end(), [&](const Seen& s) { return s.key == key; });
-        if (seen != seen_.end()) return seen->times++ >= kTimesBefore;
-        if (seen_.size() >= kSeen) seen_.erase(seen_.begin());
-        seen_.push_back({key, 1});
-        return false;
-    }
-
-    static void start(CudaBackend& backend, const Recorded& recorded) {
-        checkCuda(cudaGraphLaunch(recorded.graph, backend.stream()), "starting substeps");
+        if (seen == seen_.end()) {
+            if (seen_.size() >= kSeen) seen_.erase(seen_.begin());
+            seen_.push_back({key, 1});
+            return false;
+        }
+        std::rotate(seen, seen + 1, seen_.end());
+        return seen_.back().times++ >= kTimesBefore;
     }
 
     template <class Launch>

@@ -53,13 +53,15 @@ class RigidRunner<CudaBackend, Real> {
         GraphKey key = stepKey(step.arrays(), step.params, step.ledger);
         key.insert(key.end(),
                    {keyWord(load_.view()), roundedUp(step.work.active_at_most),
-                    roundedUp(step.work.fragments_at_most), roundedUp(step.work.large_at_most, 1)});
+                    roundedUp(step.work.fragments_at_most), roundedUp(step.work.large_at_most, kLeastLarge)});
         return key;
     }
 
   private:
-    /// Particles up to which more threads share the rows of one.
-    static constexpr uint32_t kFewActive = 8192;
+    /// Particles up to which sixteen and eight threads share the rows of one, else four.
+    static constexpr uint32_t kFewActive = 8192, kManyActive = 65'536;
+
+    static constexpr uint32_t kLeastLarge = 16;
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
@@ -72,6 +74,8 @@ class RigidRunner<CudaBackend, Real> {
         const uint32_t active = roundedUp(step.work.active_at_most);
         if (active <= kFewActive)
             launchGather<16, kLedger>(backend, step, stride, active, follows);
+        else if (active <= kManyActive)
+            launchGather<8, kLedger>(backend, step, stride, active, follows);
         else
             launchGather<4, kLedger>(backend, step, stride, active, follows);
     }
@@ -86,7 +90,7 @@ class RigidRunner<CudaBackend, Real> {
     template <bool kLedger>
     void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
         constexpr uint32_t kWarps = kRigidLanes / kWarp;
-        const uint32_t large = roundedUp(step.work.large_at_most, 1);
+        const uint32_t large = roundedUp(step.work.large_at_most, kLeastLarge);
         const uint32_t small = (roundedUp(step.work.fragments_at_most) + kWarps - 1) / kWarps;
         launchChained(backend.stream(), true, rigidStepKernel<kLedger, Real>, large + small, kRigidLanes,
                       step.template mover<kLedger>(load_.view(), stride, carried), large);

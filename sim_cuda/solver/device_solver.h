@@ -128,6 +128,7 @@ class DeviceSolver final : public Solver {
     Checkpoint<Backend, Real> frame_start_, dry_run_;
     typename Backend::Reader reader_;
     Buffer<uint32_t> look_words_, stray_words_, strayed_;
+    Buffer<uint64_t> lacking_;  ///< entries of contact rows, as the strayed find them
     mutable Buffer<uint64_t> hash_sum_;
     Buffer<Vec4<Real>> shown_projectiles_;
     Buffer<uint8_t> broken_bonds_;

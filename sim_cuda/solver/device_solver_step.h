@@ -69,6 +69,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       look_words_(backend_.template allocate<uint32_t>(kLookWords)),
       stray_words_(backend_.template allocate<uint32_t>(kStrayWords)),
       strayed_(backend_.template allocate<uint32_t>(kMostStrayed)),
+      lacking_(backend_.template allocate<uint64_t>(kMostInserted)),
       hash_sum_(backend_.template allocate<uint64_t>(1)),
       shown_projectiles_(backend_.template allocate<Vec4<Real>>(kMaxProjectiles)),
       broken_bonds_(backend_.template allocate<uint8_t>(data_.bonds.count)),

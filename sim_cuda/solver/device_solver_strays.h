@@ -26,7 +26,7 @@ void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
                          data_.particles.constants.view(), params_.planes,
                          static_cast<Real>(lists_.horizon() - elapsed),
                          static_cast<Real>(regimes_.gentlestHit()), tables_.counts.in_bodies, strayed_.view(),
-                         stray_words_.span()},
+                         lacking_.span(), stray_words_.span()},
         "see the strayed");
     backend_.forEach(kMostStrayed,
                      RestartStrayed<Real>{paths, strayed_.view(), stray_words_.view(),
@@ -34,12 +34,12 @@ void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
                      "restart the strayed");
     reader_.take(backend_, stray_words_.span());
     const std::vector<uint32_t>& words = reader_.wait();
-    const double unlisted = secondsOf(words[kTouchesUnlisted]), decide = secondsOf(words[kMustDecide]);
-    if (words[kStrayedCount] > kMostStrayed || unlisted < stretch) {
+    const double decide = secondsOf(words[kMustDecide]);
+    if (words[kStrayedCount] > kMostStrayed || words[kEntriesLacking] > kMostInserted) {
         progress_.rebuild = 1;
         return;
     }
-    lists_.holdUntil(elapsed + unlisted);
+    if (words[kEntriesLacking] > 0) lists_.insert(lacking_.view().part(0, words[kEntriesLacking]));
     if (!regimes_.on() || !regimes_.leavesBonds()) return;
     const auto stretches = static_cast<uint64_t>(std::min(decide, 1.0) / stretch);
     if (decide < 1)

@@ -17,6 +17,7 @@
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/kernels/choose_frame.h"
 #include "sim_cuda/kernels/fill_grid.h"
+#include "sim_cuda/kernels/insert_pairs.h"
 #include "sim_cuda/kernels/start_paths.h"
 #include "sim_cuda/kernels/write_neighbours.h"
 #include "sim_cuda/solver/pair_finder.h"
@@ -32,8 +33,8 @@ struct NeighbourSettings {
 };
 
 /// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
-/// longer.
-inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 1, 40};
+/// longer; but long rows are gone through in every contact step.
+inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 0.012, 40};
 
 template <class Backend, class Real>
 class NeighbourLists {
@@ -69,8 +70,9 @@ class NeighbourLists {
 
     /// s after the last build.
     double horizon() const { return horizon_; }
-    /// They do not hold for longer than this (s after the last build).
-    void holdUntil(double seconds) { horizon_ = std::min(horizon_, seconds); }
+    /// Puts more entries into the rows: of each pair both, none twice. They may come in any order. Does not
+    /// wait unless there is no room.
+    void insert(Span<const uint64_t> entries);
     Span<const uint32_t> buried() const { return buried_.view(); }
     /// Builds so far.
     uint64_t builds() const { return builds_; }
@@ -87,6 +89,14 @@ class NeighbourLists {
     void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
     void makeRoom();
+    void exchangeRows() {
+        std::swap(contacts_.row_start, former_.row_start);
+        std::swap(contacts_.neighbour, former_.neighbour);
+        std::swap(contacts_.spring, former_.spring);
+    }
+    FormerRows<Real> formerRows() const {
+        return {former_.row_start.view(), former_.neighbour.view(), former_.spring.view()};
+    }
     NeighbourSearch<Real> searchOf(const BondRowsIn<Real>& bonds);
 
     uint32_t shots() const { return counts_.total - counts_.in_bodies; }
@@ -127,6 +137,7 @@ class NeighbourLists {
     Buffer<uint32_t> zeroed_, place_, member_, draft_, long_draft_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
     Buffer<uint32_t> buried_, place_kind_;
+    Buffer<uint64_t> sorted_entries_;
     Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
 };
@@ -154,6 +165,7 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
       place_kind_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      sorted_entries_(backend.template allocate<uint64_t>(kMostInserted)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_velocity_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
@@ -170,9 +182,7 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
                                           const BondRowsIn<Real>& bonds) {
-    std::swap(contacts_.row_start, former_.row_start);
-    std::swap(contacts_.neighbour, former_.neighbour);
-    std::swap(contacts_.spring, former_.spring);
+    exchangeRows();
     startPaths(state, constants, bonds);
     fillGrid();
     const NeighbourSearch<Real> search = searchOf(bonds);
@@ -266,6 +276,22 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
             counts_.total};
 }
 
+template <class Backend, class Real>
+void NeighbourLists<Backend, Real>::insert(Span<const uint64_t> entries) {
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 8 : 1;
+    const Span<uint64_t> sorted = sorted_entries_.span().part(0, entries.count);
+    backend_.forEach(entries.count, SortEntries{entries, sorted, static_cast<uint32_t>(entries.count)},
+                     "sort entries");
+    exchangeRows();
+    contacts_.used += static_cast<uint32_t>(entries.count);
+    makeRoom();
+    backend_.forEach(
+        (size_t{counts_.total} + 1) * kThreads,
+        CopyRowsWith<kThreads, Real>{formerRows(), sorted, contacts_.row_start.span(),
+                                     contacts_.neighbour.span(), contacts_.spring.span(), counts_.total},
+        "copy rows");
+}
+
 /// The total and the horizon are on their way to the host after this.
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::findPairs(const NeighbourSearch<Real>& search) {
@@ -286,10 +312,8 @@ void NeighbourLists<Backend, Real>::makeRoom() {
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::writeRows(const NeighbourSearch<Real>& search) {
     constexpr uint32_t kThreads = Backend::kOnGpu ? 8 : 1;
-    const RowWriter<Real> rows{{former_.row_start.view(), former_.neighbour.view(), former_.spring.view()},
-                               sums_.view().part(0, rowCounts().count + 1),
-                               contacts_.row_start.span(),
-                               contacts_.neighbour.span(),
+    const RowWriter<Real> rows{formerRows(), sums_.view().part(0, rowCounts().count + 1),
+                               contacts_.row_start.span(), contacts_.neighbour.span(),
                                contacts_.spring.span()};
     const uint32_t particle_threads = counts_.in_bodies * kThreads;
     backend_.forEach(

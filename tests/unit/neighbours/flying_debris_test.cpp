@@ -18,8 +18,7 @@ struct Flight {
     int interval = 5;  ///< steps between two looks
     size_t touching = 0, missed = 0, looks = 0;
     bool follows = false;  ///< who strays gets a new path where that is enough
-    size_t followed = 0;
-    double holds = 0;  ///< s after the build that the lists hold
+    size_t followed = 0, inserted = 0;
 
     explicit Flight(Cloud start)
         : cloud(std::move(start)),
@@ -30,11 +29,11 @@ struct Flight {
         arrays.move(cloud);
         lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
         since_build = 0;
-        holds = lists.horizon();
     }
     /// False: the lists must be made again.
     bool follow(float lookahead) {
         auto strayed = arrays.backend.allocate<uint32_t>(kMostStrayed);
+        auto lacking = arrays.backend.allocate<uint64_t>(kMostInserted);
         auto words = arrays.backend.allocate<uint32_t>(kStrayWords);
         std::vector<uint32_t> label(cloud.items.size());
         for (uint32_t i = 0; i < label.size(); ++i) label[i] = i;
@@ -53,10 +52,11 @@ struct Flight {
                                                  {},
                                                  arrays.particles.constants.view(),
                                                  {},
-                                                 float(holds) - since_build,
+                                                 float(lists.horizon()) - since_build,
                                                  1e9f,
                                                  cloud.in_bodies,
                                                  strayed.view(),
+                                                 lacking.span(),
                                                  words.span()},
                                "see");
         arrays.backend.forEach(
@@ -64,9 +64,10 @@ struct Flight {
             RestartStrayed<float>{paths, strayed.view(), words.view(), contacts.built_position.span(),
                                   contacts.built_velocity.span()},
             "restart");
-        const double unlisted = secondsOf(words.span()[kTouchesUnlisted]);
-        if (words.span()[kStrayedCount] > kMostStrayed || unlisted < double(lookahead)) return false;
-        holds = std::min(holds, double(since_build) + unlisted);
+        const uint32_t count = words.span()[kEntriesLacking];
+        if (words.span()[kStrayedCount] > kMostStrayed || count > kMostInserted) return false;
+        if (count > 0) lists.insert(lacking.view().part(0, count));
+        inserted += count;
         ++followed;
         return true;
     }
@@ -79,9 +80,9 @@ struct Flight {
             cloud.items.size(),
             CheckPaths<float>{arrays.state(), lists.contacts().paths(), flag.span(), since_build, lookahead},
             "check paths");
-        if (flag.span()[0] != 0 && follows && since_build + lookahead <= holds && follow(lookahead))
+        if (flag.span()[0] != 0 && follows && since_build + lookahead <= lists.horizon() && follow(lookahead))
             flag.span()[0] = 0;
-        if (flag.span()[0] != 0 || since_build + lookahead > holds) refresh();
+        if (flag.span()[0] != 0 || since_build + lookahead > lists.horizon()) refresh();
     }
     bool listed(uint32_t i, uint32_t j) const {
         const auto in = lists.contacts().in();
@@ -142,6 +143,7 @@ TEST(FlyingDebris, ThoseWhoStrayAreFollowedAndTouchNothingUnlisted) {
         EXPECT_GT(followed.touching, 3000u);
         EXPECT_EQ(followed.missed, 0u) << "seed " << seed;
         EXPECT_GT(followed.followed, 0u) << "seed " << seed;
+        EXPECT_GT(followed.inserted, 0u) << "seed " << seed;
         EXPECT_LT(followed.lists.builds(), made_again.lists.builds()) << "seed " << seed;
     }
 }
@@ -167,22 +169,24 @@ TEST(FlyingDebris, ACrumbThatTurnsRoundInTheOpenCostsNoBuild) {
     EXPECT_EQ(flight.lists.builds(), 1u);
 }
 
-TEST(FlyingDebris, ListsHoldOnlyUntilACrumbMayReachAStranger) {
+TEST(FlyingDebris, ACrumbThatMayReachAStrangerIsListedWithIt) {
     Cloud cloud;
-    cloud.items = {{{0, 0, 0}, {-5, 0, 0}, 0.01f, true}, {{0.2f, 0, 0}, {}, 0.01f, true}};
+    cloud.items = {{{0, 0, 0}, {-5, 0, 0}, 0.01f, true}, {{0.045f, 0, 0}, {}, 0.01f, true}};
     cloud.addProjectileSlots();
     Flight flight(cloud);
     flight.follows = true;
     flight.refresh();
     EXPECT_FALSE(flight.listed(0, 1));
-    const double before = flight.holds;
     flight.since_build = 1e-3f;
     flight.cloud.items[0].x.x = -5e-3f;
     flight.cloud.items[0].v.x = 5;
     flight.look();
     EXPECT_EQ(flight.followed, 1u);
-    // Reaches with skins: 0.205 m less 2 (0.01 + 0.005), at 5 m/s.
-    EXPECT_NEAR(flight.holds, std::min(before, 1e-3 + 0.175 / 5), 1e-5);
+    EXPECT_EQ(flight.lists.builds(), 1u);
+    // Reaches with skins: 0.05 m less 2 (0.01 + 0.005), at 5 m/s.
+    EXPECT_GT(flight.lists.horizon(), 1e-3 + 0.02 / 5);
+    EXPECT_TRUE(flight.listed(0, 1));
+    EXPECT_TRUE(flight.listed(1, 0));
 }
 
 TEST(FlyingDebris, FragmentsThatFlyTogetherDoNotRebuild) {

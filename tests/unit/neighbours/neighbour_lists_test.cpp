@@ -55,6 +55,39 @@ TEST(NeighbourLists, FindExactlyThePairsOfBruteForceAtRest) {
     EXPECT_GT(total(rows), 2000u);
 }
 
+TEST(NeighbourLists, NewPairsGoToTheirPlacesAndTheOthersKeepTheirSprings) {
+    const Cloud cloud = test::randomCloud(300, 0.4, 0.01, 0.02, 0, 5);
+    CloudArrays arrays(cloud);
+    Lists lists(arrays.backend, cloud.counts(), cloud.largestRadius());
+    lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
+    auto expected = rowsOf(lists);
+    const auto springOf = [](uint32_t i, uint32_t j) { return float(1000 * i + j); };
+    auto& contacts = lists.contacts();
+    for (uint32_t i = 0, slot = 0; i < expected.size(); ++i)
+        for (const uint32_t j : expected[i]) contacts.spring.span()[slot++].x = springOf(i, j);
+    std::vector<uint64_t> entries;
+    std::set<std::pair<uint32_t, uint32_t>> added;
+    for (uint32_t k = 0; entries.size() < 200; ++k) {
+        // Two rows in the middle get many, and so do the first and the last (a projectile's).
+        const uint32_t i = k % 3 == 0   ? 150
+                           : k % 3 == 1 ? 0
+                                        : cloud.counts().total - 1,
+                       j = (k * 97) % 299 + 1;
+        const auto& row = expected[i];
+        if (i == j || std::binary_search(row.begin(), row.end(), j)) continue;
+        for (const auto& [a, b] : {std::pair{i, j}, std::pair{j, i}})
+            if (added.insert({a, b}).second) entries.push_back(rowEntry(a, b));
+    }
+    for (const auto& [i, j] : added) expected[i].push_back(j);
+    for (auto& row : expected) std::sort(row.begin(), row.end());
+    lists.insert(arrays.backend.uploaded(entries).view());
+    EXPECT_EQ(rowsOf(lists), expected);
+    EXPECT_EQ(lists.contacts().used, total(expected));
+    for (uint32_t i = 0, slot = 0; i < expected.size(); ++i)
+        for (const uint32_t j : expected[i])
+            ASSERT_EQ(lists.contacts().spring.view()[slot++].x, added.count({i, j}) ? 0 : springOf(i, j));
+}
+
 TEST(NeighbourLists, FindExactlyThePairsOfBruteForceInMotion) {
     EXPECT_GT(total(expectBruteForce(test::randomCloud(1500, 0.5, 0.01, 0.02, 8, 2))), 2000u);
 }
