@@ -37,6 +37,18 @@ struct BondedWork {
     }
 };
 
+/// What a rigid body leaves to the one that goes on with its fragment, in one word: contacts that each stand
+/// for a part of its mass, and its flight.
+DEM_FN uint32_t memoryOf(const RigidBody& body) {
+    return body.contact_share | body.flight.lag << 24 | body.flight.free << 31;
+}
+DEM_FN uint32_t rememberedShare(uint32_t memory) {
+    return memory & 0xffffffu;
+}
+DEM_FN Flight rememberedFlight(uint32_t memory) {
+    return {memory >> 24 & 0x7fu, memory >> 31};
+}
+
 /// A warp moves a fragment of so many active particles or fewer, a block one of more.
 inline constexpr uint32_t kShortRigidRow = 64;
 
@@ -48,9 +60,9 @@ struct RigidWork {
     Span<const uint32_t> large;        ///< entries with more than kShortRigidRow places, in any order
     Span<const uint32_t> counts;       ///< kWorkWords
     Span<RigidBody> body;              ///< per slot
-    Span<uint32_t> share;  ///< per slot: contacts that each stand for a part of its mass; 0: not known yet
-    Span<const Vec3<double>> arm;  ///< per particle: from the centre at the start, m
-    Span<const uint32_t> label;    ///< per particle: its fragment's slot
+    Span<uint32_t> memory;             ///< per slot: memoryOf() its body; 0: none yet
+    Span<const Vec3<double>> arm;      ///< per particle: from the centre at the start, m
+    Span<const uint32_t> label;        ///< per particle: its fragment's slot
     uint32_t active_at_most = 0, fragments_at_most = 0, large_at_most = 0;
 };
 

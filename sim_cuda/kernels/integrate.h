@@ -74,7 +74,7 @@ DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
 template <class Real>
 DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
                        const LoadedState<Real>& after, Real dt) {
-    ledger.x += madd(-dt, meanPower(tally.damping, before, after), tally.softened);
+    ledger.x += madd(-dt, meanPower(tally.damping, before, after), tally.contact_loss);
     ledger.y -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
     ledger.z += tally.fracture;
 }
@@ -90,7 +90,7 @@ DEM_FN void bookCarried(const SubstepArrays<Real>& arrays, uint32_t i, const Tal
         sum = withW(xyz(sum) + parts[k], Real(0));
     }
     Vec4<Real>& ledger = arrays.ledger[i];
-    ledger.x += tally.softened;
+    ledger.x += tally.contact_loss;
     ledger.y -= tally.spring_energy;
 }
 

@@ -24,14 +24,16 @@ DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
 }
 
 /// `next` is the state one substep later: kinetic energy counts the mean of the velocities before and after
-/// the kick (B.1). What sleeps feels no kick, whatever still presses on it.
+/// the kick (B.1). What sleeps feels no kick, whatever still presses on it, and of
+/// what is rigid only the fall is known.
 template <class Real>
 struct MeasureEnergy {
     SubstepArrays<Real> arrays;  ///< only read
     StateIn<Real> next;
     StepParams<Real> params;
     Vec3<double> gravity;                ///< m/s^2
-    Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps
+    Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps or is rigid
+    Span<const uint32_t> memory;         ///< of rigid bodies, per slot
 
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
@@ -43,9 +45,9 @@ struct MeasureEnergy {
             inDouble(xyz(own.state.position)) +
             inDouble(lowPart(own.state.position, own.state.velocity, own.state.spin));
         const Vec3<double> velocity = inDouble(xyz(own.state.velocity)), spin = inDouble(xyz(own.state.spin));
-        const bool kicked = !sleeps(i);
-        const Vec3<double> mean_velocity =
-            kicked ? 0.5 * (velocity + inDouble(xyz(next.velocity[i]))) : velocity;
+        const bool kicked = isMoved(i, Regime::kBonded);
+        const Vec3<double> mean_velocity = kicked ? 0.5 * (velocity + inDouble(xyz(next.velocity[i])))
+                                                  : axpy(fallTime(i), gravity, velocity);
         const Vec3<double> mean_spin = kicked ? 0.5 * (spin + inDouble(xyz(next.spin[i]))) : spin;
         sums.kinetic = 0.5 * (mass * length2(mean_velocity) + inertia * length2(mean_spin));
         sums.potential = -mass * dot(gravity, position);
@@ -55,8 +57,15 @@ struct MeasureEnergy {
         return sums;
     }
 
-    DEM_FN bool sleeps(uint32_t i) const {
-        return regime.data != nullptr && regime[label[i]] == wordOf(Regime::kAsleep);
+    DEM_FN bool isMoved(uint32_t i, Regime how) const {
+        return regime.data == nullptr ? how == Regime::kBonded : regime[label[i]] == wordOf(how);
+    }
+    /// s from the moment that the velocity of what is not moved with its bonds belongs to, if it falls
+    /// freely.
+    DEM_FN double fallTime(uint32_t i) const {
+        if (!isMoved(i, Regime::kRigid)) return 0;
+        const Flight flight = rememberedFlight(memory[label[i]]);
+        return flight.free == 0 ? 0 : 0.5 * (flight.lag + 1.0) * static_cast<double>(params.dt);
     }
 
     DEM_FN double elasticEnergy(const OwnParticle<Real>& own) const {

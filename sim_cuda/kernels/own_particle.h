@@ -62,14 +62,14 @@ struct Tally {
     Wrench<Real> damping, friction;  ///< parts of the total load
     Real spring_energy{};            ///< J, growth of tangential springs' energy (this particle's half of it)
     Real fracture{};                 ///< J
-    Real softened{};                 ///< J, lost by contacts that grew softer (this particle's half of it)
+    Real contact_loss{};  ///< J, of contacts that grew softer, began or ended (this particle's half)
 
     DEM_FN void operator+=(const Tally& other) {
         add(damping, other.damping);
         add(friction, other.friction);
         spring_energy += other.spring_energy;
         fracture += other.fracture;
-        softened += other.softened;
+        contact_loss += other.contact_loss;
     }
 };
 

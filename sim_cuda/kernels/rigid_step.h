@@ -92,6 +92,7 @@ struct StepRigid {
     Span<Vec4<Real>> constants;    ///< those that contact steps use,
     Span<Vec4<Real>> in_substeps;  ///< and those of carried particles in substeps
     Span<const Vec4<Real>> own_constants;
+    uint32_t stride = kRigidStride;  ///< substeps in this step
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
     DEM_FN uint32_t places(uint32_t entry) const { return work.last[entry] - work.first[entry]; }
@@ -113,14 +114,15 @@ struct StepRigid {
         return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
-        advance(body, total.force, total.torque, asDouble(params.gravity), double(params.dt));
+        const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride;
+        advance(body, total.force, total.torque, fallen * asDouble(params.gravity), double(params.dt));
         const uint32_t wanted = total.touching / kContactsPerShare;
         body.contact_share = wanted > body.least_share ? wanted : body.least_share;
     }
     DEM_FN void keep(const RigidBody& body, uint32_t entry) const {
         const uint32_t slot = work.fragment[entry];
         work.body[slot] = body;
-        work.share[slot] = body.contact_share;
+        work.memory[slot] = memoryOf(body);
     }
     /// Every `lanes`-th particle from `lane` on, however many lanes there are.
     DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane, uint32_t lanes) const {

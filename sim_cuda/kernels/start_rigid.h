@@ -11,7 +11,8 @@ namespace demolish {
 template <class Real>
 struct StartBodies {
     FragmentRows rows;
-    Span<const uint32_t> label, regime;
+    Span<const uint32_t> label, regime, former;
+    Span<const uint32_t> memory;  ///< per slot, of the last step
     StateIn<Real> state;
     Span<const Vec4<Real>> constants;
     Span<const RigidMotion> motion;  ///< per slot of a body's fragment
@@ -24,10 +25,13 @@ struct StartBodies {
     DEM_FN void operator()(uint32_t slot) const {
         if (label[slot] != slot || regime[slot] == wordOf(Regime::kBonded)) return;
         if (slot < in_bodies) {
-            if (frame_starts) body[slot] = ofFragment(slot);
-        } else if (constants[slot].x > Real(0)) {
+            if (!frame_starts) return;
+            body[slot] = ofFragment(slot);
+        } else {
+            if (!(constants[slot].x > Real(0))) return;
             body[slot] = ofProjectile(slot);
         }
+        if (former[slot] == wordOf(Regime::kRigid)) body[slot].flight = rememberedFlight(memory[slot]);
     }
 
   private:
@@ -74,12 +78,16 @@ struct SettleRegimes {
     Span<const RigidBody> body;
     Span<Vec3<double>> arm;
     Span<Vec4<Real>> start_rotation, ledger;
+    Vec3<double> gravity;  ///< m/s^2
+    double substep = 0;    ///< s
     uint32_t in_bodies = 0;
     bool frame_starts = false;
 
     DEM_FN void operator()(uint32_t i) const {
-        if (!frame_starts && i < in_bodies) return;
         const uint32_t slot = label[i], now = regime[slot];
+        const bool wakes = now == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kRigid);
+        if (!frame_starts && i < in_bodies && !wakes) return;
+        if (wakes) catchUp(i, body[slot].flight);
         if (now != wordOf(Regime::kBonded)) hang(i, slot);
         if (now == wordOf(Regime::kAsleep) && former[slot] != now) stop(i);
         copyState(i);
@@ -95,6 +103,11 @@ struct SettleRegimes {
             setMotion(i, former[slot] == wordOf(Regime::kBonded), velocityAtArm(fit, from_centre), fit.spin);
     }
     DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
+    DEM_FN void catchUp(uint32_t i, const Flight& flight) const {
+        if (flight.free == 0 || !(constants[i].x > Real(0))) return;
+        const Vec3<double> v = axpy(0.5 * flight.lag * substep, gravity, asDouble(xyz(in.velocity[i])));
+        state.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i].w);
+    }
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {
         if (!(constants[i].x > Real(0))) return;

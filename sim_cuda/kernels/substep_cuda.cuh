@@ -193,7 +193,7 @@ __device__ __forceinline__ void sumTally(Tally<Real>& tally) {
         add(tally.friction, shuffledDown(tally.friction, step, T));
         tally.spring_energy += __shfl_down_sync(0xffffffffu, tally.spring_energy, step, T);
         tally.fracture += __shfl_down_sync(0xffffffffu, tally.fracture, step, T);
-        tally.softened += __shfl_down_sync(0xffffffffu, tally.softened, step, T);
+        tally.contact_loss += __shfl_down_sync(0xffffffffu, tally.contact_loss, step, T);
     }
 }
 

@@ -70,6 +70,7 @@ struct TouchEffect {
     Wrench<Real> damping;   ///< on i, the normal damper's share
     Wrench<Real> friction;  ///< on i, of tangential force and rolling resistance
     Real spring_energy{};   ///< J, stored in the tangential spring after the step
+    Real opening{};         ///< m/s, along the normal
 };
 
 /// Spring as it was; i and j as in PairMotion (of which positions and rotations are not used).
@@ -92,6 +93,7 @@ DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchL
     effect.spring = tangential.spring;
     effect.damping.force = (law.elastic - normal) * at.normal;  // on the line of centres: no torque
     effect.friction = {tangential.force, cross(arm_i, tangential.force) + rolling};
+    effect.opening = opening;
     effect.spring_energy = Real(0.5) * law.shear * length2(tangential.spring);
     return effect;
 }

@@ -74,7 +74,7 @@ struct WriteWork {
     Span<const uint32_t> flags;  ///< of fragments, as FlagIslands leaves them
     Span<const RigidBody> body;
     Span<const Vec3<double>> arm;
-    Span<const uint32_t> share;  ///< per slot: contacts of the last step
+    Span<const uint32_t> memory;  ///< per slot: of the last step
     Span<const Vec4<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
     Span<uint32_t> large;          ///< entries with long rows, in any order
@@ -110,7 +110,8 @@ struct WriteWork {
         in_substeps[k] = own;
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         RigidBody start = body[slot];
-        start.contact_share = share[slot] > start.least_share ? share[slot] : start.least_share;
+        const uint32_t share = rememberedShare(memory[slot]);
+        start.contact_share = share > start.least_share ? share : start.least_share;
         constants[k] = sharedConstants(start, arm[k], own);
         in_substeps[k] = carriedConstants(start, constants[k], own);
     }

@@ -17,6 +17,14 @@ DEM_FN Sym3 inverted(const Sym3& a) {
             s * xy, s * (a.xy * a.zx - a.xx * a.yz), s * zx};
 }
 
+/// How a body falls between two kinds of step. A velocity belongs to half a step before its moment, and a
+/// contact step is longer than a substep: by so much a falling body's velocity lags behind that of a falling
+/// particle, half the contact step less one substep.
+struct Flight {
+    uint32_t lag = 0;   ///< half substeps
+    uint32_t free = 0;  ///< 1: nothing touched it in the last step
+};
+
 /// World frame. `turned` starts at 1 with the body's axes along the world's.
 struct RigidBody {
     Vec3<double> centre;         ///< X_c, m
@@ -28,6 +36,7 @@ struct RigidBody {
     double inverse_mass = 0;     ///< 1/kg
     uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
     uint32_t least_share = 1;    ///< and how many at least
+    Flight flight;
 };
 
 /// omega of J(q) omega = L.
@@ -46,6 +55,16 @@ DEM_FN void advance(RigidBody& body, const Vec3<double>& force, const Vec3<doubl
     const Quat<double> half = advanced(body.turned, spinAt(body, body.turned), 0.5 * dt);
     body.turned = advanced(body.turned, spinAt(body, half), dt);
     body.spin = spinAt(body, body.turned);
+}
+
+/// Substeps of gravity in a contact step of `stride` of them: fewer in the first one of a body that was moved
+/// with its bonds before. Where something touches it, gravity goes on as its contacts do.
+DEM_FN double fallenSubsteps(Flight& flight, uint32_t stride, bool touched) {
+    const uint32_t before = flight.lag;
+    flight.free = touched ? 0 : 1;
+    if (touched) return stride;
+    flight.lag = stride - 1;
+    return stride - 0.5 * (double(flight.lag) - double(before));
 }
 
 /// Velocity of the point at `arm` from the centre (m, world frame now): (16) as corrected.

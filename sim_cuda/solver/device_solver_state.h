@@ -72,10 +72,12 @@ void DeviceSolver<Backend, Real>::measure() {
                                params_,
                                {g.x, g.y, g.z},
                                {},
+                               {},
                                {}};
     if (regimes_.on()) {
         energy.label = clusters_.fragment();
         energy.regime = regimes_.regime();
+        energy.memory = regimes_.bodyMemory();
     }
     const MechanicalSums sums = backend_.reduce(tables_.counts.total, MechanicalSums{}, energy,
                                                 SumInto<MechanicalSums>{}, "measure energies");

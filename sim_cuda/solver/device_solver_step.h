@@ -320,7 +320,7 @@ uint32_t DeviceSolver<Backend, Real>::untilDecision(uint32_t at_most) const {
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::bookSoftening() {
     const RigidConstants<Real> constants = regimes_.rigidConstants();
-    MeasureEnergy<Real> bonded{data_.arrays(lists_.contacts()), {}, params_, {}, {}, {}};
+    MeasureEnergy<Real> bonded{data_.arrays(lists_.contacts()), {}, params_, {}, {}, {}, {}};
     MeasureEnergy<Real> carried = bonded, rigid = bonded;
     carried.arrays.constants = Span<const Vec4<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const Vec4<Real>>(constants.in_contact_steps);

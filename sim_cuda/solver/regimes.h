@@ -90,9 +90,10 @@ class Regimes {
     void visitBuffers(const Visit& visit) {
         visit(regime_);
         visit(clock_);
-        visit(share_);
+        visit(body_memory_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
+    Span<const uint32_t> bodyMemory() const { return body_memory_.view(); }
     Span<const uint32_t> former() const { return former_.view(); }  ///< before the last decision
 
   private:
@@ -104,7 +105,7 @@ class Regimes {
                        const StepParams<Real>& params, bool frame_starts);
     void startBodies(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
                      const FragmentRows& rows, const FragmentMotion<Backend, Real>& motion,
-                     bool frame_starts);
+                     const StepParams<Real>& params, bool frame_starts);
     void listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                   const StepParams<Real>& params, bool frame_starts);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
@@ -120,7 +121,7 @@ class Regimes {
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
-    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_, share_;
+    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_, body_memory_;
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
@@ -170,7 +171,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
          {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_, &large_})
         *words = backend.template allocate<uint32_t>(total);
     speeds_ = backend.template allocate<uint32_t>(total);
-    share_ = backend.template allocate<uint32_t>(total);
+    body_memory_ = backend.template allocate<uint32_t>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
@@ -201,7 +202,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     chooseRegimes(meetings, rows, params, frame_starts);
-    startBodies(data, meetings, rows, motion, frame_starts);
+    startBodies(data, meetings, rows, motion, params, frame_starts);
     listWork(data, meetings, rows, params, frame_starts);
     if constexpr (!Backend::kOnGpu) listBondsOnHost(data, clusters);
 }
@@ -285,20 +286,22 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
 template <class Backend, class Real>
 void Regimes<Backend, Real>::startBodies(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings,
                                          const FragmentRows& rows,
-                                         const FragmentMotion<Backend, Real>& motion, bool frame_starts) {
+                                         const FragmentMotion<Backend, Real>& motion,
+                                         const StepParams<Real>& params, bool frame_starts) {
     auto& particles = data.particles;
     const uint32_t total = counts_of_.total;
     backend_.forEach(
         total,
-        StartBodies<Real>{rows, meetings.label, regime_.view(), meetings.state, meetings.constants, fits_,
-                          motion.poses(), motion.spins(), body_.span(), counts_of_.in_bodies, frame_starts},
+        StartBodies<Real>{rows, meetings.label, regime_.view(), former_.view(), body_memory_.view(),
+                          meetings.state, meetings.constants, fits_, motion.poses(), motion.spins(),
+                          body_.span(), counts_of_.in_bodies, frame_starts},
         "start bodies");
     backend_.forEach(
         total,
         SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),
                             meetings.constants, meetings.label, regime_.view(), former_.view(), body_.view(),
-                            arm_.span(), start_rotation_.span(), data.ledger.span(), counts_of_.in_bodies,
-                            frame_starts},
+                            arm_.span(), start_rotation_.span(), data.ledger.span(), asDouble(params.gravity),
+                            double(params.dt), counts_of_.in_bodies, frame_starts},
         "settle regimes");
 }
 
@@ -325,7 +328,7 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                                      flags_.view(),
                                      body_.view(),
                                      arm_.view(),
-                                     share_.view(),
+                                     body_memory_.view(),
                                      meetings.constants,
                                      active_.span(),
                                      fragment_.span(),
@@ -347,7 +350,7 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     }
     bonded_shots_ = !hand_over_;
     rigid_ = {fragment_.view(),    first_.view(),  last_.view(),          active_.view(),
-              large_.view(),       words_.view(),  body_.span(),          share_.span(),
+              large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
               arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
               counts_[kLargeCount]};
     const bool all = counts_[kBondedCount] == counts_of_.in_bodies;

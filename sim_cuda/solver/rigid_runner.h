@@ -45,6 +45,7 @@ struct RigidStepOf {
                 constants.in_contact_steps,
                 constants.in_substeps,
                 data.particles.constants.view(),
+                stride,
                 carried ? 1.0 / stride : 0.0};
     }
 };

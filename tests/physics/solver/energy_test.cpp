@@ -68,6 +68,27 @@ TEST_F(Energy, TheErrorFallsWithTheStep) {
     EXPECT_LT(eighth, 0.5 * half);
 }
 
+/// A contact as stiff as the step allows, met at every part of a step: what its first and its last step take
+/// and give beyond the spring is 3 % of the impact at most, and booked.
+TEST_F(Energy, TheFirstAndTheLastStepOfAContactAreBooked) {
+    for (const double restitution : {0.9, 0.5, 0.1})
+        for (int part = 0; part < 8; ++part) {
+            SceneSetup setup = freeBody(ballBody(0.05));
+            setup.bodies[0].material.restitution = restitution;
+            setup.params.planes.push_back(Plane{});
+            setup.params.substeps = 200;
+            setup.bodies[0].velocity = {0, -3, 0};
+            setup.bodies[0].position = {0, 0.004 + 3 * part / (8 * 60.0 * setup.params.substeps), 0};
+            auto solver = makeSolver(setup);
+            solver->measure();
+            const double before = solver->stats().energy.kinetic;
+            for (int frame = 0; frame < 2; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            solver->measure();
+            EXPECT_LT(solver->stats().energy.kinetic, 0.95 * before) << "it has hit";
+            EXPECT_LT(std::abs(sum(solver->stats()) - before) / before, 1e-3) << restitution << ", " << part;
+        }
+}
+
 TEST_F(Energy, AShotFiredDuringTheRunIsExternalWork) {
     SceneSetup setup = drop(0.5, 200);
     setup.bodies[0].velocity = {};

@@ -1,0 +1,78 @@
+// Rigid bodies between two kinds of step: gravity, and a turn without a torque.
+#include "sim_cuda/physics/rigid_motion.h"
+
+#include <gtest/gtest.h>
+
+namespace demolish {
+namespace {
+
+/// Substeps of gravity in steps of these lengths, one after the other, with nothing that touches.
+double fallen(Flight& flight, std::initializer_list<uint32_t> strides) {
+    double sum = 0;
+    for (const uint32_t stride : strides) sum += fallenSubsteps(flight, stride, false);
+    return sum;
+}
+
+TEST(Flight, LagsByHalfAStepLessHalfASubstep) {
+    Flight flight;
+    EXPECT_EQ(fallen(flight, {10}), 5.5) << "from half a substep before to half a contact step after";
+    EXPECT_EQ(flight.lag, 9u);
+    EXPECT_EQ(flight.free, 1u);
+    EXPECT_EQ(fallen(flight, {10, 10}), 20);
+}
+
+TEST(Flight, WhatIsCaughtUpIsWhatSubstepsFallWhateverTheSteps) {
+    for (const auto& strides :
+         {std::initializer_list<uint32_t>{10, 10, 10}, {10, 7}, {1, 1, 10}, {3, 10, 4}}) {
+        Flight flight;
+        uint32_t substeps = 0;
+        for (const uint32_t stride : strides) substeps += stride;
+        EXPECT_EQ(fallen(flight, strides) + 0.5 * flight.lag, substeps);
+    }
+}
+
+TEST(Flight, GravityGoesOnWithTheContactsOfWhatIsTouched) {
+    Flight flight;
+    EXPECT_EQ(fallenSubsteps(flight, 10, true), 10);
+    EXPECT_EQ(flight.lag, 0u);
+    EXPECT_EQ(flight.free, 0u);
+    (void)fallen(flight, {10});
+    EXPECT_EQ(fallenSubsteps(flight, 10, true), 10) << "a bounce keeps the lag";
+    EXPECT_EQ(flight.lag, 9u);
+    EXPECT_EQ(flight.free, 0u);
+}
+
+RigidBody spinningBrick() {
+    RigidBody body;
+    body.inverse_mass = 0.5;
+    body.inverse_inertia = {1, 1.0 / 2, 1.0 / 3, 0.05, 0, 0.02};
+    body.angular = {1, 6, 0.1};
+    return body;
+}
+double energyOf(const RigidBody& body) {
+    return 0.5 * dot(spinAt(body, body.turned), body.angular);
+}
+
+TEST(RigidMotion, TurnsWithoutATorqueAtConstantEnergy) {
+    const auto drift = [](double dt) {
+        RigidBody body = spinningBrick();
+        const double before = energyOf(body);
+        for (double t = 0; t < 10; t += dt) advance(body, {}, {}, {}, dt);
+        EXPECT_EQ(body.angular.y, 6);
+        return std::abs(energyOf(body) / before - 1);
+    };
+    EXPECT_LT(drift(0.01), 1e-4);
+    EXPECT_LT(drift(0.005), 0.5 * drift(0.01)) << "the error falls faster than the step";
+}
+
+TEST(RigidMotion, FallsAsAParticle) {
+    RigidBody body = spinningBrick();
+    advance(body, {4, 0, 0}, {}, {0, -10, 0}, 0.1);
+    EXPECT_DOUBLE_EQ(body.velocity.x, 0.2);
+    EXPECT_DOUBLE_EQ(body.velocity.y, -1);
+    EXPECT_DOUBLE_EQ(body.centre.y, -0.1);
+    EXPECT_DOUBLE_EQ(velocityAtArm(body, {0, 0, 0}).y, -1);
+}
+
+}  // namespace
+}  // namespace demolish
