@@ -41,13 +41,13 @@ TEST(Units, ABondsForcesDampingBreakAndEnergy) {
         const BondConstants<double> bond{kMetre * p.bond.rest, small(p.bond.stiffness),
                                          kMetre * p.bond.radius, kPressure * p.bond.strength,
                                          kSecond * p.bond.beta_r};
-        const auto a = bondEffect(p.bond, p.motion), b = bondEffect(bond, small(p.motion));
+        const auto a = laws::bondEffect(p.bond, p.motion), b = laws::bondEffect(bond, small(p.motion));
         expectScaled(b.force, a.force, kForce);
         expectScaled(b.torque_i, a.torque_i, kMoment);
         expectScaled(b.torque_j, a.torque_j, kMoment);
         EXPECT_NEAR(b.severity / b.limit, a.severity / a.limit, 1e-10 * (1 + a.severity / a.limit));
-        EXPECT_NEAR(bondFractureEnergy(bond, small(p.motion), 1e-5 * kSecond) /
-                        (kEnergy * bondFractureEnergy(p.bond, p.motion, 1e-5)),
+        EXPECT_NEAR(laws::bondFractureEnergy(bond, small(p.motion), 1e-5 * kSecond) /
+                        (kEnergy * laws::bondFractureEnergy(p.bond, p.motion, 1e-5)),
                     1, 1e-9);
     }
 }
@@ -62,26 +62,27 @@ TEST(Units, StressStrengthAndDampingPower) {
     d.bending = e.bending = {0, 0, 2e-3};
     e.stretch = kMetre * d.stretch;
     e.shear = kMetre * d.shear;
-    const auto a = bondStress(bondLoad(k, d), 1e-3, 0.0178);
-    const auto b = bondStress(bondLoad(small(k), e), 1e-3 * kMetre * kMetre, 0.0178 * kMetre);
+    const auto a = laws::bondStress(laws::bondLoad(k, d), 1e-3, 0.0178);
+    const auto b = laws::bondStress(laws::bondLoad(small(k), e), 1e-3 * kMetre * kMetre, 0.0178 * kMetre);
     EXPECT_NEAR(b.tension / (kPressure * a.tension), 1, 1e-12);
     EXPECT_NEAR(b.shear / (kPressure * a.shear), 1, 1e-12);
-    EXPECT_NEAR(bondEnergy(small(k), e) / (kEnergy * bondEnergy(k, d)), 1, 1e-12);
+    EXPECT_NEAR(laws::bondEnergy(small(k), e) / (kEnergy * laws::bondEnergy(k, d)), 1, 1e-12);
     const BondRates<double> rates{{0.3, 0.1, 0}, {1, 0, 2}};
     const BondRates<double> small_rates{kVelocity * rates.velocity, 1 / kSecond * rates.spin};
-    EXPECT_NEAR(bondDampingPower(small(k), e, small_rates, 1e-4 * kSecond) /
-                    (kEnergy / kSecond * bondDampingPower(k, d, rates, 1e-4)),
+    EXPECT_NEAR(laws::bondDampingPower(small(k), e, small_rates, 1e-4 * kSecond) /
+                    (kEnergy / kSecond * laws::bondDampingPower(k, d, rates, 1e-4)),
                 1, 1e-12);
-    EXPECT_NEAR(confinedShearStrength(kPressure * 5e5, 0.4, -kForce * 300.0, kMetre * kMetre * 1e-3) /
-                    (kPressure * confinedShearStrength(5e5, 0.4, -300.0, 1e-3)),
+    EXPECT_NEAR(laws::confinedShearStrength(kPressure * 5e5, 0.4, -kForce * 300.0, kMetre * kMetre * 1e-3) /
+                    (kPressure * laws::confinedShearStrength(5e5, 0.4, -300.0, 1e-3)),
                 1, 1e-12);
-    const double limit = stretchLimit(3e5, 1e-3, k.normal);
+    const double limit = laws::stretchLimit(3e5, 1e-3, k.normal);
     EXPECT_NEAR(
-        stretchLimit(kPressure * 3e5, kMetre * kMetre * 1e-3, kStiffness * k.normal) / (kMetre * limit), 1,
-        1e-12);
+        laws::stretchLimit(kPressure * 3e5, kMetre * kMetre * 1e-3, kStiffness * k.normal) / (kMetre * limit),
+        1, 1e-12);
     for (const double share : {0.9, 1.1})
-        EXPECT_EQ(isDiscrete(kMetre * (0.05 + share * limit), kMetre * 0.05, kMetre * limit), share > 1);
-    EXPECT_EQ(nextState(PairState::kBroken, false, 1.0801 * kMetre, kMetre), PairState::kContact);
+        EXPECT_EQ(laws::isDiscrete(kMetre * (0.05 + share * limit), kMetre * 0.05, kMetre * limit),
+                  share > 1);
+    EXPECT_EQ(laws::nextState(PairState::kBroken, false, 1.0801 * kMetre, kMetre), PairState::kContact);
 }
 
 TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
@@ -101,8 +102,8 @@ TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
                                    p.law.rolling,
                                    kMetre * p.law.radius,
                                    kInertia * p.law.inertia};
-        const auto a = touchEffect(p.geometry, p.law, p.motion, p.spring, 1e-4);
-        const auto b = touchEffect(at, law, small(p.motion), kMetre * p.spring, 1e-4 * kSecond);
+        const auto a = laws::touchEffect(p.geometry, p.law, p.motion, p.spring, 1e-4);
+        const auto b = laws::touchEffect(at, law, small(p.motion), kMetre * p.spring, 1e-4 * kSecond);
         expectScaled(b.load.force, a.load.force, kForce);
         expectScaled(b.load.torque, a.load.torque, kMoment);
         expectScaled(b.spring, a.spring, kMetre);
@@ -119,9 +120,9 @@ TEST(Units, ContactLawsOfThePairTable) {
         const PairLaw<double> pair{1e5, 0.7, 0.4, 0.3, 0.2, 2e7, 8e6};
         const PairLaw<double> small_pair{kStiffness * 1e5, 0.7, 0.4, 0.3, kStiffness * 0.2, kPressure * 2e7,
                                          kPressure * 8e6};
-        const auto a = contactTouchLaw(pair, params, 1e-4, 0.02, PairInertia<double>{3.0, 700.0});
-        const auto b = contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
-                                       PairInertia<double>{3.0 / kKilogram, 700.0 / kInertia});
+        const auto a = laws::contactTouchLaw(pair, params, 1e-4, 0.02, PairInertia<double>{3.0, 700.0});
+        const auto b = laws::contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
+                                             PairInertia<double>{3.0 / kKilogram, 700.0 / kInertia});
         EXPECT_NEAR(b.elastic / (kForce * a.elastic), 1, 1e-12);
         EXPECT_NEAR(b.normal_damping / (kForce / kVelocity * a.normal_damping), 1, 1e-12);
         EXPECT_NEAR(b.shear / (kStiffness * a.shear), 1, 1e-12);
@@ -132,14 +133,14 @@ TEST(Units, ContactLawsOfThePairTable) {
 
 TEST(Units, BrokenBonds) {
     const V moment{3, 4, 0};
-    expectScaled(cappedBendingMoment(kMoment * moment, 0.25, kForce * 8.0, kMetre * 0.5),
-                 cappedBendingMoment(moment, 0.25, 8.0, 0.5), kMoment);
-    EXPECT_NEAR(brokenRepulsion(kStiffness * 7.0, brokenOverlap(kMetre * 2.0, kMetre * 1.5)) /
-                    (kForce * brokenRepulsion(7.0, brokenOverlap(2.0, 1.5))),
+    expectScaled(laws::cappedBendingMoment(kMoment * moment, 0.25, kForce * 8.0, kMetre * 0.5),
+                 laws::cappedBendingMoment(moment, 0.25, 8.0, 0.5), kMoment);
+    EXPECT_NEAR(laws::brokenRepulsion(kStiffness * 7.0, laws::brokenOverlap(kMetre * 2.0, kMetre * 1.5)) /
+                    (kForce * laws::brokenRepulsion(7.0, laws::brokenOverlap(2.0, 1.5))),
                 1, 1e-12);
-    EXPECT_NEAR(frictionLimit(0.3, kForce * 2.0) / (kForce * frictionLimit(0.3, 2.0)), 1, 1e-12);
-    EXPECT_NEAR(fractureEnergy(kEnergy * 5.0, kStiffness * 2.0, kMetre * 1.0) /
-                    (kEnergy * fractureEnergy(5.0, 2.0, 1.0)),
+    EXPECT_NEAR(laws::frictionLimit(0.3, kForce * 2.0) / (kForce * laws::frictionLimit(0.3, 2.0)), 1, 1e-12);
+    EXPECT_NEAR(laws::fractureEnergy(kEnergy * 5.0, kStiffness * 2.0, kMetre * 1.0) /
+                    (kEnergy * laws::fractureEnergy(5.0, 2.0, 1.0)),
                 1, 1e-12);
 }
 
@@ -180,12 +181,13 @@ TEST(Units, MotionOfAFragment) {
             x.push_back(metre * test::drawVector<double>(random, 1));
             v.push_back(metre / second * test::drawVector<double>(random, 3));
             w.push_back(1 / second * test::drawVector<double>(random, 5));
-            sums = sums + massOf(kilogram * (1 + n), x[n], v[n]);
+            sums = sums + laws::massOf(kilogram * (1 + n), x[n], v[n]);
         }
         for (int n = 0; n < 40; ++n)
-            spins = spins + spinOf(kilogram * (1 + n), 0.01 * kilogram * metre * metre,
-                                   x[n] - massCentre(sums), v[n] - meanVelocity(sums), w[n]);
-        return rigidMotion(sums, spins);
+            spins =
+                spins + laws::spinOf(kilogram * (1 + n), 0.01 * kilogram * metre * metre,
+                                     x[n] - laws::massCentre(sums), v[n] - laws::meanVelocity(sums), w[n]);
+        return laws::rigidMotion(sums, spins);
     };
     const RigidMotion a = fit(1, 1, 1), b = fit(kMetre, kKilogram, kSecond);
     expectScaled(b.centre, a.centre, kMetre);
