@@ -141,6 +141,68 @@ TEST(Exchange, StateOfAPairDependsOnItsDistanceAlone) {
     }
 }
 
+/// Kinematics, energy and verdict of a bond, one by one.
+TEST(Exchange, ABondsEnergyAndBreakAreTheSameFromBothSides) {
+    std::mt19937 random(5);
+    int broken = 0;
+    for (int k = 0; k < 300; ++k) {
+        const auto p = test::drawBondedPair<double>(random), q = test::exchanged(p);
+        const auto deformed = [](const test::BondedPair<double>& pair) {
+            const BondRest<double> rest{normalized(pair.bond.rest), 0.025, 0.025};
+            return laws::bondDeformation(rest, pair.motion.separation, pair.motion.rotation_i,
+                                         pair.motion.rotation_j);
+        };
+        const auto a = deformed(p), b = deformed(q);
+        ASSERT_EQ(a.stretch, b.stretch);
+        ASSERT_EQ(a.twist, b.twist);
+        ASSERT_TRUE(opposite(a.shear, b.shear));
+        ASSERT_EQ(laws::bondEnergy(p.bond.stiffness, a), laws::bondEnergy(q.bond.stiffness, b));
+        const auto stress = [&](const BondDeformation<double>& d) {
+            return laws::bondStress(laws::bondLoad(p.bond.stiffness, d), 1e-3, 0.0178);
+        };
+        ASSERT_EQ(laws::bondBreaks(stress(a), 6e4, 6e4), laws::bondBreaks(stress(b), 6e4, 6e4));
+        ASSERT_EQ(
+            laws::confinedShearStrength(6e4, 0.3, laws::bondLoad(p.bond.stiffness, a).normal_force, 1e-3),
+            laws::confinedShearStrength(6e4, 0.3, laws::bondLoad(q.bond.stiffness, b).normal_force, 1e-3));
+        broken += laws::bondBreaks(stress(a), 6e4, 6e4);
+    }
+    EXPECT_GT(broken, 10);
+    EXPECT_LT(broken, 290);
+}
+
+TEST(Exchange, BrokenFacesCountAlikeFromBothSides) {
+    const ParticleConstants<float> light{3.0f, 700.0f, 0.01f, 0.01f}, heavy{0.5f, 90.0f, 0.02f, 0.02f},
+        rigid{-0.5f, 90.0f, 0.02f, 0.02f};
+    const BodyLaw<float> body{0.3f, 1e-4f, 0, 0, 0.5f, 0.1f, 0.2f};
+    const BondConstants<float> bond{{0.05f, 0, 0}, {8e4f, 2.4e4f, 6.4f, 3.8f}, 0.0178f, 6e4f, 1e-4f};
+    StepParams<float> params;
+    params.dt = 1e-4f;
+    params.stiffness_cap = params.face_cap = 1e5f;
+    for (const ParticleConstants<float>& other : {heavy, rigid}) {
+        const auto seen = [&](const ParticleConstants<float>& i, const ParticleConstants<float>& j) {
+            const auto against = laws::pairInertia(i, j);
+            const auto faces = laws::cappedFaces(bond, params, against, 0.0f);
+            return laws::brokenTouchLaw(faces, body, params, 1e-4f,
+                                        laws::reducedRadius(i.contact_radius, j.contact_radius), against);
+        };
+        const TouchLaw<float> a = seen(light, other), b = seen(other, light);
+        EXPECT_LT(a.stiffness, 8e4f) << "it is capped";
+        EXPECT_EQ(a.stiffness, b.stiffness);
+        EXPECT_EQ(a.elastic, b.elastic);
+        EXPECT_EQ(a.normal_damping, b.normal_damping);
+        EXPECT_EQ(a.shear, b.shear);
+        EXPECT_EQ(a.adhesion, b.adhesion);
+        EXPECT_EQ(a.inertia, b.inertia);
+    }
+}
+
+TEST(Exchange, TwoPiecesWakeAlike) {
+    const WakeLaw<float> glass{1.2f, 2.0f, 400.0f}, stone{2.5f, 3.0f, 900.0f};
+    for (const float n : {1.0f, 30.0f, 400.0f})
+        for (const float m : {2.0f, 250.0f, 900.0f})
+            EXPECT_EQ(laws::wakeSpeed(glass, stone, n, m), laws::wakeSpeed(stone, glass, m, n));
+}
+
 TEST(Exchange, AFragmentsMotionDoesNotDependOnTheOrderOfItsParticles) {
     std::mt19937 random(4);
     struct Body {

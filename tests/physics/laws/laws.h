@@ -1,7 +1,8 @@
 // The laws that run in kernels, as these tests call them: on the host or on the GPU (on_device.h).
 #pragma once
-#include "sim_cuda/kernels/bond_pair.h"
-#include "sim_cuda/kernels/touch_pair.h"
+#include "sim_cuda/kernels/touch_slots.h"
+#include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/physics/hand_over.h"
 #include "sim_cuda/physics/pair_state.h"
 #include "sim_cuda/physics/random.h"
 #include "sim_cuda/physics/rigid_fit.h"
@@ -68,5 +69,17 @@ DEMOLISH_LAW(spinAt)
 DEMOLISH_LAW(velocityAtArm)
 DEMOLISH_LAW(counterHash)
 DEMOLISH_LAW(uniformOf)
+DEMOLISH_LAW_OF(bond_formula, normalCorrection)
+DEMOLISH_LAW_OF(bond_formula, shearCorrection)
+DEMOLISH_LAW_OF(bond_formula, paperBond)
+DEMOLISH_LAW_OF(bond_formula, beamBond)
+DEMOLISH_LAW_OF(bond_formula, griffithStrength)
+DEMOLISH_LAW(innerEnergy)
+DEMOLISH_LAW(wakeSpeed)
+DEMOLISH_LAW(crossingLoss)
+DEMOLISH_LAW(softeningLoss)
+DEMOLISH_LAW(overlapBefore)
+DEMOLISH_LAW(brokenTouchLaw)
+DEMOLISH_LAW(cappedFaces)
 
 }  // namespace demolish::laws

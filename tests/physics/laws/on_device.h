@@ -94,15 +94,16 @@ auto evaluate(const Law& law, const Arguments&... arguments) {
 
 }  // namespace demolish::laws
 
-/// laws::name(...) is demolish::name(...) evaluated there.
-#define DEMOLISH_LAW(name)                                    \
+/// laws::name(...) is space::name(...) evaluated there.
+#define DEMOLISH_LAW_OF(space, name)                          \
     struct Law_##name {                                       \
         template <class... Arguments>                         \
         DEM_FN auto operator()(const Arguments&... a) const { \
-            return demolish::name(a...);                      \
+            return space::name(a...);                         \
         }                                                     \
     };                                                        \
     template <class... Arguments>                             \
     auto name(const Arguments&... arguments) {                \
         return evaluate(Law_##name{}, arguments...);          \
     }
+#define DEMOLISH_LAW(name) DEMOLISH_LAW_OF(demolish, name)

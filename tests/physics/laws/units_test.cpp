@@ -144,6 +144,96 @@ TEST(Units, BrokenBonds) {
                 1, 1e-12);
 }
 
+TEST(Units, ABondsKinematicsOneByOne) {
+    std::mt19937 random(3);
+    for (int n = 0; n < 50; ++n) {
+        const auto p = test::drawBondedPair<double>(random);
+        const PairMotion<double> m = p.motion, scaled = small(p.motion);
+        const V normal = normalized(p.bond.rest);
+        const auto d = laws::bondDeformation(BondRest<double>{normal, 0.025, 0.025}, m.separation,
+                                             m.rotation_i, m.rotation_j);
+        const auto e = laws::bondDeformation(BondRest<double>{normal, kMetre * 0.025, kMetre * 0.025},
+                                             scaled.separation, m.rotation_i, m.rotation_j);
+        EXPECT_NEAR(e.stretch / (kMetre * d.stretch), 1, 1e-9);
+        EXPECT_EQ(e.twist, d.twist);
+        expectScaled(e.shear, d.shear, kMetre);
+        expectScaled(e.arm_i, d.arm_i, kMetre);
+        const auto a = laws::bondRates(d, m.velocity_i, m.spin_i, m.velocity_j, m.spin_j);
+        const auto b = laws::bondRates(e, scaled.velocity_i, scaled.spin_i, scaled.velocity_j, scaled.spin_j);
+        expectScaled(b.velocity, a.velocity, kVelocity);
+        expectScaled(b.spin, a.spin, 1 / kSecond);
+    }
+}
+
+TEST(Units, ModuliOfAContactAndFadingForce) {
+    const auto pair = laws::contactModuli(7e9, 0.2, 3e10, 0.31);
+    const auto small_pair = laws::contactModuli(kPressure * 7e9, 0.2, kPressure * 3e10, 0.31);
+    EXPECT_NEAR(small_pair.normal / (kPressure * pair.normal), 1, 1e-12);
+    EXPECT_NEAR(small_pair.tangential / (kPressure * pair.tangential), 1, 1e-12);
+    EXPECT_NEAR(laws::rigidWallModuli(kPressure * 7e9, 0.2).normal /
+                    (kPressure * laws::rigidWallModuli(7e9, 0.2).normal),
+                1, 1e-12);
+    EXPECT_NEAR(laws::discreteShare(kMetre * 1.2, kMetre, kMetre * 0.1, kMetre * 1.3),
+                laws::discreteShare(1.2, 1.0, 0.1, 1.3), 1e-12);
+}
+
+TEST(Units, WhatContactsLoseWhenTheyBeginEndAndSoften) {
+    const double before = laws::overlapBefore(2e-4, -3.0, 1e-4);
+    EXPECT_NEAR(laws::overlapBefore(kMetre * 2e-4, -kVelocity * 3.0, kSecond * 1e-4) / (kMetre * before), 1,
+                1e-12);
+    EXPECT_GT(laws::crossingLoss(5e4, 2e-4, before), 0);
+    EXPECT_NEAR(laws::crossingLoss(kStiffness * 5e4, kMetre * 2e-4, kMetre * before) /
+                    (kEnergy * laws::crossingLoss(5e4, 2e-4, before)),
+                1, 1e-12);
+    TouchLaw<double> law, small_law;
+    law.softens = small_law.softens = true;
+    law.stiffness = 4e4;
+    law.shear = 3e4;
+    small_law.stiffness = kStiffness * law.stiffness;
+    small_law.shear = kStiffness * law.shear;
+    const V spring{1e-5, 0, 2e-5};
+    const double loss = laws::softeningLoss(law, 5e4, 2e-4, 1e-4, spring);
+    EXPECT_GT(loss, 0);
+    EXPECT_NEAR(
+        laws::softeningLoss(small_law, kStiffness * 5e4, kMetre * 2e-4, kMetre * 1e-4, kMetre * spring) /
+            (kEnergy * loss),
+        1, 1e-12);
+}
+
+TEST(Units, SpeedsAtWhichBondsWakeAndComeToRest) {
+    const auto plain = wakeLaw(0.4, 5, 0.7, 1200), scaled = wakeLaw(0.4, kVelocity * 5, 0.7, 1200);
+    EXPECT_NEAR(laws::wakeSpeed(scaled, scaled, 40.0, 300.0) /
+                    (kVelocity * laws::wakeSpeed(plain, plain, 40.0, 300.0)),
+                1, 1e-12);
+    EXPECT_NEAR(calmSpeed(0.4, kVelocity * 5) / (kVelocity * calmSpeed(0.4, 5)), 1, 1e-12);
+}
+
+/// A push, then the velocity of a point of the body.
+struct PushedPoint {
+    DEM_FN V operator()(RigidBody body, V force, V torque, V gravity, double dt, V arm) const {
+        advance(body, force, torque, gravity, dt);
+        return velocityAtArm(body, arm);
+    }
+};
+
+TEST(Units, ARigidBodysStep) {
+    RigidBody body, scaled;
+    body.inverse_mass = 0.5;
+    body.inverse_inertia = {1, 1.0 / 2, 1.0 / 3, 0.05, 0, 0.02};
+    body.angular = {1, 6, 0.1};
+    body.velocity = {1, 2, 3};
+    scaled.inverse_mass = body.inverse_mass / kKilogram;
+    const Sym3& j = body.inverse_inertia;
+    scaled.inverse_inertia = {j.xx / kInertia, j.yy / kInertia, j.zz / kInertia,
+                              j.xy / kInertia, j.yz / kInertia, j.zx / kInertia};
+    scaled.angular = kInertia / kSecond * body.angular;
+    scaled.velocity = kVelocity * body.velocity;
+    const V force{4, 1, 0}, torque{0, 2, 1}, gravity{0, -9.81, 0}, arm{0.1, 0.2, 0};
+    expectScaled(laws::evaluate(PushedPoint{}, scaled, kForce * force, kMoment * torque,
+                                kVelocity / kSecond * gravity, kSecond * 0.01, kMetre * arm),
+                 laws::evaluate(PushedPoint{}, body, force, torque, gravity, 0.01, arm), kVelocity);
+}
+
 TEST(Units, StableStepAndSoftening) {
     const auto k = beamBond(4e6, 1.1e-3, 0.05);
     const BondEnd i{0.2, 3e-5, 7, 0.02}, j{0.9, 2e-4, 11, 0.03};
@@ -162,6 +252,13 @@ TEST(Units, StableStepAndSoftening) {
         1e-12);
     const double effective = effectiveModulus(modulus, 0.3), speed = waveSpeed(effective, 2400);
     EXPECT_NEAR(waveSpeed(kPressure * effective, kDensity * 2400) / (kVelocity * speed), 1, 1e-12);
+    EXPECT_NEAR(criticalStep(omega / kSecond) / (kSecond * criticalStep(omega)), 1, 1e-12);
+    EXPECT_NEAR(effectiveModulusPaper(kPressure * modulus) / (kPressure * effectiveModulusPaper(modulus)), 1,
+                1e-12);
+    EXPECT_NEAR(bondModulusFor(kPressure * modulus, 0.3) / (kPressure * bondModulusFor(modulus, 0.3)), 1,
+                1e-12);
+    EXPECT_NEAR(cellsThroughWall(kMetre * kMetre * kMetre * 0.02, kMetre * kMetre * 0.5, kMetre * 0.01),
+                cellsThroughWall(0.02, 0.5, 0.01), 1e-12);
     const double strength = bondStrength(0.4, 2400, speed, 5);
     EXPECT_NEAR(bondStrength(0.4, kDensity * 2400, kVelocity * speed, kVelocity * 5) / (kPressure * strength),
                 1, 1e-12);
