@@ -1,5 +1,8 @@
 # Everything comes from the system's packages; nothing is vendored or downloaded.
 find_package(TBB REQUIRED)
+if(DEMOLISH_SANITIZE MATCHES "thread" AND TBB_DIR MATCHES "^/usr/lib")
+    message(FATAL_ERROR "ThreadSanitizer needs a oneTBB built under it: run tests/support/tbb_for_tsan.sh first.")
+endif()
 find_package(assimp REQUIRED)
 find_package(spdlog REQUIRED)
 find_package(nlohmann_json REQUIRED)

@@ -1,5 +1,6 @@
 # demolish_test(NAME unit_hertz SOURCES a.cpp b.cpp LIBS demolish_physics LABELS cpu [TIMEOUT 120] [LAUNCHER xvfb-run -a])
-# One GoogleTest program, one CTest entry. Labels say what a test needs: cpu, gl, gpu, window, slow.
+# One GoogleTest program, one CTest entry. Labels say what a test needs: cpu, gl, gpu,
+# window, slow; and threads: what it runs is parallel, for ThreadSanitizer.
 if(DEMOLISH_TESTS)
     enable_testing()
     find_package(GTest REQUIRED)
@@ -15,6 +16,9 @@ function(demolish_test)
     add_test(NAME ${T_NAME} COMMAND ${T_LAUNCHER} $<TARGET_FILE:${T_NAME}> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
     if(NOT T_TIMEOUT)
         set(T_TIMEOUT 300)
+    endif()
+    if(DEMOLISH_SANITIZE)
+        math(EXPR T_TIMEOUT "10 * ${T_TIMEOUT}")
     endif()
     set_tests_properties(${T_NAME} PROPERTIES LABELS "${T_LABELS}" TIMEOUT ${T_TIMEOUT} SKIP_RETURN_CODE 77)
     set_property(GLOBAL APPEND PROPERTY DEMOLISH_TEST_TARGETS ${T_NAME})

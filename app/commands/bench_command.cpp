@@ -10,6 +10,7 @@
 
 #include "app/commands/bench_run.h"
 #include "app/commands/frame_curve.h"
+#include "app/commands/help_text.h"
 #include "app/commands/kernel_bench.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
@@ -130,6 +131,8 @@ void runKernelBench(const BenchOptions& options) {
 }
 
 void runBench(const BenchOptions& options) {
+    for (const std::string& file : {options.json, options.csv, options.curve})
+        if (!file.empty()) requireWritable(file);
     if (options.kernel) return runKernelBench(options);
     const Shot shot = makeShot(options.shot, "paper");
     const BenchPlan plan = planFor(options, shot);
@@ -180,6 +183,8 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
     command->add_flag(
         "--kernel", options.kernel,
         "Time the substep alone, of blocks of 2,000 to 1,000,000 particles, beside the machine's floors");
+    setExamples(*command, {"bench vase --json vase.json --curve vase.svg",
+                           "bench bunny --particles 2000 --no-draw", "bench --kernel --device cuda"});
     command->callback([&options] { runBench(options); });
 }
 

@@ -8,6 +8,7 @@
 #include "app/breakage/item_file.h"
 #include "app/breakage/jobs.h"
 #include "app/breakage/report.h"
+#include "app/commands/help_text.h"
 #include "app/commands/progress_bar.h"
 #include "app/session/built_shot.h"
 #include "sim_cuda/api/errors.h"
@@ -179,7 +180,7 @@ void addBreakageCommand(CLI::App& app, BreakageOptions& options) {
     command->add_option("--velocities", options.velocities, "Velocities of the sweep, evenly spaced")
         ->type_name("N");
     command->add_flag("--full", options.full, "The whole sweep on a CPU, not the reduced one");
-    command->add_option("--batch", options.batch, "Most specimens in one simulation: one item (default 600)")
+    command->add_option("--batch", options.batch, "Most specimens in one simulation: one item (default: 600)")
         ->type_name("N");
     command->add_option("--jobs", options.jobs, "Processes side by side, one to a GPU")
         ->type_name("N")
@@ -188,6 +189,8 @@ void addBreakageCommand(CLI::App& app, BreakageOptions& options) {
         ->type_name("I");
     command->add_flag("--quiet", options.quiet, "No progress bar");
     command->add_flag("--count", options.count, "Print how many items there are, and stop");
+    setExamples(*command, {"breakage --out out/breakage", "breakage --count",
+                           "breakage --index 3 --out out/breakage", "breakage gather --out out/breakage"});
     addGather(*command, options);
     command->callback([command, &options] {
         if (command->get_subcommands().empty()) runBreakage(options);

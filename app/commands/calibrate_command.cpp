@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/calibrate/calibration.h"
+#include "app/commands/help_text.h"
 #include "app/commands/progress_bar.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
@@ -80,6 +81,7 @@ void runCalibrate(const CalibrateOptions& options) {
     if (options.packings != std::floor(options.packings))
         throw UsageError("--packings must be a whole number");
     requireInRange("--tolerance", options.tolerance, kToleranceRange, "");
+    if (!options.json.empty()) requireWritable(options.json);
     const Shot shot = makeShot(options.shot);
     if (shot.impact.kind == ImpactKind::kNone)
         throw UsageError("nothing hits the body of this scene; drop it with --drop");
@@ -112,6 +114,7 @@ void addCalibrateCommand(CLI::App& app, CalibrateOptions& options) {
     command->add_option("--json", options.json, "Write the result here")->type_name("FILE");
     command->add_flag("--no-cache", options.no_cache,
                       "Measure even what was measured before, and keep nothing");
+    setExamples(*command, {"calibrate bunny --packings 4", "calibrate vase --drop 1 --break-at 3"});
     command->callback([&options] { runCalibrate(options); });
 }
 

@@ -8,6 +8,7 @@
 
 #include "app/commands/frame_files.h"
 #include "app/commands/headless_stage.h"
+#include "app/commands/help_text.h"
 #include "app/commands/run_report.h"
 #include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
@@ -121,7 +122,8 @@ void runCapture(const CaptureOptions& options) {
     Capture capture{options,
                     pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540}),
                     momentsOf(options, shot)};
-    FrameFiles files(filesFor(capture, shot));
+    FrameFiles files(filesFor(capture, shot));  // makes the folder that the report may lie in
+    if (!options.report.empty()) requireWritable(options.report);
     const StopWatch watch;
     BuiltShot built = buildWithBar(shot, {});
     announce(built);
@@ -178,6 +180,9 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
         ->allow_extra_args(false);
     command->add_option("--camera-pitch", options.camera_pitch, "Raise the camera over the body")
         ->type_name("DEGREES");
+    setExamples(*command, {"capture bunny --out out/bunny --video out/bunny/bunny.mp4",
+                           "capture wolf --at 0.3,1.2,1.42,4.5 --camera-yaw 0,-60 --out out/wolf",
+                           "capture --model statue.obj --drop 5 --view damage --out out/statue"});
     command->callback([&options] { runCapture(options); });
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "app/bridge/frame_bridge.h"
+#include "app/commands/help_text.h"
 #include "app/commands/machine_facts.h"
 #include "app/session/data_folder.h"
 #include "engine/gl/error.h"
@@ -70,6 +71,7 @@ void runInfo() {
 void addInfoCommand(CLI::App& app) {
     auto* command =
         app.add_subcommand("info", "Version, devices, OpenGL renderer, and how frames travel to it");
+    setExamples(*command, {"info"});
     command->callback([] { runInfo(); });
 }
 

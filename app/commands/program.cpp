@@ -11,6 +11,7 @@
 #include "app/commands/breakage_command.h"
 #include "app/commands/calibrate_command.h"
 #include "app/commands/capture_command.h"
+#include "app/commands/help_text.h"
 #include "app/commands/info_command.h"
 #include "app/commands/view_command.h"
 #include "engine/gl/error.h"
@@ -19,18 +20,6 @@
 
 namespace demolish {
 namespace {
-
-constexpr const char* kFooter =
-    "Examples:\n"
-    "  demolish view bunny\n"
-    "  demolish view --model statue.obj --height 2 --impact-velocity 20\n"
-    "  demolish capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4\n"
-    "  demolish bench vase --json vase.json --curve vase.svg\n"
-    "  demolish bench --kernel --device cuda\n"
-    "  demolish calibrate bunny --packings 4\n"
-    "  demolish breakage --out out/breakage\n"
-    "Exit codes: 0 done, 2 usage, 3 input file, 4 device or OpenGL, 5 numerical failure, 6 output not "
-    "written.";
 
 int fail(ExitCode code, const std::string& sentence) {
     std::fprintf(stderr, "demolish: %s\n", sentence.c_str());
@@ -44,6 +33,21 @@ void setUpLog() {
     spdlog::set_default_logger(logger);
 }
 
+/// A line that does not begin with a command is CLI11's "A subcommand is required", whatever it begins with.
+std::string complaint(const CLI::App& app, const CLI::ParseError& error, int argument_count,
+                      char** arguments) {
+    const std::string first = argument_count < 2 ? "" : arguments[1];
+    std::string names;
+    bool known = first.starts_with('-');
+    for (const CLI::App* command : app.get_subcommands({})) {
+        names += (names.empty() ? "" : ", ") + command->get_name();
+        known = known || command->get_name() == first;
+    }
+    if (first.empty()) return "give a command: " + names + "; see demolish --help";
+    if (!known) return "there is no command '" + first + "'; choose one of: " + names;
+    return std::string(error.what()) + "; see demolish --help";
+}
+
 int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
     try {
         app.parse(argument_count, arguments);
@@ -54,8 +58,11 @@ int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
         return app.exit(help);
     } catch (const CLI::CallForVersion& version) {
         return app.exit(version);
+    } catch (const CLI::ConversionError& error) {
+        return fail(ExitCode::kUsage,
+                    std::string(error.what()) + "; give a plain number, in SI units (m, m/s, s)");
     } catch (const CLI::ParseError& error) {
-        return fail(ExitCode::kUsage, std::string(error.what()) + "; see demolish --help");
+        return fail(ExitCode::kUsage, complaint(app, error, argument_count, arguments));
     } catch (const Error& error) {
         return fail(error.code(), error.what());
     } catch (const engine::gl::GlError& error) {
@@ -75,7 +82,11 @@ int runProgram(int argument_count, char** arguments) {
                  "demolish"};
     app.set_version_flag("--version", std::string("demolish ") + DEMOLISH_VERSION);
     app.require_subcommand(1);
-    app.footer(kFooter);
+    app.formatter(std::make_shared<HelpFormatter>());
+    setExamples(app, {"view bunny", "view --model statue.obj --height 2 --impact-velocity 20",
+                      "capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4",
+                      "bench vase --json vase.json --curve vase.svg", "calibrate bunny --packings 4",
+                      "breakage --out out/breakage"});
     ViewOptions view;
     CaptureOptions capture;
     BenchOptions bench;

@@ -94,6 +94,7 @@ void applyMesh(const ShotOptions& options, const std::string& fallback, Shot& sh
 }  // namespace
 
 void addShotOptions(CLI::App& command, ShotOptions& options) {
+    const std::string own_group = command.get_help_ptr()->get_group();
     command.add_option("scene", options.scene, "Scene to break (default: bunny)")->type_name("NAME");
     command.add_option("--model", options.model, "Mesh file to break instead of a scene")->type_name("FILE");
     command.add_option("--height", options.height, "Scale the model to this height (--model: 1 m)")
@@ -115,13 +116,17 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         ->check(CLI::IsMember({"fine", "paper"}).description(""));
     command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
         ->type_name("N");
-    command.add_option("--particle-size", options.particle_size, "Mean spacing of the particles")
+    command
+        .add_option("--particle-size", options.particle_size,
+                    "Mean spacing of the particles, instead of their number")
         ->type_name("M");
-    command.add_option("--particles", options.particles, "Particles of each body, instead of their size")
+    command
+        .add_option("--particles", options.particles,
+                    "Particles of each body, 2 to 4,000,000 (default: the scene's)")
         ->type_name("N");
     command.add_option("--material", options.material, "Material preset in place of the scene's")
         ->type_name("NAME");
-    command.add_option("--device", options.device, "Where to simulate")
+    command.add_option("--device", options.device, "Where to simulate; auto: on the GPU if there is one")
         ->type_name("auto|cpu|cuda")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))
         ->capture_default_str();
@@ -132,14 +137,17 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command
         .add_option("--substeps", options.substeps, "Substeps per 1/60 s (default: from the particle size)")
         ->type_name("N");
-    command.add_option("--seed", options.seed, "Seed of packing and strengths (default 1)")->type_name("N");
-    command.add_option("--fps", options.fps, "Frames per simulated second (default 60)")->type_name("N");
+    command.add_option("--seed", options.seed, "Seed of packing and strengths (default: 1)")->type_name("N");
+    command.add_option("--fps", options.fps, "Frames per simulated second (default: 60)")->type_name("N");
     command.add_option("--slow-motion", options.slow_motion, "Simulated time per frame, 0.01..1 of 1/fps")
         ->type_name("FACTOR");
     command.add_flag("--no-hand-over", options.no_hand_over,
                      "Step bonds even in pieces that no longer vibrate");
     command.add_flag("--no-sleep", options.no_sleep, "Step what rests, too");
-    command.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH");
+    command.add_option("--size", options.size, "Picture size in pixels, such as 1280x720")->type_name("WxH");
+    for (CLI::Option* option : command.get_options())
+        if (option->nonpositional() && option->get_group() == own_group && option != command.get_help_ptr())
+            option->group("What to break, and how");
 }
 
 Shot makeShot(const ShotOptions& options, const std::string& mesh) {

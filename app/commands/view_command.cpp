@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "app/commands/help_text.h"
 #include "app/commands/picture_target.h"
 #include "app/commands/session_json.h"
 #include "app/commands/tell_refusal.h"
@@ -114,13 +115,15 @@ struct ViewLoop {
     }
 };
 
-ScriptHooks hooksFor(engine::Window& window, Session& session) {
+ScriptHooks hooksFor(engine::Window& window, Session& session, const ViewDesk& desk) {
     ScriptHooks hooks;
-    hooks.rebuilt = [&session] {
+    hooks.conditions["rebuilt"] = [&session] {
         const SessionStatus status = session.status();
         return !status.waiting && !status.rebuilding;
     };
-    hooks.building = [&session] { return session.status().rebuilding; };
+    hooks.conditions["building"] = [&session] { return session.status().rebuilding; };
+    hooks.conditions["measuring"] = [&desk] { return desk.threshold.measuring; };
+    hooks.conditions["measured"] = [&desk] { return !desk.threshold.measuring; };
     hooks.screenshot = [&window](const std::filesystem::path& file) {
         saveWindow(file, window.framebufferWidth(), window.framebufferHeight());
     };
@@ -147,7 +150,7 @@ void runView(const ViewOptions& options) {
     if (window.info().software) desk.view.samples = 2;
     std::unique_ptr<ScriptDriver> script;
     if (!options.script.empty())
-        script = std::make_unique<ScriptDriver>(options.script, hooksFor(window, session));
+        script = std::make_unique<ScriptDriver>(options.script, hooksFor(window, session, desk));
 
     Gui gui(window.handle(), window.contentScale());
     ViewLoop loop{window, renderer, session, desk, gui, script.get()};
@@ -164,9 +167,10 @@ void runView(const ViewOptions& options) {
 
 void addViewCommand(CLI::App& app, ViewOptions& options) {
     auto* command = app.add_subcommand("view", "Break a model in a window");
+    command->add_option("--script", options.script)->group("");  // of the window tests
     addShotOptions(*command, options.shot);
     command->add_flag("--no-vsync", options.no_vsync, "Do not wait for the screen");
-    command->add_option("--script", options.script)->group("");
+    setExamples(*command, {"view vase --material glass", "view --model statue.obj --height 2 --drop 5"});
     command->callback([&options] { runView(options); });
 }
 

@@ -40,10 +40,11 @@ void showThreshold(PanelContext& context) {
     tooltipOnHover(text);
     showMeasuring(context);
     double wish = shot.break_at.value_or(threshold.velocity());
+    const double strongest = wish > 60 ? kBreakAtRange.most : 60;
     if (slider(context,
                {"impact.break_at", "Break at", "%.2f m/s",
                 "Chooses the material's strength so that this shot breaks the body from this velocity on."},
-               wish, {kBreakAtRange.least, 60, true}, context.preset.break_at.value_or(wish))) {
+               wish, {kBreakAtRange.least, strongest, true}, context.preset.break_at.value_or(wish))) {
         shot.break_at = wish;
         context.changed = true;
     }

@@ -1,6 +1,8 @@
 // Material preset and its knobs. A change makes a new solver on the same cells.
 #include <imgui.h>
 
+#include <cmath>
+
 #include "app/panel/widgets.h"
 
 namespace demolish {
@@ -20,7 +22,7 @@ bool showStrength(PanelContext& context) {
                {"material.tough_cells", "Tough cells", "%.0f",
                 "Number of pieces that the body prefers to break into; 0: no preference."},
                cells, {0, 300}, preset.tough_cells)) {
-        material.tough_cells = static_cast<uint32_t>(cells + 0.5);
+        material.tough_cells = static_cast<uint32_t>(std::lround(cells));
         changed = true;
     }
     changed |= slider(context, {"material.density", "Density", "%.0f kg/m3", "Bulk density."},

@@ -5,7 +5,6 @@
 #include <imgui.h>
 
 #include <fstream>
-#include <map>
 #include <sstream>
 #include <utility>
 
@@ -24,7 +23,7 @@ const std::map<std::string, int> kKeys = {
     {"enter", GLFW_KEY_ENTER}, {"escape", GLFW_KEY_ESCAPE}, {"question", GLFW_KEY_SLASH}};
 
 constexpr int kPatience = 120;        // frames that a control may take to appear (popups, panels that scroll)
-constexpr int kLongPatience = 20000;  // frames that a rebuild may take
+constexpr int kLongPatience = 20000;  // frames that a rebuild or a measurement may take
 
 }  // namespace
 
@@ -43,8 +42,8 @@ ScriptDriver::ScriptDriver(const std::filesystem::path& file, ScriptHooks hooks)
         const auto known = kArguments.find(line.words[0]);
         if (known == kArguments.end() || line.words.size() != known->second + 1)
             fail(line, "is not understood");
-        if (line.words[0] == "until" && line.words[1] != "rebuilt" && line.words[1] != "building")
-            fail(line, "knows rebuilt and building");
+        if (line.words[0] == "until" && !hooks_.conditions.contains(line.words[1]))
+            fail(line, "knows nothing of '" + line.words[1] + "'");
         lines_.push_back(std::move(line));
     }
 }
@@ -113,7 +112,7 @@ void ScriptDriver::inject(ItemRegistry& items, const PictureArea& picture) {
         if (name == "screenshot" || name == "state") {
             output_ = line;
         } else if (name == "until") {
-            const bool reached = line.words[1] == "building" ? hooks_.building() : hooks_.rebuilt();
+            const bool reached = hooks_.conditions.at(line.words[1])();
             if (!reached && patience_++ == kLongPatience) fail(line, "waited in vain");
             if (!reached) break;
         } else {

@@ -4,6 +4,7 @@
 #include <deque>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ namespace demolish {
 ///   wait N                 N frames
 ///   until rebuilt          until no rebuild is waiting or running
 ///   until building         until a rebuild runs on its worker
+///   until measuring        until a threshold is being measured
+///   until measured         until none is
 ///   set ID FRACTION        presses the slider ID at this share of its width
 ///   type ID TEXT           Ctrl-click on the slider, TEXT, Enter
 ///   click ID               a control; ID as panels name it ("transport.reset")
@@ -27,7 +30,7 @@ namespace demolish {
 ///   screenshot FILE        the whole window, PNG
 ///   state FILE             what the session says, JSON
 struct ScriptHooks {
-    std::function<bool()> rebuilt, building;
+    std::map<std::string, std::function<bool()>> conditions;  ///< what `until` can wait for
     std::function<void(const std::filesystem::path&)> screenshot, state;
 };
 

@@ -6,21 +6,10 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/shot_geometry.h"
+
 namespace demolish {
 namespace {
-
-constexpr double kGravity = 9.81;  // m/s^2
-
-glm::dvec3 toGlm(const Double3& v) {
-    return {v.x, v.y, v.z};
-}
-Double3 fromGlm(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-double heightOf(const BreakableBody& body) {
-    return body.bounds_max.y - body.bounds_min.y;
-}
 
 /// Across the longer horizontal side, level.
 glm::dvec3 flightDirection(const Double3& chosen_direction, const BreakableBody& body) {

@@ -16,10 +16,23 @@ namespace {
                       "; choose another place or make room");
 }
 
+fs::path temporaryOf(const fs::path& file) {
+    return file.string() + ".tmp";
+}
+
+/// Makes `probe` and removes it; blames `wanted`.
+void tryToWrite(const fs::path& probe, const fs::path& wanted) {
+    std::FILE* out = std::fopen(probe.c_str(), "wb");
+    if (out == nullptr) failWriting(wanted, errno);
+    std::fclose(out);
+    std::error_code ignored;
+    fs::remove(probe, ignored);
+}
+
 }  // namespace
 
 void writeTextFile(const fs::path& file, const std::string& text) {
-    const fs::path temporary = file.string() + ".tmp";
+    const fs::path temporary = temporaryOf(file);
     std::FILE* out = std::fopen(temporary.c_str(), "wb");
     if (out == nullptr) failWriting(file, errno);
     const bool written =
@@ -41,11 +54,13 @@ void makeOutputFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) failWriting(folder, error.value());
-    const fs::path probe = folder / ".writable.tmp";
-    std::FILE* out = std::fopen(probe.c_str(), "wb");
-    if (out == nullptr) failWriting(folder, errno);
-    std::fclose(out);
-    fs::remove(probe, error);
+    tryToWrite(folder / ".writable.tmp", folder);
+}
+
+void requireWritable(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) failWriting(file, EISDIR);
+    tryToWrite(temporaryOf(file), file);
 }
 
 }  // namespace demolish

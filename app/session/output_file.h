@@ -7,6 +7,9 @@ namespace demolish {
 
 /// Throws OutputError that names the file and the reason (no such folder, no permission, disk full).
 void writeTextFile(const std::filesystem::path& file, const std::string& text);
+/// Throws OutputError if the file could not be written as things are now: before hours of work, not after.
+/// Leaves nothing behind.
+void requireWritable(const std::filesystem::path& file);
 /// Makes the folder and its parents; throws OutputError. Also checks that a file can be made in it.
 void makeOutputFolder(const std::filesystem::path& folder);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <type_traits>
 
@@ -81,13 +82,18 @@ bool sameStrength(const Shot& a, const Shot& b) {
 
 }  // namespace
 
+std::string plainNumber(double value) {
+    std::ostringstream text;
+    const bool whole = value == std::floor(value) && std::abs(value) < 1e16;  // false for NaN
+    text << std::setprecision(whole ? 16 : 6) << value;
+    return text.str();
+}
+
 void requireInRange(const std::string& name, double value, const Range& range, const std::string& unit) {
     if (std::isfinite(value) && value >= range.least && value <= range.most) return;
-    std::ostringstream text;
-    const std::string space = unit.empty() ? "" : " ";
-    text << name << " is " << value << space << unit << "; it must be between " << range.least << " and "
-         << range.most << space << unit;
-    throw UsageError(text.str());
+    const std::string with_unit = unit.empty() ? "" : " " + unit;
+    throw UsageError(name + " is " + plainNumber(value) + with_unit + "; it must be between " +
+                     plainNumber(range.least) + " and " + plainNumber(range.most) + with_unit);
 }
 
 void validate(const Shot& shot) {

@@ -80,6 +80,8 @@ inline constexpr Range kFpsRange{1, 1000};
 inline constexpr Range kTimeScaleRange{0.01, 1};
 inline constexpr Range kSubstepRange{1, 20000};
 
+/// Whole numbers in all their digits, others in six.
+std::string plainNumber(double value);
 /// Throws UsageError, "NAME is VALUE UNIT; it must be between A and B UNIT", also for NaN. `name` as the user
 /// wrote it.
 void requireInRange(const std::string& name, double value, const Range& range, const std::string& unit);

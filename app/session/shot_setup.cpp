@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/shot_geometry.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/wave_speed.h"
@@ -14,20 +15,8 @@ namespace demolish {
 namespace {
 
 constexpr double kKappa = 0.68;    // dt_crit c_eff / h of compact bodies, models.md E.1: 0.65-0.72
-constexpr double kGravity = 9.81;  // m/s^2
 constexpr double kSagFactor = 60;  // c_eff / sqrt(g H) at which no model of models.md E.4 sagged visibly
 constexpr uint32_t kLeastSubsteps = 40;
-
-glm::dvec3 toGlm(const Double3& v) {
-    return {v.x, v.y, v.z};
-}
-Double3 fromGlm(const glm::dvec3& v) {
-    return {v.x, v.y, v.z};
-}
-
-double heightOf(const BreakableBody& body) {
-    return body.bounds_max.y - body.bounds_min.y;
-}
 
 /// Where the shot puts its bodies; a shot without a list has one, at the origin.
 std::vector<Placement> placementsOf(const Shot& shot) {

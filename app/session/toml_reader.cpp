@@ -3,6 +3,7 @@
 
 #include <toml++/toml.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -26,6 +27,20 @@ struct TomlReader::State {
             text.append(":").append(std::to_string(node->source().begin.line));
         return text;
     }
+    /// Names the setting of the same table whose name begins most alike: a slip of the pen, or another unit.
+    std::string remedy(const std::string& path) const {
+        const size_t name = path.rfind('.') + 1;
+        size_t alike = name + (path.size() - name - 1) / 2;
+        std::string nearest;
+        for (const std::string& known : asked) {
+            const auto parting = std::mismatch(path.begin(), path.end(), known.begin(), known.end()).first;
+            const auto begin = static_cast<size_t>(parting - path.begin());
+            if (begin <= alike || known.rfind('.') + 1 != name) continue;
+            alike = begin;
+            nearest = known;
+        }
+        return nearest.empty() ? "remove it or mend its name" : "is '" + nearest + "' meant?";
+    }
     void requireAsked(const toml::table& level, const std::string& prefix) const {
         for (const auto& [key, node] : level) {
             const std::string path = prefix + std::string(key.str());
@@ -36,8 +51,7 @@ struct TomlReader::State {
                 for (size_t i = 0; i < list->size(); ++i)
                     requireAsked(*list->get_as<toml::table>(i), path + "[" + std::to_string(i) + "].");
             } else if (!asked.count(path)) {
-                throw InputFileError(place(&node) + ": there is no setting '" + path +
-                                     "'; remove it or mend its name");
+                throw InputFileError(place(&node) + ": there is no setting '" + path + "'; " + remedy(path));
             }
         }
     }
@@ -69,9 +83,8 @@ size_t TomlReader::count(std::string_view path, double most) const {
     if (list == nullptr || (!list->empty() && !list->is_homogeneous<toml::table>()))
         fail(path, "must be a list of tables");
     if (static_cast<double>(list->size()) > most) {
-        std::ostringstream text;
-        text << "has " << list->size() << " entries; at most " << most << " are possible";
-        fail(path, text.str());
+        fail(path, "has " + std::to_string(list->size()) + " entries; at most " + plainNumber(most) +
+                       " are possible");
     }
     return list->size();
 }
@@ -85,10 +98,10 @@ void TomlReader::read(std::string_view path, double& value, const Range& range) 
     const auto node = state_->at(path);
     if (!node) return;
     const auto number = node.value<double>();
-    std::ostringstream wanted;
-    wanted << "must be a number between " << range.least << " and " << range.most;
     if (!number || !std::isfinite(*number) || *number < range.least || *number > range.most)
-        fail(path, wanted.str());
+        fail(path, range.least == range.most ? "must be " + plainNumber(range.least)
+                                             : "must be a number between " + plainNumber(range.least) +
+                                                   " and " + plainNumber(range.most));
     value = *number;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/cell_balance.h"
 #include "sim_cuda/authoring/cut_off_parts.h"
 #include "sim_cuda/authoring/hash_random.h"
@@ -41,14 +42,9 @@ KeyList listKeys(const VoronoiCells& cells, const GatheredPieces& pieces) {
 
 /// m, a cube of this half side round any seed holds the whole mesh.
 double enoughForAll(const TriangleMesh& mesh, const std::vector<Double3>& seeds) {
-    Double3 lower = mesh.positions.front(), upper = lower;
-    const auto add = [&](const Double3& p) {
-        lower = minimum(lower, p);
-        upper = maximum(upper, p);
-    };
-    for (const Double3& p : mesh.positions) add(p);
-    for (const Double3& p : seeds) add(p);
-    const Double3 size = upper - lower;
+    Bounds bounds = boundsOf(mesh.positions);
+    bounds.add(seeds);
+    const Double3 size = bounds.size();
     return std::max({size.x, size.y, size.z}) * 1.01;
 }
 

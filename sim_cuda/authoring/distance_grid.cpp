@@ -1,6 +1,7 @@
 // Trilinear signed distance and the list of nodes inside.
 #include <cassert>
 
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/distance_field.h"
 #include "sim_cuda/authoring/mesh_checks.h"
 
@@ -65,7 +66,7 @@ double mix(double a, double b, double f) {
 /// One to two steps of margin, by irrational parts of the step: rows then miss vertices that sit on round
 /// coordinates.
 NodeFrame frameAround(const TriangleMesh& mesh, int nodes) {
-    const Bounds bounds = boundsOf(mesh);
+    const Bounds bounds = boundsOf(mesh.positions);
     const Double3 extent = bounds.upper - bounds.lower;
     NodeFrame frame;
     frame.step = std::max({extent.x, extent.y, extent.z}) / (nodes - 1);

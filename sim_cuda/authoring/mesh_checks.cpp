@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
 
 namespace demolish {
@@ -29,7 +30,7 @@ size_t openEdgeCount(const TriangleMesh& mesh) {
 
 double enclosedVolume(const TriangleMesh& mesh) {
     if (mesh.positions.empty()) return 0;
-    const Bounds bounds = boundsOf(mesh);
+    const Bounds bounds = boundsOf(mesh.positions);
     const Double3 middle = (bounds.lower + bounds.upper) * 0.5;
     double six_volumes = 0;
     for (const auto& t : mesh.triangles) {
@@ -46,15 +47,6 @@ double surfaceArea(const TriangleMesh& mesh) {
         twice += length(cross(mesh.positions[t[1]] - a, mesh.positions[t[2]] - a));
     }
     return twice / 2;
-}
-
-Bounds boundsOf(const TriangleMesh& mesh) {
-    Bounds bounds{mesh.positions.front(), mesh.positions.front()};
-    for (const Double3& p : mesh.positions) {
-        bounds.lower = minimum(bounds.lower, p);
-        bounds.upper = maximum(bounds.upper, p);
-    }
-    return bounds;
 }
 
 }  // namespace demolish

@@ -16,10 +16,4 @@ double enclosedVolume(const TriangleMesh& mesh);
 /// m^2
 double surfaceArea(const TriangleMesh& mesh);
 
-struct Bounds {
-    Double3 lower, upper;
-};
-/// m; of a mesh with at least one vertex.
-Bounds boundsOf(const TriangleMesh& mesh);
-
 }  // namespace demolish

@@ -11,6 +11,7 @@
 #include <unordered_map>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/mesh_checks.h"
 
@@ -191,7 +192,7 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
         throw InputFileError("The model " + quoted(file) + " is not closed: " + std::to_string(open) +
                              (open == 1 ? " open edge" : " open edges") +
                              "; fill its holes and make its faces point outwards.");
-    const Bounds bounds = boundsOf(mesh);
+    const Bounds bounds = boundsOf(mesh.positions);
     const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
     constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance
     if (std::abs(volume) <= kFlat * size * size * size)
@@ -202,7 +203,7 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
 }
 
 void standOnFloor(TriangleMesh& mesh, const MeshPlacement& placement) {
-    const Bounds bounds = boundsOf(mesh);
+    const Bounds bounds = boundsOf(mesh.positions);
     double scale = 1;
     if (!placement.keep_units) {
         if (!(placement.height > 0) || !std::isfinite(placement.height))

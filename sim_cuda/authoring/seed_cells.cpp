@@ -3,17 +3,15 @@
 
 #include <tbb/parallel_for.h>
 
+#include "sim_cuda/authoring/bounds.h"
+
 namespace demolish {
 
 SeedCells::SeedCells(const std::vector<Double3>& seeds, double reach)
     : seeds_(seeds.size()), positions_(seeds.size()) {
-    lower_ = seeds.front();
-    Double3 upper = lower_;
-    for (const Double3& p : seeds) {
-        lower_ = minimum(lower_, p);
-        upper = maximum(upper, p);
-    }
-    const Double3 extent = upper - lower_;
+    const Bounds bounds = boundsOf(seeds);
+    lower_ = bounds.lower;
+    const Double3 extent = bounds.size();
     // Thin shells spread over a large box: wider cells keep their number in proportion to the seeds.
     double cell = reach;
     const double most_cells = 8.0 * double(seeds.size()) + 4096;

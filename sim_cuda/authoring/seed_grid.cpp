@@ -1,16 +1,14 @@
 // Counting sort of the seeds into grid cells, and the nearest seed of a point.
 #include "sim_cuda/authoring/seed_grid.h"
 
+#include "sim_cuda/authoring/bounds.h"
+
 namespace demolish {
 
 SeedGrid::SeedGrid(const std::vector<Double3>& seeds, double spacing) : step_(spacing) {
-    lower_ = seeds.front();
-    Double3 upper = lower_;
-    for (const Double3& p : seeds) {
-        lower_ = minimum(lower_, p);
-        upper = maximum(upper, p);
-    }
-    const Double3 size = upper - lower_;
+    const Bounds bounds = boundsOf(seeds);
+    lower_ = bounds.lower;
+    const Double3 size = bounds.size();
     const double most_cells = 64.0 * double(seeds.size()) + 4096;
     while ((size.x / step_ + 1) * (size.y / step_ + 1) * (size.z / step_ + 1) > most_cells) step_ *= 1.25;
     nx_ = int(size.x / step_) + 1;

@@ -5,13 +5,14 @@
 #include <cstdio>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/mesh_checks.h"
 #include "sim_cuda/authoring/mesh_import.h"
 
 namespace demolish {
 
 SolidMesh::SolidMesh(TriangleMesh mesh) : mesh_(std::move(mesh)), queries_(mesh_), grid_(mesh_, queries_) {
-    const Bounds bounds = boundsOf(mesh_);
+    const Bounds bounds = boundsOf(mesh_.positions);
     info_ = {mesh_.name,
              mesh_.triangles.size(),
              mesh_.positions.size(),

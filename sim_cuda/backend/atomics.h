@@ -4,11 +4,25 @@
 #include <cstdint>
 #if !defined(__CUDA_ARCH__)
 #include <atomic>
+#include <functional>
 #endif
 
 #include "sim_cuda/physics/function.h"
 
 namespace demolish {
+
+#if !defined(__CUDA_ARCH__)
+/// Puts `value` where the word stands behind it, by `before`; returns the word before. Host only.
+template <class Before>
+inline uint32_t replaceWhere(uint32_t* target, uint32_t value, Before before) {
+    std::atomic_ref<uint32_t> reference(*target);
+    uint32_t former = reference.load(std::memory_order_relaxed);
+    while (before(value, former) &&
+           !reference.compare_exchange_weak(former, value, std::memory_order_relaxed)) {
+    }
+    return former;
+}
+#endif
 
 /// A word that other threads may be changing.
 DEM_FN uint32_t atomicLoadU32(const uint32_t* source) {
@@ -50,11 +64,7 @@ DEM_FN uint32_t atomicMinU32(uint32_t* target, uint32_t value) {
 #if defined(__CUDA_ARCH__)
     return atomicMin(target, value);
 #else
-    std::atomic_ref<uint32_t> reference(*target);
-    uint32_t before = reference.load(std::memory_order_relaxed);
-    while (value < before && !reference.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
-    }
-    return before;
+    return replaceWhere(target, value, std::less<>());
 #endif
 }
 
@@ -63,11 +73,7 @@ DEM_FN uint32_t atomicMaxU32(uint32_t* target, uint32_t value) {
 #if defined(__CUDA_ARCH__)
     return atomicMax(target, value);
 #else
-    std::atomic_ref<uint32_t> reference(*target);
-    uint32_t before = reference.load(std::memory_order_relaxed);
-    while (value > before && !reference.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
-    }
-    return before;
+    return replaceWhere(target, value, std::greater<>());
 #endif
 }
 

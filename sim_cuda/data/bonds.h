@@ -3,6 +3,7 @@
 // broken, at last plain contact; such a pair never appears in the contact list as well.
 #pragma once
 #include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/sorted_row.h"
 #include "sim_cuda/data/vec4.h"
 #include "sim_cuda/physics/pair_state.h"
 
@@ -44,6 +45,13 @@ struct BondRowsIn {
     Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; k_N, N/m)
     Span<const Vec4<Real>> spring;   ///< per slot, once broken: (tangential spring seen from i, m; 0)
 };
+
+/// The slot of the bond from i to j, in whatever state it is; row_start[i + 1] when there is none.
+DEM_FN uint32_t findBond(const Span<const uint32_t>& row_start, const Span<const BondLink>& link, uint32_t i,
+                         uint32_t j) {
+    return slotOfId(row_start[i], row_start[i + 1], j,
+                    [&](uint32_t slot) { return linkedParticle(link[slot]); });
+}
 
 /// A particle that its bonds leave no outside (`buried`, 1 of a particle) touches nothing while all of them
 /// hold.

@@ -3,6 +3,7 @@
 // end of theirs. Built by solver/neighbour_lists.h.
 #pragma once
 #include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/sorted_row.h"
 #include "sim_cuda/data/vec4.h"
 
 namespace demolish {
@@ -14,6 +15,12 @@ struct ContactRowsIn {
     Span<const Vec4<Real>>
         spring;  ///< (tangential spring seen from the row's particle, m; 0), null when not touching
 };
+
+/// The slot of j in the row of i; row_start[i + 1] when it is not listed.
+DEM_FN uint32_t findContact(const Span<const uint32_t>& row_start, const Span<const uint32_t>& neighbour,
+                            uint32_t i, uint32_t j) {
+    return slotOfId(row_start[i], row_start[i + 1], j, [&](uint32_t slot) { return neighbour[slot]; });
+}
 
 /// Straight paths on which the lists rely: x(t) = x + v t from the build on (kernels/predicted_path.h).
 template <class Real>

@@ -61,16 +61,7 @@ struct NeighbourSearch {
     }
     /// A pair with a bond record is that record's business, in whatever state it is.
     DEM_FN bool hasBondRecord(uint32_t i, uint32_t j) const {
-        uint32_t low = bond_row[i], high = bond_row[i + 1];
-        const uint32_t end = high;
-        while (low < high) {
-            const uint32_t middle = (low + high) / 2;
-            if (linkedParticle(link[middle]) < j)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        return low < end && linkedParticle(link[low]) == j;
+        return findBond(bond_row, link, i, j) < bond_row[i + 1];
     }
 
     /// Row `which` of the cells about a particle's own.

@@ -62,7 +62,9 @@ struct CopyRowsWith {
             spring[to + (slot - from) + before] = former.spring[slot];
         }
         for (uint32_t k = first_new + part; k < last_new; k += kThreads) {
-            const uint32_t at = to + (former.firstNotBelow(i, idOf(k)) - from) + (k - first_new);
+            const uint32_t before =
+                firstNotBelow(from, end, idOf(k), [&](uint32_t slot) { return former.neighbour[slot]; });
+            const uint32_t at = to + (before - from) + (k - first_new);
             neighbour[at] = idOf(k);
             spring[at] = Vec4<Real>{};
         }
@@ -71,15 +73,8 @@ struct CopyRowsWith {
   private:
     DEM_FN uint32_t idOf(uint32_t k) const { return static_cast<uint32_t>(sorted[k]); }
     DEM_FN uint32_t entriesBefore(uint64_t wanted) const {
-        uint32_t low = 0, high = static_cast<uint32_t>(sorted.count);
-        while (low < high) {
-            const uint32_t middle = (low + high) / 2;
-            if (sorted[middle] < wanted)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        return low;
+        return firstNotBelow(0, static_cast<uint32_t>(sorted.count), wanted,
+                             [&](uint32_t k) { return sorted[k]; });
     }
 };
 

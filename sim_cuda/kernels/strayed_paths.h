@@ -111,12 +111,10 @@ struct SeeStrayed {
         return label[i] == label[j] && regime.count > 0 && regime[label[i]] != wordOf(Regime::kBonded);
     }
     DEM_FN bool isListed(uint32_t i, uint32_t j) const {
-        return FormerRows<Real>{contacts.row_start, contacts.neighbour, contacts.spring}.lists(i, j);
+        return findContact(contacts.row_start, contacts.neighbour, i, j) < contacts.row_start[i + 1];
     }
     DEM_FN bool hasRecord(uint32_t i, uint32_t j) const {
-        for (uint32_t slot = bonds.row_start[i]; slot < bonds.row_start[i + 1]; ++slot)
-            if (linkedParticle(bonds.link[slot]) == j) return true;
-        return false;
+        return findBond(bonds.row_start, bonds.link, i, j) < bonds.row_start[i + 1];
     }
     DEM_FN void tell(uint32_t word, Real seconds) const {
         const uint32_t told = soonest(static_cast<float>(seconds));

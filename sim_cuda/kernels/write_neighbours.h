@@ -11,26 +11,10 @@ struct FormerRows {
     Span<const uint32_t> row_start, neighbour;
     Span<const Vec4<Real>> spring;
 
-    /// Slot of row i; the row's end if all ids are below j.
-    DEM_FN uint32_t firstNotBelow(uint32_t i, uint32_t j) const {
-        uint32_t low = row_start[i], high = row_start[i + 1];
-        while (low < high) {
-            const uint32_t middle = (low + high) / 2;
-            if (neighbour[middle] < j)
-                low = middle + 1;
-            else
-                high = middle;
-        }
-        return low;
-    }
-    DEM_FN bool lists(uint32_t i, uint32_t j) const {
-        const uint32_t slot = firstNotBelow(i, j);
-        return slot < row_start[i + 1] && neighbour[slot] == j;
-    }
     /// Null for a pair that was not listed.
     DEM_FN Vec4<Real> springOf(uint32_t i, uint32_t j) const {
-        const uint32_t slot = firstNotBelow(i, j);
-        return slot < row_start[i + 1] && neighbour[slot] == j ? spring[slot] : Vec4<Real>{};
+        const uint32_t slot = findContact(row_start, neighbour, i, j);
+        return slot < row_start[i + 1] ? spring[slot] : Vec4<Real>{};
     }
 };
 

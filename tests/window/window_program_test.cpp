@@ -35,7 +35,8 @@ class WindowProgram : public testing::Test {
                                           "--no-vsync", "--script", file};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun result =
-            runProgram(words, {"LIBGL_ALWAYS_SOFTWARE=1"}, {"xvfb-run", "-a", "-s", "-screen 0 1280x800x24"});
+            runProgram(words, {"LIBGL_ALWAYS_SOFTWARE=1", "XDG_CACHE_HOME=" + folder_.path().string()},
+                       {"xvfb-run", "-a", "-s", "-screen 0 1280x800x24"});
         ASSERT_EQ(result.exit_code, 0) << result.err;
     }
     /// "state NAME" and "screenshot NAME" get their files.
@@ -163,6 +164,57 @@ state rebuilt
     }
     EXPECT_EQ(later["rebuilding"], false) << "nothing starts anew by itself";
     EXPECT_NE(read("rebuilt")["particles"], before["particles"]) << "the next wish is still heard";
+}
+
+TEST_F(WindowProgram, MeasureFindsTheThresholdAndBreakAtMovesIt) {
+    run(R"(
+wait 2
+key space
+key r
+state predicted
+click impact.measure
+until measuring
+wait 2
+screenshot 15_measuring
+until measured
+wait 2
+state measured
+screenshot 16_measured
+type impact.break_at 20
+until rebuilt
+wait 2
+state chosen
+)",
+        {"--impact-velocity", "12"});
+    if (HasFatalFailure()) return;
+    const auto predicted = read("predicted")["threshold"], measured = read("measured")["threshold"],
+               chosen = read("chosen")["threshold"];
+    EXPECT_TRUE(predicted["measured"].is_null());
+    EXPECT_TRUE(predicted["break_at"].is_null());
+    ASSERT_TRUE(measured["measured"].is_number()) << read("measured")["message"];
+    // The table's word for any packing, against this one's (app/README: a sixth for the cube).
+    EXPECT_NEAR(measured["measured"].get<double>() / predicted["predicted"].get<double>(), 1, 0.5);
+    EXPECT_EQ(read("measured")["time"], 0.0) << "measuring must not touch the body on screen";
+    EXPECT_EQ(chosen["break_at"], 20.0);
+    EXPECT_NEAR(chosen["measured"].get<double>(), 20, 0.2) << "what was measured holds for the new strength";
+}
+
+TEST_F(WindowProgram, MeasuringCanBeCancelled) {
+    run(R"(
+wait 2
+key space
+click impact.measure
+until measuring
+wait 2
+click impact.cancel_measuring
+until measured
+wait 2
+state cancelled
+)");
+    if (HasFatalFailure()) return;
+    const auto cancelled = read("cancelled");
+    EXPECT_TRUE(cancelled["threshold"]["measured"].is_null());
+    EXPECT_EQ(cancelled["message"], "");
 }
 
 TEST_F(WindowProgram, ScrubbingBackStopsPlayingAndPlayGoesOnFromThere) {

@@ -37,6 +37,17 @@ TEST(OutputFile, NamesTheFileThatCouldNotBeWritten) {
     EXPECT_THROW(makeOutputFolder(folder.path() / "plain" / "below"), OutputError);
 }
 
+TEST(OutputFile, SaysBeforehandWhetherAFileCanBeWritten) {
+    const test::TemporaryFolder folder;
+    requireWritable(folder.path() / "report.json");
+    EXPECT_EQ(filesIn(folder.path()), 0u) << "nothing is left behind";
+    folder.write("there.json", "as it was");
+    requireWritable(folder.path() / "there.json");
+    EXPECT_EQ(test::readText(folder.path() / "there.json"), "as it was");
+    EXPECT_THROW(requireWritable(folder.path() / "missing" / "report.json"), OutputError);
+    EXPECT_THROW(requireWritable(folder.path()), OutputError) << "a folder";
+}
+
 TEST(OutputFile, MakesFoldersAndLeavesThemEmpty) {
     const test::TemporaryFolder folder;
     makeOutputFolder(folder.path() / "a" / "b");

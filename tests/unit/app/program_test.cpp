@@ -12,6 +12,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 class Program : public testing::Test {
   protected:
@@ -40,12 +41,19 @@ TEST_F(Program, HelpReadsWell) {
     const ProgramRun capture = runProgram({"capture", "--help"});
     EXPECT_EQ(capture.exit_code, 0);
     EXPECT_THAT(capture.out,
-                AllOf(HasSubstr("--impact-velocity"), HasSubstr("--particle-size"), HasSubstr("--video")));
+                AllOf(HasSubstr("--impact-velocity"), HasSubstr("--particle-size"), HasSubstr("--video"),
+                      HasSubstr("Frames to draw (default: 150)"), HasSubstr("  demolish capture wolf")));
+    EXPECT_THAT(capture.out, Not(HasSubstr("demolish bench"))) << "examples of other commands";
     EXPECT_EQ(runProgram({"--version"}).exit_code, 0);
 }
 
 TEST_F(Program, MistakesInUsageAreCodeTwo) {
-    expectOneSentence(runProgram({}), 2, "subcommand");
+    expectOneSentence(runProgram({}), 2, "give a command: view, capture");
+    expectOneSentence(runProgram({"brake", "bunny"}), 2, "no command 'brake'; choose one of: view, capture");
+    expectOneSentence(runProgram(smallBench({"--impact-velocity", "25km/h"})), 2,
+                      "plain number, in SI units");
+    expectOneSentence(runProgram({"bench", "block", "--no-draw", "--particles", "5000000"}), 2,
+                      "5000000; it must be between 2 and 4000000");
     expectOneSentence(runProgram({"bench", "teapot", "--no-draw"}), 2, "block, bunny");
     expectOneSentence(runProgram({"bench", "--no-such-option"}), 2, "--no-such-option");
     expectOneSentence(runProgram(smallBench({"--impact-velocity", "-1"})), 2, "between 0 and 200 m/s");
@@ -63,7 +71,7 @@ TEST_F(Program, MistakesInUsageAreCodeTwo) {
 
 TEST_F(Program, ParticleSizesThatCannotBeNameThoseThatCan) {
     expectOneSentence(runProgram({"bench", "block", "--no-draw", "--device", "cpu", "--particle-size", "9"}),
-                      2, "m");
+                      2, "out of range for the model 'block'; choose one from 0.");
 }
 
 TEST_F(Program, BadInputFilesAreCodeThree) {
@@ -101,14 +109,15 @@ TEST_F(Program, ABodyThatLeavesTheSceneIsCodeFive) {
     const ProgramRun run = runProgram({"bench", "narrow", "--no-draw", "--device", "cpu", "--particles",
                                        "100", "--frames", "2", "--json", report},
                                       {"DEMOLISH_DATA=" + folder_.path().string()});
-    expectOneSentence(run, 5, "");
+    expectOneSentence(run, 5, "flew out of the scene");
     EXPECT_NE(nlohmann::json::parse(readText(report)).value("status", ""), "ok")
         << "the report is written all the same";
 }
 
 TEST_F(Program, OutputThatCannotBeWrittenIsCodeSix) {
-    expectOneSentence(runProgram(smallBench({"--json", "/no/such/folder/report.json"})), 6,
-                      "/no/such/folder/report.json");
+    const ProgramRun bench = runProgram(smallBench({"--json", "/no/such/folder/report.json"}));
+    expectOneSentence(bench, 6, "/no/such/folder/report.json");
+    EXPECT_EQ(bench.err.find("cells and bonds"), std::string::npos) << "said before the work, not after it";
     folder_.write("plain", "a file");
     expectOneSentence(runProgram({"capture", "block", "--particles", "50", "--frames", "1", "--out",
                                   folder_.path() / "plain"}),

@@ -66,6 +66,11 @@ TEST(SceneFile, NamesFileAndLineOfAMistake) {
     EXPECT_THAT(complaintAbout(kHead + "height_m = nan\n"), HasSubstr("scene.toml:3"));
     EXPECT_THAT(complaintAbout(kHead + "[impact]\nvelocity = 3\n"),
                 HasSubstr("there is no setting 'impact.velocity'"));
+    EXPECT_THAT(complaintAbout(kHead + "height_cm = 30\n"), HasSubstr("is 'height_m' meant?"));
+    EXPECT_THAT(complaintAbout(kHead + "[impact]\nvelocity_kmh = 3\n"),
+                HasSubstr("is 'impact.velocity_mps' meant?"));
+    EXPECT_THAT(complaintAbout(kHead + "[particles]\nwater = 3\n"), HasSubstr("remove it or mend its name"));
+    EXPECT_THAT(complaintAbout("version = 2\nmodel = \"models/block.obj\"\n"), HasSubstr("must be 1"));
     EXPECT_THAT(complaintAbout(kHead + "[impact]\nkind = \"kick\"\n"), HasSubstr("scene.toml:4"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [1, 2]\n"), HasSubstr("three numbers"));
     EXPECT_THAT(complaintAbout(kHead + "[particles]\nfull = 10.5\n"), HasSubstr("whole number"));

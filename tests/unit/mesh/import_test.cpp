@@ -5,6 +5,7 @@
 
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/mesh_checks.h"
 #include "sim_cuda/authoring/mesh_import.h"
@@ -83,7 +84,7 @@ TEST_F(FileTest, SceneTransformsAreAppliedInGlbFbxAndCollada) {
         EXPECT_EQ(openEdgeCount(mesh), 0u);
         EXPECT_NEAR(enclosedVolume(mesh) / (24 * volume * unit * unit * unit), 1, 1e-5);
         const Bounds bounds =
-            boundsOf(mesh);  // the turn puts y (0.3) along -x and x (1.3) along y, then the stretch
+            boundsOf(mesh.positions);  // the turn puts y (0.3) along -x and x (1.3) along y, then the stretch
         EXPECT_NEAR(bounds.lower.x, unit * (5 - 0.6), 1e-4 * unit);
         EXPECT_NEAR(bounds.upper.y, unit * (6 + 3.9), 1e-4 * unit);
         EXPECT_NEAR(bounds.upper.z, unit * (7 + 5.2), 1e-4 * unit);

@@ -1,0 +1,23 @@
+// What placing bodies and throwing balls have in common.
+#pragma once
+#include <glm/glm.hpp>
+
+#include "sim_cuda/api/breakable_body.h"
+
+namespace demolish {
+
+inline constexpr double kGravity = 9.81;  // m/s^2
+
+inline glm::dvec3 toGlm(const Double3& v) {
+    return {v.x, v.y, v.z};
+}
+inline Double3 fromGlm(const glm::dvec3& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// m
+inline double heightOf(const BreakableBody& body) {
+    return body.bounds_max.y - body.bounds_min.y;
+}
+
+}  // namespace demolish
