@@ -18,10 +18,11 @@ struct ReferenceBond {
 
     BondDeformation<double> deformed(const Vec3<double>& shift, const Quat<double>& rotation = {}) const {
         const Vec3<double> x{1, 0, 0};
-        return bondDeformation({x, rest / 2, rest / 2}, rest * x + shift, Quat<double>{}, rotation);
+        return laws::bondDeformation(BondRest<double>{x, rest / 2, rest / 2}, rest * x + shift,
+                                     Quat<double>{}, rotation);
     }
     bool breaks(const BondDeformation<double>& d) const {
-        return bondBreaks(bondStress(bondLoad(k, d), area, radius), strength, strength);
+        return laws::bondBreaks(laws::bondStress(laws::bondLoad(k, d), area, radius), strength, strength);
     }
 };
 
@@ -32,7 +33,7 @@ TEST(BondBreak, TensionAtTheGriffithStrength) {  // D 9
     EXPECT_NEAR(force / 1.58533e-3, 1, 1e-5);
     EXPECT_FALSE(bond.breaks(bond.deformed({0.999 * stretch, 0, 0})));
     EXPECT_TRUE(bond.breaks(bond.deformed({1.001 * stretch, 0, 0})));
-    const double energy = bondEnergy(bond.k, bond.deformed({stretch, 0, 0}));
+    const double energy = laws::bondEnergy(bond.k, bond.deformed({stretch, 0, 0}));
     EXPECT_NEAR(energy / (bond.gamma * bond.area), 0.34896, 1e-5);
     EXPECT_NEAR(energy / (bond.gamma * bond.area / (2 * normalCorrection(0.5, 0.25))), 1, 1e-12);
 }
@@ -72,8 +73,8 @@ TEST(BondBreak, TwistOfARealParticleBreaksWithinATenthOfAPercent) {  // D 10 thr
 }
 
 TEST(BondBreak, FrictionTermRaisesTheShearStrengthUnderCompressionOnly) {
-    EXPECT_DOUBLE_EQ(confinedShearStrength(5.0, 0.4, -10.0, 2.0), 7.0);
-    EXPECT_DOUBLE_EQ(confinedShearStrength(5.0, 0.4, 10.0, 2.0), 5.0);
+    EXPECT_DOUBLE_EQ(laws::confinedShearStrength(5.0, 0.4, -10.0, 2.0), 7.0);
+    EXPECT_DOUBLE_EQ(laws::confinedShearStrength(5.0, 0.4, 10.0, 2.0), 5.0);
 }
 
 /// Two particles, bonded until the criterion says no, then in type-3 contact.
@@ -96,23 +97,24 @@ struct BreakingPair {
     }
     void step() {
         const Vec3<double> x{1, 0, 0}, gap = j.position - i.position;
-        const auto d = bondDeformation({x, bond.rest / 2, bond.rest / 2}, gap, i.rotation, j.rotation);
-        const auto load = bondLoad(bond.k, d);
-        const double overlap = brokenOverlap(bond.rest, length(gap));
-        const PairState next = nextState(state, bond.breaks(d), length(gap), bond.rest);
+        const auto d = laws::bondDeformation(BondRest<double>{x, bond.rest / 2, bond.rest / 2}, gap,
+                                             i.rotation, j.rotation);
+        const auto load = laws::bondLoad(bond.k, d);
+        const double overlap = laws::brokenOverlap(bond.rest, length(gap));
+        const PairState next = laws::nextState(state, bond.breaks(d), length(gap), bond.rest);
         if (state == PairState::kBonded && next == PairState::kBroken) {
             normal_before = -load.normal_force;
-            normal_after = brokenRepulsion(bond.k.normal, overlap);
-            energy_at_break = bondEnergy(bond.k, d);
+            normal_after = laws::brokenRepulsion(bond.k.normal, overlap);
+            energy_at_break = laws::bondEnergy(bond.k, d);
             kinetic_at_break = kinetic();
         }
         state = next;
         Wrench<double> on_i, on_j;
         if (state == PairState::kBonded) {
-            on_i = bondWrench(load, d);
+            on_i = laws::bondWrench(load, d);
             on_j = {-on_i.force, cross(d.arm_j, -on_i.force) - (on_i.torque - cross(d.arm_i, on_i.force))};
         } else if (state == PairState::kBroken) {
-            on_i.force = -brokenRepulsion(bond.k.normal, overlap) * normalized(gap);
+            on_i.force = -laws::brokenRepulsion(bond.k.normal, overlap) * normalized(gap);
             on_j.force = -on_i.force;
         }
         kick(i, on_i);
@@ -140,35 +142,36 @@ TEST(BondBreak, CompressedAndShearedBondReleasesNoMoreThanItStored) {  // D 21
 
 TEST(PairStates, GoOneWayOnly) {
     using enum PairState;
-    EXPECT_EQ(nextState(kBonded, false, 2.0, 1.0), kBonded);
-    EXPECT_EQ(nextState(kBonded, true, 1.0, 1.0), kBroken);
-    EXPECT_EQ(nextState(kBroken, false, 1.08, 1.0), kBroken);
-    EXPECT_EQ(nextState(kBroken, false, 1.0801, 1.0), kContact);
+    EXPECT_EQ(laws::nextState(kBonded, false, 2.0, 1.0), kBonded);
+    EXPECT_EQ(laws::nextState(kBonded, true, 1.0, 1.0), kBroken);
+    EXPECT_EQ(laws::nextState(kBroken, false, 1.08, 1.0), kBroken);
+    EXPECT_EQ(laws::nextState(kBroken, false, 1.0801, 1.0), kContact);
     for (const bool breaks : {false, true})
         for (const double distance : {0.5, 1.0, 1.5}) {
-            EXPECT_EQ(nextState(kContact, breaks, distance, 1.0), kContact);
-            EXPECT_NE(nextState(kBroken, breaks, distance, 1.0), kBonded);
+            EXPECT_EQ(laws::nextState(kContact, breaks, distance, 1.0), kContact);
+            EXPECT_NE(laws::nextState(kBroken, breaks, distance, 1.0), kBonded);
         }
 }
 
 TEST(StretchRule, IsTheTensileCriterionInOtherUnits) {  // D 24
     const ReferenceBond bond;
-    const double limit = stretchLimit(bond.strength, bond.area, bond.k.normal);
+    const double limit = laws::stretchLimit(bond.strength, bond.area, bond.k.normal);
     EXPECT_NEAR(limit / (kPi * bond.radius * bond.strength * (1 - bond.nu * bond.nu) /
                          (bond.E * normalCorrection(bond.ratio, bond.nu))),
                 1, 1e-12);
     EXPECT_NEAR(limit / bond.rest / (0.51 * bond.strength / bond.E), 1, 0.01);
     for (const double share : {-50.0, 0.0, 0.999, 1.001, 3.0}) {
         const double distance = bond.rest + share * limit;
-        EXPECT_EQ(isDiscrete(distance, bond.rest, limit), bond.breaks(bond.deformed({share * limit, 0, 0})))
+        EXPECT_EQ(laws::isDiscrete(distance, bond.rest, limit),
+                  bond.breaks(bond.deformed({share * limit, 0, 0})))
             << share;
     }
 }
 
 TEST(StretchRule, ForceFadesToNothing) {
-    EXPECT_DOUBLE_EQ(discreteShare(1.0, 1.0, 0.1, 1.3), 1.0);
-    EXPECT_NEAR(discreteShare(1.2, 1.0, 0.1, 1.3), 0.5, 1e-12);
-    EXPECT_DOUBLE_EQ(discreteShare(1.4, 1.0, 0.1, 1.3), 0.0);
+    EXPECT_DOUBLE_EQ(laws::discreteShare(1.0, 1.0, 0.1, 1.3), 1.0);
+    EXPECT_NEAR(laws::discreteShare(1.2, 1.0, 0.1, 1.3), 0.5, 1e-12);
+    EXPECT_DOUBLE_EQ(laws::discreteShare(1.4, 1.0, 0.1, 1.3), 0.0);
 }
 
 }  // namespace

@@ -72,12 +72,12 @@ struct Evaluated {
 template <class T>
 Evaluated<T> evaluate(const RandomPair<T>& p, T beta_r) {
     Evaluated<T> e;
-    e.deformation = bondDeformation(p.rest, p.j.position - p.i.position, p.i.rotation, p.j.rotation);
-    const auto rates = bondRates(e.deformation, p.i.velocity, p.i.spin, p.j.velocity, p.j.spin);
-    const auto elastic = bondLoad(stiffness<T>(), e.deformation);
-    e.load = dampedBondLoad(elastic, stiffness<T>(), e.deformation, rates, beta_r);
-    e.wrench = bondWrench(e.load, e.deformation);
-    e.stress = bondStress(elastic, T(1e-3), T(0.0178));
+    e.deformation = laws::bondDeformation(p.rest, p.j.position - p.i.position, p.i.rotation, p.j.rotation);
+    const auto rates = laws::bondRates(e.deformation, p.i.velocity, p.i.spin, p.j.velocity, p.j.spin);
+    const auto elastic = laws::bondLoad(stiffness<T>(), e.deformation);
+    e.load = laws::dampedBondLoad(elastic, stiffness<T>(), e.deformation, rates, beta_r);
+    e.wrench = laws::bondWrench(e.load, e.deformation);
+    e.stress = laws::bondStress(elastic, T(1e-3), T(0.0178));
     return e;
 }
 template <class T>
@@ -125,57 +125,61 @@ TEST(BondKinematics, ForcesActAtOneCommonPoint) {
 TEST(BondKinematics, EachChannelSeesItsOwnMotion) {
     const Vec3<double> x{1, 0, 0};
     const BondRest<double> rest{x, 0.5, 0.5};
-    const auto stretched = bondDeformation(rest, {1.001, 0, 0}, Quat<double>{}, Quat<double>{});
+    const auto stretched =
+        laws::bondDeformation(rest, Vec3<double>{1.001, 0, 0}, Quat<double>{}, Quat<double>{});
     EXPECT_NEAR(stretched.stretch, 1e-3, 1e-15);
     EXPECT_NEAR(length(stretched.shear), 0, 1e-15);
-    const auto sheared = bondDeformation(rest, {1, 2e-3, 0}, Quat<double>{}, Quat<double>{});
+    const auto sheared =
+        laws::bondDeformation(rest, Vec3<double>{1, 2e-3, 0}, Quat<double>{}, Quat<double>{});
     EXPECT_NEAR(sheared.shear.y, 2e-3, 1e-15);
-    const auto twisted = bondDeformation(rest, x, Quat<double>{}, test::turn(x, 0.01));
+    const auto twisted = laws::bondDeformation(rest, x, Quat<double>{}, test::turn(x, 0.01));
     EXPECT_NEAR(twisted.twist, 0.01, 1e-7);
     EXPECT_NEAR(length(twisted.bending), 0, 1e-15);
-    const auto bent = bondDeformation(rest, x, Quat<double>{}, test::turn(Vec3<double>{0, 0, 1}, 0.15));
+    const auto bent = laws::bondDeformation(rest, x, Quat<double>{}, test::turn(Vec3<double>{0, 0, 1}, 0.15));
     EXPECT_NEAR(bent.bending.z, 0.15, 1e-3 * 0.15);  // the stated accuracy of theta = 2 vec(dq)
-    const auto other_cover =
-        bondDeformation(rest, x, Quat<double>{}, Quat<double>{-std::sin(0.005), 0, 0, -std::cos(0.005)});
+    const auto other_cover = laws::bondDeformation(rest, x, Quat<double>{},
+                                                   Quat<double>{-std::sin(0.005), 0, 0, -std::cos(0.005)});
     EXPECT_NEAR(other_cover.twist, 0.01, 1e-7);
 }
 
 TEST(BondDamping, VanishesForRigidMotionAndTakesEnergyOut) {  // D 18, law level
     const auto k = stiffness<double>();
     const Vec3<double> spin{3, -2, 5}, drift{1, 2, 3}, x{1, 0, 0}, at{0.05, 0, 0};
-    const auto d = bondDeformation({x, 0.025, 0.025}, at, Quat<double>{}, Quat<double>{});
-    const auto rigid = bondRates(d, drift, spin, drift + cross(spin, at), spin);
+    const auto d =
+        laws::bondDeformation(BondRest<double>{x, 0.025, 0.025}, at, Quat<double>{}, Quat<double>{});
+    const auto rigid = laws::bondRates(d, drift, spin, drift + cross(spin, at), spin);
     EXPECT_LT(length(rigid.velocity), 1e-15);
     EXPECT_EQ(length(rigid.spin), 0);
     const auto rates =
-        bondRates(d, Vec3<double>{}, Vec3<double>{}, Vec3<double>{0.3, 0.1, 0}, Vec3<double>{1, 0, 2});
-    const auto elastic = bondLoad(k, d), damped = dampedBondLoad(elastic, k, d, rates, 1e-4);
-    const auto on_i = bondWrench(damped, d), elastic_i = bondWrench(elastic, d);
+        laws::bondRates(d, Vec3<double>{}, Vec3<double>{}, Vec3<double>{0.3, 0.1, 0}, Vec3<double>{1, 0, 2});
+    const auto elastic = laws::bondLoad(k, d), damped = laws::dampedBondLoad(elastic, k, d, rates, 1e-4);
+    const auto on_i = laws::bondWrench(damped, d), elastic_i = laws::bondWrench(elastic, d);
     const auto moment = on_i.torque - cross(d.arm_i, on_i.force), force = on_i.force - elastic_i.force;
     const double power = dot(force, rates.velocity) + dot(moment, rates.spin);
     EXPECT_GT(power, 0);
-    EXPECT_NEAR(bondDampingPower(k, d, rates, 1e-4) / power, 1, 1e-12);
+    EXPECT_NEAR(laws::bondDampingPower(k, d, rates, 1e-4) / power, 1, 1e-12);
 }
 
 TEST(BrokenBond, SpinningInPlaceMakesNoNormalForce) {  // D 22
     const double rest = 0.05, k = 1e6;
     const Vec3<double> x{1, 0, 0};
     const auto turned = test::turn(Vec3<double>{0, 0, 1}, kPi / 2);
-    EXPECT_EQ(brokenRepulsion(k, brokenOverlap(rest, length(rest * x))), 0);
+    EXPECT_EQ(laws::brokenRepulsion(k, laws::brokenOverlap(rest, length(rest * x))), 0);
     // With both spun in place the body-fixed normal sees an overlap: what the line of centres guards against.
-    const auto bonded = bondDeformation({x, rest / 2, rest / 2}, rest * x, turned, turned);
+    const auto bonded =
+        laws::bondDeformation(BondRest<double>{x, rest / 2, rest / 2}, rest * x, turned, turned);
     EXPECT_LT(bonded.stretch, -0.5 * rest);
 }
 
 TEST(BrokenBond, OnlyPushesAndItsMomentIsCapped) {  // (14') (15')
-    EXPECT_EQ(brokenRepulsion(1e6, -0.01), 0);
-    EXPECT_DOUBLE_EQ(brokenRepulsion(1e6, 0.01), 1e4);
-    EXPECT_DOUBLE_EQ(frictionLimit(0.5, 1e4), 5e3);
-    EXPECT_NEAR(length(cappedBendingMoment(Vec3<double>{3, 4, 0}, 0.25, 8.0, 0.5)), 1.0, 1e-15);
-    EXPECT_EQ(cappedBendingMoment(Vec3<double>{0.3, 0.4, 0}, 0.25, 8.0, 0.5).x, 0.3);
-    EXPECT_EQ(length(cappedBendingMoment(Vec3<double>{3, 4, 0}, 0.0, 8.0, 0.5)), 0);
-    EXPECT_DOUBLE_EQ(fractureEnergy(5.0, 2.0, 1.0), 4.0);
-    EXPECT_DOUBLE_EQ(fractureEnergy(5.0, 2.0, -1.0), 5.0);
+    EXPECT_EQ(laws::brokenRepulsion(1e6, -0.01), 0);
+    EXPECT_DOUBLE_EQ(laws::brokenRepulsion(1e6, 0.01), 1e4);
+    EXPECT_DOUBLE_EQ(laws::frictionLimit(0.5, 1e4), 5e3);
+    EXPECT_NEAR(length(laws::cappedBendingMoment(Vec3<double>{3, 4, 0}, 0.25, 8.0, 0.5)), 1.0, 1e-15);
+    EXPECT_EQ(laws::cappedBendingMoment(Vec3<double>{0.3, 0.4, 0}, 0.25, 8.0, 0.5).x, 0.3);
+    EXPECT_EQ(length(laws::cappedBendingMoment(Vec3<double>{3, 4, 0}, 0.0, 8.0, 0.5)), 0);
+    EXPECT_DOUBLE_EQ(laws::fractureEnergy(5.0, 2.0, 1.0), 4.0);
+    EXPECT_DOUBLE_EQ(laws::fractureEnergy(5.0, 2.0, -1.0), 5.0);
 }
 
 }  // namespace

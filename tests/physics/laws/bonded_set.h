@@ -3,7 +3,7 @@
 #pragma once
 #include <vector>
 
-#include "sim_cuda/physics/bond_laws.h"
+#include "tests/physics/laws/laws.h"
 
 namespace demolish::test {
 
@@ -14,26 +14,51 @@ struct Bond {
     BondStiffness<T> stiffness;
 };
 
+/// What a bond does to both its ends, from each separately, as the solver does.
+template <class T>
+struct EvaluateBonds {
+    const ParticleState<T>* particles;
+    const Bond<T>* bonds;
+    Wrench<T>* wrenches;  ///< two a bond: on i, on j
+
+    DEM_FN void operator()(size_t k) const {
+        const Bond<T> bond = bonds[k];
+        const BondRest<T> back{-bond.rest.normal, bond.rest.length_j, bond.rest.length_i};
+        wrenches[2 * k] = wrenchOn(bond.i, bond.j, bond.rest, bond.stiffness);
+        wrenches[2 * k + 1] = wrenchOn(bond.j, bond.i, back, bond.stiffness);
+    }
+
+  private:
+    DEM_FN Wrench<T> wrenchOn(size_t self, size_t other, const BondRest<T>& rest,
+                              const BondStiffness<T>& k) const {
+        const ParticleState<T> a = particles[self], b = particles[other];
+        const auto d = bondDeformation(rest, b.position - a.position, a.rotation, b.rotation);
+        return bondWrench(bondLoad(k, d), d);
+    }
+};
+
 template <class T>
 struct BondedSet {
-    std::vector<ParticleState<T>> particles;
-    std::vector<Bond<T>> bonds;
-    std::vector<Wrench<T>> loads;  ///< of the last call of evaluate()
+    laws::Shared<ParticleState<T>> particles;
+    laws::Shared<Bond<T>> bonds;
+    laws::Shared<Wrench<T>> ends;  ///< of the last call of evaluate(), two a bond
+    std::vector<Wrench<T>> loads;  ///< likewise, one a particle
     T mass{1}, inertia{1};
 
-    /// Force and torque on every particle; from each end separately, as the solver does.
+    /// Force and torque on every particle.
     void evaluate() {
+        ends.resize(2 * bonds.size());
+        laws::forEach(bonds.size(), EvaluateBonds<T>{particles.data(), bonds.data(), ends.data()});
         loads.assign(particles.size(), {});
-        for (const auto& bond : bonds) {
-            add(bond.i, wrenchOn(bond.i, bond.j, bond.rest, bond.stiffness));
-            const BondRest<T> back{-bond.rest.normal, bond.rest.length_j, bond.rest.length_i};
-            add(bond.j, wrenchOn(bond.j, bond.i, back, bond.stiffness));
+        for (size_t k = 0; k < bonds.size(); ++k) {
+            add(bonds[k].i, ends[2 * k]);
+            add(bonds[k].j, ends[2 * k + 1]);
         }
     }
 
     BondDeformation<T> deformation(const Bond<T>& bond) const {
         const auto &a = particles[bond.i], &b = particles[bond.j];
-        return bondDeformation(bond.rest, b.position - a.position, a.rotation, b.rotation);
+        return laws::bondDeformation(bond.rest, b.position - a.position, a.rotation, b.rotation);
     }
 
     /// One leapfrog step (physics B.1).
@@ -50,16 +75,11 @@ struct BondedSet {
 
     T elasticEnergy() const {
         T sum{};
-        for (const auto& bond : bonds) sum += bondEnergy(bond.stiffness, deformation(bond));
+        for (const auto& bond : bonds) sum += laws::bondEnergy(bond.stiffness, deformation(bond));
         return sum;
     }
 
   private:
-    Wrench<T> wrenchOn(size_t self, size_t other, const BondRest<T>& rest, const BondStiffness<T>& k) const {
-        const auto &a = particles[self], &b = particles[other];
-        const auto d = bondDeformation(rest, b.position - a.position, a.rotation, b.rotation);
-        return bondWrench(bondLoad(k, d), d);
-    }
     void add(size_t p, const Wrench<T>& w) {
         loads[p].force = loads[p].force + w.force;
         loads[p].torque = loads[p].torque + w.torque;

@@ -23,7 +23,7 @@ void displace(ParticleState<double>& s, size_t axis, double amount) {
     if (axis < 3)
         s.position = s.position + vector;
     else
-        s.rotation = exponential(0.5 * vector);
+        s.rotation = laws::exponential(0.5 * vector);
 }
 
 std::vector<double> residual(test::BondedSet<double> set, size_t particle, size_t axis, double amount) {

@@ -4,6 +4,7 @@
 
 #include "sim_cuda/kernels/bond_pair.h"
 #include "sim_cuda/kernels/touch_pair.h"
+#include "tests/physics/laws/laws.h"
 
 namespace demolish::test {
 

@@ -1,5 +1,6 @@
 // Rigid motion of fragments: momenta kept, kinetic energy never gained: physics D 23.
 #include "sim_cuda/physics/rigid_fit.h"
+#include "tests/physics/laws/laws.h"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +27,12 @@ std::vector<Body> randomFragment(size_t count, unsigned seed) {
 }
 RigidMotion fit(const std::vector<Body>& bodies) {
     MassSums sums;
-    for (const auto& b : bodies) sums = sums + massOf(b.mass, b.x, b.v);
+    for (const auto& b : bodies) sums = sums + laws::massOf(b.mass, b.x, b.v);
     SpinSums spins;
     for (const auto& b : bodies)
-        spins = spins + spinOf(b.mass, b.inertia, b.x - massCentre(sums), b.v - meanVelocity(sums), b.w);
-    return rigidMotion(sums, spins);
+        spins = spins + laws::spinOf(b.mass, b.inertia, b.x - laws::massCentre(sums),
+                                     b.v - laws::meanVelocity(sums), b.w);
+    return laws::rigidMotion(sums, spins);
 }
 struct Momenta {
     V linear, angular;
@@ -47,7 +49,7 @@ Momenta momentaOf(const std::vector<Body>& bodies) {
 }
 std::vector<Body> moved(std::vector<Body> bodies, const RigidMotion& motion) {
     for (auto& b : bodies) {
-        b.v = velocityAt(motion, b.x);
+        b.v = laws::velocityAt(motion, b.x);
         b.w = motion.spin;
     }
     return bodies;
@@ -75,7 +77,8 @@ TEST(RigidFit, FindsAKnownRigidMotionAgain) {
     const RigidMotion truth{{1, 2, 3}, {-2, 0.5, 7}, {4, -3, 9}};
     const auto found = fit(moved(bodies, truth));
     EXPECT_LT(length(found.spin - truth.spin), 1e-12);
-    EXPECT_LT(length(velocityAt(found, {0.3, 0.2, 0.1}) - velocityAt(truth, {0.3, 0.2, 0.1})), 1e-12);
+    EXPECT_LT(length(laws::velocityAt(found, V{0.3, 0.2, 0.1}) - laws::velocityAt(truth, V{0.3, 0.2, 0.1})),
+              1e-12);
 }
 
 TEST(RigidFit, UnequalMassesOnALine) {  // the example of A.7 in which unweighted least squares fails
@@ -85,9 +88,9 @@ TEST(RigidFit, UnequalMassesOnALine) {  // the example of A.7 in which unweighte
 
 TEST(SolveSymmetric, SolvesAndRefusesSingularMatrices) {
     const Sym3 a{4, 5, 6, 1, -0.5, 0.3};
-    const V x{0.2, -3, 1.5}, back = solveSymmetric(a, multiply(a, x));
+    const V x{0.2, -3, 1.5}, back = laws::solveSymmetric(a, multiply(a, x));
     EXPECT_LT(length(back - x), 1e-14);
-    EXPECT_EQ(length(solveSymmetric(Sym3{1, 0, 1, 0, 0, 0}, {1, 1, 1})), 0);
+    EXPECT_EQ(length(laws::solveSymmetric(Sym3{1, 0, 1, 0, 0, 0}, V{1, 1, 1})), 0);
 }
 
 }  // namespace

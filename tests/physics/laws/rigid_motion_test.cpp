@@ -1,15 +1,32 @@
 // Rigid bodies between two kinds of step: gravity, and a turn without a torque.
-#include "sim_cuda/physics/rigid_motion.h"
-
 #include <gtest/gtest.h>
+
+#include "tests/physics/laws/laws.h"
 
 namespace demolish {
 namespace {
 
+/// What a call leaves in the flight that it is given.
+struct Fallen {
+    Flight flight;
+    double substeps = 0;
+};
+struct Fall {
+    DEM_FN Fallen operator()(Flight flight, uint32_t stride, bool touched) const {
+        const double substeps = fallenSubsteps(flight, stride, touched);
+        return {flight, substeps};
+    }
+};
+double fallenIn(Flight& flight, uint32_t stride, bool touched) {
+    const Fallen fallen = laws::evaluate(Fall{}, flight, stride, touched);
+    flight = fallen.flight;
+    return fallen.substeps;
+}
+
 /// Substeps of gravity in steps of these lengths, one after the other, with nothing that touches.
 double fallen(Flight& flight, std::initializer_list<uint32_t> strides) {
     double sum = 0;
-    for (const uint32_t stride : strides) sum += fallenSubsteps(flight, stride, false);
+    for (const uint32_t stride : strides) sum += fallenIn(flight, stride, false);
     return sum;
 }
 
@@ -33,11 +50,11 @@ TEST(Flight, WhatIsCaughtUpIsWhatSubstepsFallWhateverTheSteps) {
 
 TEST(Flight, GravityGoesOnWithTheContactsOfWhatIsTouched) {
     Flight flight;
-    EXPECT_EQ(fallenSubsteps(flight, 10, true), 10);
+    EXPECT_EQ(fallenIn(flight, 10, true), 10);
     EXPECT_EQ(flight.lag, 0u);
     EXPECT_EQ(flight.free, 0u);
     (void)fallen(flight, {10});
-    EXPECT_EQ(fallenSubsteps(flight, 10, true), 10) << "a bounce keeps the lag";
+    EXPECT_EQ(fallenIn(flight, 10, true), 10) << "a bounce keeps the lag";
     EXPECT_EQ(flight.lag, 9u);
     EXPECT_EQ(flight.free, 0u);
 }
@@ -50,14 +67,22 @@ RigidBody spinningBrick() {
     return body;
 }
 double energyOf(const RigidBody& body) {
-    return 0.5 * dot(spinAt(body, body.turned), body.angular);
+    return 0.5 * dot(laws::spinAt(body, body.turned), body.angular);
 }
+
+/// So many steps with nothing that acts, then the body.
+struct Turn {
+    DEM_FN RigidBody operator()(RigidBody body, double dt, int steps) const {
+        for (int k = 0; k < steps; ++k) advance(body, {}, {}, {}, dt);
+        return body;
+    }
+};
 
 TEST(RigidMotion, TurnsWithoutATorqueAtConstantEnergy) {
     const auto drift = [](double dt) {
-        RigidBody body = spinningBrick();
-        const double before = energyOf(body);
-        for (double t = 0; t < 10; t += dt) advance(body, {}, {}, {}, dt);
+        const double before = energyOf(spinningBrick());
+        const RigidBody body =
+            laws::evaluate(Turn{}, spinningBrick(), dt, static_cast<int>(std::lround(10 / dt)));
         EXPECT_EQ(body.angular.y, 6);
         return std::abs(energyOf(body) / before - 1);
     };
@@ -65,13 +90,19 @@ TEST(RigidMotion, TurnsWithoutATorqueAtConstantEnergy) {
     EXPECT_LT(drift(0.005), 0.5 * drift(0.01)) << "the error falls faster than the step";
 }
 
+struct Push {
+    DEM_FN RigidBody operator()(RigidBody body) const {
+        advance(body, {4, 0, 0}, {}, {0, -10, 0}, 0.1);
+        return body;
+    }
+};
+
 TEST(RigidMotion, FallsAsAParticle) {
-    RigidBody body = spinningBrick();
-    advance(body, {4, 0, 0}, {}, {0, -10, 0}, 0.1);
+    const RigidBody body = laws::evaluate(Push{}, spinningBrick());
     EXPECT_DOUBLE_EQ(body.velocity.x, 0.2);
     EXPECT_DOUBLE_EQ(body.velocity.y, -1);
     EXPECT_DOUBLE_EQ(body.centre.y, -0.1);
-    EXPECT_DOUBLE_EQ(velocityAtArm(body, {0, 0, 0}).y, -1);
+    EXPECT_DOUBLE_EQ(laws::velocityAtArm(body, Vec3<double>{}).y, -1);
 }
 
 }  // namespace

@@ -41,13 +41,13 @@ TEST(Units, ABondsForcesDampingBreakAndEnergy) {
         const BondConstants<double> bond{kMetre * p.bond.rest, small(p.bond.stiffness),
                                          kMetre * p.bond.radius, kPressure * p.bond.strength,
                                          kSecond * p.bond.beta_r};
-        const auto a = bondEffect(p.bond, p.motion), b = bondEffect(bond, small(p.motion));
+        const auto a = laws::bondEffect(p.bond, p.motion), b = laws::bondEffect(bond, small(p.motion));
         expectScaled(b.force, a.force, kForce);
         expectScaled(b.torque_i, a.torque_i, kMoment);
         expectScaled(b.torque_j, a.torque_j, kMoment);
         EXPECT_NEAR(b.severity / b.limit, a.severity / a.limit, 1e-10 * (1 + a.severity / a.limit));
-        EXPECT_NEAR(bondFractureEnergy(bond, small(p.motion), 1e-5 * kSecond) /
-                        (kEnergy * bondFractureEnergy(p.bond, p.motion, 1e-5)),
+        EXPECT_NEAR(laws::bondFractureEnergy(bond, small(p.motion), 1e-5 * kSecond) /
+                        (kEnergy * laws::bondFractureEnergy(p.bond, p.motion, 1e-5)),
                     1, 1e-9);
     }
 }
@@ -62,26 +62,27 @@ TEST(Units, StressStrengthAndDampingPower) {
     d.bending = e.bending = {0, 0, 2e-3};
     e.stretch = kMetre * d.stretch;
     e.shear = kMetre * d.shear;
-    const auto a = bondStress(bondLoad(k, d), 1e-3, 0.0178);
-    const auto b = bondStress(bondLoad(small(k), e), 1e-3 * kMetre * kMetre, 0.0178 * kMetre);
+    const auto a = laws::bondStress(laws::bondLoad(k, d), 1e-3, 0.0178);
+    const auto b = laws::bondStress(laws::bondLoad(small(k), e), 1e-3 * kMetre * kMetre, 0.0178 * kMetre);
     EXPECT_NEAR(b.tension / (kPressure * a.tension), 1, 1e-12);
     EXPECT_NEAR(b.shear / (kPressure * a.shear), 1, 1e-12);
-    EXPECT_NEAR(bondEnergy(small(k), e) / (kEnergy * bondEnergy(k, d)), 1, 1e-12);
+    EXPECT_NEAR(laws::bondEnergy(small(k), e) / (kEnergy * laws::bondEnergy(k, d)), 1, 1e-12);
     const BondRates<double> rates{{0.3, 0.1, 0}, {1, 0, 2}};
     const BondRates<double> small_rates{kVelocity * rates.velocity, 1 / kSecond * rates.spin};
-    EXPECT_NEAR(bondDampingPower(small(k), e, small_rates, 1e-4 * kSecond) /
-                    (kEnergy / kSecond * bondDampingPower(k, d, rates, 1e-4)),
+    EXPECT_NEAR(laws::bondDampingPower(small(k), e, small_rates, 1e-4 * kSecond) /
+                    (kEnergy / kSecond * laws::bondDampingPower(k, d, rates, 1e-4)),
                 1, 1e-12);
-    EXPECT_NEAR(confinedShearStrength(kPressure * 5e5, 0.4, -kForce * 300.0, kMetre * kMetre * 1e-3) /
-                    (kPressure * confinedShearStrength(5e5, 0.4, -300.0, 1e-3)),
+    EXPECT_NEAR(laws::confinedShearStrength(kPressure * 5e5, 0.4, -kForce * 300.0, kMetre * kMetre * 1e-3) /
+                    (kPressure * laws::confinedShearStrength(5e5, 0.4, -300.0, 1e-3)),
                 1, 1e-12);
-    const double limit = stretchLimit(3e5, 1e-3, k.normal);
+    const double limit = laws::stretchLimit(3e5, 1e-3, k.normal);
     EXPECT_NEAR(
-        stretchLimit(kPressure * 3e5, kMetre * kMetre * 1e-3, kStiffness * k.normal) / (kMetre * limit), 1,
-        1e-12);
+        laws::stretchLimit(kPressure * 3e5, kMetre * kMetre * 1e-3, kStiffness * k.normal) / (kMetre * limit),
+        1, 1e-12);
     for (const double share : {0.9, 1.1})
-        EXPECT_EQ(isDiscrete(kMetre * (0.05 + share * limit), kMetre * 0.05, kMetre * limit), share > 1);
-    EXPECT_EQ(nextState(PairState::kBroken, false, 1.0801 * kMetre, kMetre), PairState::kContact);
+        EXPECT_EQ(laws::isDiscrete(kMetre * (0.05 + share * limit), kMetre * 0.05, kMetre * limit),
+                  share > 1);
+    EXPECT_EQ(laws::nextState(PairState::kBroken, false, 1.0801 * kMetre, kMetre), PairState::kContact);
 }
 
 TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
@@ -101,8 +102,8 @@ TEST(Units, ContactsWithFrictionRollingAndAdhesion) {
                                    p.law.rolling,
                                    kMetre * p.law.radius,
                                    kInertia * p.law.inertia};
-        const auto a = touchEffect(p.geometry, p.law, p.motion, p.spring, 1e-4);
-        const auto b = touchEffect(at, law, small(p.motion), kMetre * p.spring, 1e-4 * kSecond);
+        const auto a = laws::touchEffect(p.geometry, p.law, p.motion, p.spring, 1e-4);
+        const auto b = laws::touchEffect(at, law, small(p.motion), kMetre * p.spring, 1e-4 * kSecond);
         expectScaled(b.load.force, a.load.force, kForce);
         expectScaled(b.load.torque, a.load.torque, kMoment);
         expectScaled(b.spring, a.spring, kMetre);
@@ -119,9 +120,9 @@ TEST(Units, ContactLawsOfThePairTable) {
         const PairLaw<double> pair{1e5, 0.7, 0.4, 0.3, 0.2, 2e7, 8e6};
         const PairLaw<double> small_pair{kStiffness * 1e5, 0.7, 0.4, 0.3, kStiffness * 0.2, kPressure * 2e7,
                                          kPressure * 8e6};
-        const auto a = contactTouchLaw(pair, params, 1e-4, 0.02, PairInertia<double>{3.0, 700.0});
-        const auto b = contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
-                                       PairInertia<double>{3.0 / kKilogram, 700.0 / kInertia});
+        const auto a = laws::contactTouchLaw(pair, params, 1e-4, 0.02, PairInertia<double>{3.0, 700.0});
+        const auto b = laws::contactTouchLaw(small_pair, small_params, 1e-4 * kMetre, 0.02 * kMetre,
+                                             PairInertia<double>{3.0 / kKilogram, 700.0 / kInertia});
         EXPECT_NEAR(b.elastic / (kForce * a.elastic), 1, 1e-12);
         EXPECT_NEAR(b.normal_damping / (kForce / kVelocity * a.normal_damping), 1, 1e-12);
         EXPECT_NEAR(b.shear / (kStiffness * a.shear), 1, 1e-12);
@@ -132,15 +133,105 @@ TEST(Units, ContactLawsOfThePairTable) {
 
 TEST(Units, BrokenBonds) {
     const V moment{3, 4, 0};
-    expectScaled(cappedBendingMoment(kMoment * moment, 0.25, kForce * 8.0, kMetre * 0.5),
-                 cappedBendingMoment(moment, 0.25, 8.0, 0.5), kMoment);
-    EXPECT_NEAR(brokenRepulsion(kStiffness * 7.0, brokenOverlap(kMetre * 2.0, kMetre * 1.5)) /
-                    (kForce * brokenRepulsion(7.0, brokenOverlap(2.0, 1.5))),
+    expectScaled(laws::cappedBendingMoment(kMoment * moment, 0.25, kForce * 8.0, kMetre * 0.5),
+                 laws::cappedBendingMoment(moment, 0.25, 8.0, 0.5), kMoment);
+    EXPECT_NEAR(laws::brokenRepulsion(kStiffness * 7.0, laws::brokenOverlap(kMetre * 2.0, kMetre * 1.5)) /
+                    (kForce * laws::brokenRepulsion(7.0, laws::brokenOverlap(2.0, 1.5))),
                 1, 1e-12);
-    EXPECT_NEAR(frictionLimit(0.3, kForce * 2.0) / (kForce * frictionLimit(0.3, 2.0)), 1, 1e-12);
-    EXPECT_NEAR(fractureEnergy(kEnergy * 5.0, kStiffness * 2.0, kMetre * 1.0) /
-                    (kEnergy * fractureEnergy(5.0, 2.0, 1.0)),
+    EXPECT_NEAR(laws::frictionLimit(0.3, kForce * 2.0) / (kForce * laws::frictionLimit(0.3, 2.0)), 1, 1e-12);
+    EXPECT_NEAR(laws::fractureEnergy(kEnergy * 5.0, kStiffness * 2.0, kMetre * 1.0) /
+                    (kEnergy * laws::fractureEnergy(5.0, 2.0, 1.0)),
                 1, 1e-12);
+}
+
+TEST(Units, ABondsKinematicsOneByOne) {
+    std::mt19937 random(3);
+    for (int n = 0; n < 50; ++n) {
+        const auto p = test::drawBondedPair<double>(random);
+        const PairMotion<double> m = p.motion, scaled = small(p.motion);
+        const V normal = normalized(p.bond.rest);
+        const auto d = laws::bondDeformation(BondRest<double>{normal, 0.025, 0.025}, m.separation,
+                                             m.rotation_i, m.rotation_j);
+        const auto e = laws::bondDeformation(BondRest<double>{normal, kMetre * 0.025, kMetre * 0.025},
+                                             scaled.separation, m.rotation_i, m.rotation_j);
+        EXPECT_NEAR(e.stretch / (kMetre * d.stretch), 1, 1e-9);
+        EXPECT_EQ(e.twist, d.twist);
+        expectScaled(e.shear, d.shear, kMetre);
+        expectScaled(e.arm_i, d.arm_i, kMetre);
+        const auto a = laws::bondRates(d, m.velocity_i, m.spin_i, m.velocity_j, m.spin_j);
+        const auto b = laws::bondRates(e, scaled.velocity_i, scaled.spin_i, scaled.velocity_j, scaled.spin_j);
+        expectScaled(b.velocity, a.velocity, kVelocity);
+        expectScaled(b.spin, a.spin, 1 / kSecond);
+    }
+}
+
+TEST(Units, ModuliOfAContactAndFadingForce) {
+    const auto pair = laws::contactModuli(7e9, 0.2, 3e10, 0.31);
+    const auto small_pair = laws::contactModuli(kPressure * 7e9, 0.2, kPressure * 3e10, 0.31);
+    EXPECT_NEAR(small_pair.normal / (kPressure * pair.normal), 1, 1e-12);
+    EXPECT_NEAR(small_pair.tangential / (kPressure * pair.tangential), 1, 1e-12);
+    EXPECT_NEAR(laws::rigidWallModuli(kPressure * 7e9, 0.2).normal /
+                    (kPressure * laws::rigidWallModuli(7e9, 0.2).normal),
+                1, 1e-12);
+    EXPECT_NEAR(laws::discreteShare(kMetre * 1.2, kMetre, kMetre * 0.1, kMetre * 1.3),
+                laws::discreteShare(1.2, 1.0, 0.1, 1.3), 1e-12);
+}
+
+TEST(Units, WhatContactsLoseWhenTheyBeginEndAndSoften) {
+    const double before = laws::overlapBefore(2e-4, -3.0, 1e-4);
+    EXPECT_NEAR(laws::overlapBefore(kMetre * 2e-4, -kVelocity * 3.0, kSecond * 1e-4) / (kMetre * before), 1,
+                1e-12);
+    EXPECT_GT(laws::crossingLoss(5e4, 2e-4, before), 0);
+    EXPECT_NEAR(laws::crossingLoss(kStiffness * 5e4, kMetre * 2e-4, kMetre * before) /
+                    (kEnergy * laws::crossingLoss(5e4, 2e-4, before)),
+                1, 1e-12);
+    TouchLaw<double> law, small_law;
+    law.softens = small_law.softens = true;
+    law.stiffness = 4e4;
+    law.shear = 3e4;
+    small_law.stiffness = kStiffness * law.stiffness;
+    small_law.shear = kStiffness * law.shear;
+    const V spring{1e-5, 0, 2e-5};
+    const double loss = laws::softeningLoss(law, 5e4, 2e-4, 1e-4, spring);
+    EXPECT_GT(loss, 0);
+    EXPECT_NEAR(
+        laws::softeningLoss(small_law, kStiffness * 5e4, kMetre * 2e-4, kMetre * 1e-4, kMetre * spring) /
+            (kEnergy * loss),
+        1, 1e-12);
+}
+
+TEST(Units, SpeedsAtWhichBondsWakeAndComeToRest) {
+    const auto plain = wakeLaw(0.4, 5, 0.7, 1200), scaled = wakeLaw(0.4, kVelocity * 5, 0.7, 1200);
+    EXPECT_NEAR(laws::wakeSpeed(scaled, scaled, 40.0, 300.0) /
+                    (kVelocity * laws::wakeSpeed(plain, plain, 40.0, 300.0)),
+                1, 1e-12);
+    EXPECT_NEAR(calmSpeed(0.4, kVelocity * 5) / (kVelocity * calmSpeed(0.4, 5)), 1, 1e-12);
+}
+
+/// A push, then the velocity of a point of the body.
+struct PushedPoint {
+    DEM_FN V operator()(RigidBody body, V force, V torque, V gravity, double dt, V arm) const {
+        advance(body, force, torque, gravity, dt);
+        return velocityAtArm(body, arm);
+    }
+};
+
+TEST(Units, ARigidBodysStep) {
+    RigidBody body, scaled;
+    body.inverse_mass = 0.5;
+    body.inverse_inertia = {1, 1.0 / 2, 1.0 / 3, 0.05, 0, 0.02};
+    body.angular = {1, 6, 0.1};
+    body.velocity = {1, 2, 3};
+    scaled.inverse_mass = body.inverse_mass / kKilogram;
+    const Sym3& j = body.inverse_inertia;
+    scaled.inverse_inertia = {j.xx / kInertia, j.yy / kInertia, j.zz / kInertia,
+                              j.xy / kInertia, j.yz / kInertia, j.zx / kInertia};
+    scaled.angular = kInertia / kSecond * body.angular;
+    scaled.velocity = kVelocity * body.velocity;
+    const V force{4, 1, 0}, torque{0, 2, 1}, gravity{0, -9.81, 0}, arm{0.1, 0.2, 0};
+    expectScaled(laws::evaluate(PushedPoint{}, scaled, kForce * force, kMoment * torque,
+                                kVelocity / kSecond * gravity, kSecond * 0.01, kMetre * arm),
+                 laws::evaluate(PushedPoint{}, body, force, torque, gravity, 0.01, arm), kVelocity);
 }
 
 TEST(Units, StableStepAndSoftening) {
@@ -161,6 +252,13 @@ TEST(Units, StableStepAndSoftening) {
         1e-12);
     const double effective = effectiveModulus(modulus, 0.3), speed = waveSpeed(effective, 2400);
     EXPECT_NEAR(waveSpeed(kPressure * effective, kDensity * 2400) / (kVelocity * speed), 1, 1e-12);
+    EXPECT_NEAR(criticalStep(omega / kSecond) / (kSecond * criticalStep(omega)), 1, 1e-12);
+    EXPECT_NEAR(effectiveModulusPaper(kPressure * modulus) / (kPressure * effectiveModulusPaper(modulus)), 1,
+                1e-12);
+    EXPECT_NEAR(bondModulusFor(kPressure * modulus, 0.3) / (kPressure * bondModulusFor(modulus, 0.3)), 1,
+                1e-12);
+    EXPECT_NEAR(cellsThroughWall(kMetre * kMetre * kMetre * 0.02, kMetre * kMetre * 0.5, kMetre * 0.01),
+                cellsThroughWall(0.02, 0.5, 0.01), 1e-12);
     const double strength = bondStrength(0.4, 2400, speed, 5);
     EXPECT_NEAR(bondStrength(0.4, kDensity * 2400, kVelocity * speed, kVelocity * 5) / (kPressure * strength),
                 1, 1e-12);
@@ -180,12 +278,13 @@ TEST(Units, MotionOfAFragment) {
             x.push_back(metre * test::drawVector<double>(random, 1));
             v.push_back(metre / second * test::drawVector<double>(random, 3));
             w.push_back(1 / second * test::drawVector<double>(random, 5));
-            sums = sums + massOf(kilogram * (1 + n), x[n], v[n]);
+            sums = sums + laws::massOf(kilogram * (1 + n), x[n], v[n]);
         }
         for (int n = 0; n < 40; ++n)
-            spins = spins + spinOf(kilogram * (1 + n), 0.01 * kilogram * metre * metre,
-                                   x[n] - massCentre(sums), v[n] - meanVelocity(sums), w[n]);
-        return rigidMotion(sums, spins);
+            spins =
+                spins + laws::spinOf(kilogram * (1 + n), 0.01 * kilogram * metre * metre,
+                                     x[n] - laws::massCentre(sums), v[n] - laws::meanVelocity(sums), w[n]);
+        return laws::rigidMotion(sums, spins);
     };
     const RigidMotion a = fit(1, 1, 1), b = fit(kMetre, kKilogram, kSecond);
     expectScaled(b.centre, a.centre, kMetre);

@@ -8,6 +8,7 @@
 #include "tests/physics/models/bar_wave.h"
 #include "tests/physics/models/packed_body.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 namespace {
@@ -38,7 +39,9 @@ Measured bar(uint32_t particles, Axis axis, BondLaw law = BondLaw::kBeam, double
     return ring(sides, particles, axis, law, shear_ratio);
 }
 
-TEST(Bar, BeamLawHasTheModulusOfItsClosedFormAtEverySize) {  // (E4), within 3 %
+class Bar : public OnEitherDevice {};
+
+TEST_F(Bar, BeamLawHasTheModulusOfItsClosedFormAtEverySize) {  // (E4), within 3 %
     for (const uint32_t particles : {500u, 2000u}) {
         const Measured m = bar(particles, kZ);
         EXPECT_NEAR(m.modulus / effectiveModulus(1, 0.3), 1, 0.035) << particles;
@@ -46,13 +49,13 @@ TEST(Bar, BeamLawHasTheModulusOfItsClosedFormAtEverySize) {  // (E4), within 3 %
     }
 }
 
-TEST(Bar, IsAsStiffInEveryDirection) {
+TEST_F(Bar, IsAsStiffInEveryDirection) {
     const double x = bar(1000, kX).modulus, y = bar(1000, kY).modulus, z = bar(1000, kZ).modulus;
     EXPECT_NEAR(x / z, 1, 0.012);
     EXPECT_NEAR(y / z, 1, 0.012);
 }
 
-TEST(Bar, OtherShearRatiosAndThePapersLaw) {  // E.1 table
+TEST_F(Bar, OtherShearRatiosAndThePapersLaw) {  // E.1 table
     const double none = bar(1000, kZ, BondLaw::kBeam, 0).modulus,
                  full = bar(1000, kZ, BondLaw::kBeam, 1).modulus,
                  paper = bar(1000, kZ, BondLaw::kPaper).modulus;
@@ -61,7 +64,7 @@ TEST(Bar, OtherShearRatiosAndThePapersLaw) {  // E.1 table
     EXPECT_NEAR(paper / effectiveModulusPaper(1), 1, 0.03);
 }
 
-TEST(Bar, APlateOfAFewCellsIsNearlyAsStiffAsABar) {
+TEST_F(Bar, APlateOfAFewCellsIsNearlyAsStiffAsABar) {
     // 1.5 and 1.9 cells thick; the sheet's one packing of each gave 0.665 and 0.719 (theory 0.674).
     for (const uint32_t particles : {1000u, 2000u}) {
         const double modulus = ring({0.04, 0.5, 1}, particles, kZ, BondLaw::kBeam, 0.3).modulus;

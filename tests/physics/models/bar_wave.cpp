@@ -1,55 +1,24 @@
-// First longitudinal mode of a free bar.
+// First longitudinal mode of a free bar: on the CPU in double precision, on the GPU in the solver's single
+// one.
 #include "tests/physics/models/bar_wave.h"
 
-#include <cmath>
-#include <vector>
+#include <stdexcept>
 
-#include "sim_cuda/physics/time_step.h"
 #include "sim_cuda/solver/cpu_substep_runner.h"
-#include "sim_cuda/solver/device_solver.h"
+#include "tests/physics/models/bar_ring.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 
-BarWave ringBar(const SceneSetup& setup, SceneTables tables, const Vec3<double>& axis, double length) {
-    const uint32_t count = tables.counts.in_bodies;
-    double mass = 0, middle = 0;
-    for (uint32_t i = 0; i < count; ++i) {
-        mass += tables.mass[i];
-        middle += tables.mass[i] * dot(axis, tables.position[i]);
-    }
-    std::vector<double> shape(count);
-    for (uint32_t i = 0; i < count; ++i) {
-        shape[i] = std::sin(kPi * (dot(axis, tables.position[i]) - middle / mass) / length);
-        tables.velocity[i] = (1e-4 * shape[i]) * axis;
-    }
-    const double omega = highestFrequency(tables, 0, count, tables.body[0].shear_ratio) / 1.01;
-    CpuBackend backend;
-    SolverData<CpuBackend, double> data(backend, tables, 0);
-    LawTables laws = buildLawTables(setup, tables, {});
-    laws.body[0].beta_r = 0;
-    data.uploadLaws(backend, laws);
-    NeighbourLists<CpuBackend, double> lists(backend, tables.counts, tables.largest_radius);
-    StepParams<double> params = makeStepParams<double>(setup.params, tables);
-    params.dt = 0.5 * criticalStep(omega);
-    params.breaking = 0;
-    SubstepRunner<CpuBackend, double> runner(backend);
-    constexpr int kCrossings = 5;  // two periods
-    double previous = 1, first = 0, last = 0;
-    int crossings = 0;
-    for (int step = 1; crossings < kCrossings && step < 200'000; ++step) {
-        runner.run(backend, data, lists.contacts(), params, false, 1);
-        const auto velocity = data.particles.in(data.current).velocity;
-        double amplitude = 0;
-        for (uint32_t i = 0; i < count; ++i)
-            amplitude += tables.mass[i] * shape[i] * dot(axis, xyz(velocity[i]));
-        if ((amplitude > 0) != (previous > 0)) {
-            last = (step - amplitude / (amplitude - previous)) * params.dt;
-            if (++crossings == 1) first = last;
-        }
-        previous = amplitude;
-    }
-    const double period = 2 * (last - first) / (kCrossings - 1);
-    return {2 * length / period, criticalStep(omega)};
+#if !defined(DEMOLISH_WITH_CUDA)
+BarWave ringBarOnGpu(const SceneSetup&, const SceneTables&, const Vec3<double>&, double) {
+    throw std::logic_error("built without CUDA");  // tests that ask for the GPU are skipped then
+}
+#endif
+
+BarWave ringBar(const SceneSetup& setup, const SceneTables& tables, const Vec3<double>& axis, double length) {
+    return asksForGpu() ? ringBarOnGpu(setup, tables, axis, length)
+                        : ringBarOn<CpuBackend, double>(setup, tables, axis, length);
 }
 
 }  // namespace demolish::tests

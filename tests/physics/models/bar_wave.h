@@ -10,8 +10,10 @@ struct BarWave {
     double critical_step = 0;  ///< s, dt_crit = 2 / omega_max
 };
 
-/// Rings the bar of `tables` (one free body in double precision, undamped, unbreakable) in its first mode
-/// along `axis` (unit) through its middle; `length` in m. The step is half the critical one.
-BarWave ringBar(const SceneSetup& setup, SceneTables tables, const Vec3<double>& axis, double length);
+/// Rings the bar of `tables` (one free body, undamped, unbreakable) in its first mode along `axis` (unit)
+/// through its middle, on the device under test; `length` in m. The step is half the critical one.
+BarWave ringBar(const SceneSetup& setup, const SceneTables& tables, const Vec3<double>& axis, double length);
+BarWave ringBarOnGpu(const SceneSetup& setup, const SceneTables& tables, const Vec3<double>& axis,
+                     double length);
 
 }  // namespace demolish::tests

@@ -9,6 +9,7 @@
 #include "tests/physics/models/bar_wave.h"
 #include "tests/physics/models/packed_spheres.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
 
 namespace demolish::tests {
 namespace {
@@ -43,7 +44,9 @@ Measured sphereBar(double ratio, double gap, uint64_t seed) {
     return {mass / packing.volume * speed * speed / E, packing.bonds_per_particle};
 }
 
-TEST(SphereBar, ModulusFollowsTheNumberOfBondsAParticle) {  // D 14
+class SphereBar : public OnEitherDevice {};
+
+TEST_F(SphereBar, ModulusFollowsTheNumberOfBondsAParticle) {  // D 14
     // A bar cut from a packing has fewer bonds at its sides, so that a wider gap is needed for the same z.
     const Measured usual = sphereBar(0.5, 0.20, 1), many = sphereBar(0.5, 0.28, 1);
     EXPECT_NEAR(usual.bonds, 7.5, 0.2);
@@ -52,7 +55,7 @@ TEST(SphereBar, ModulusFollowsTheNumberOfBondsAParticle) {  // D 14
     EXPECT_NEAR(many.modulus, 0.66, 0.05);  // measured 0.614; the sheet's bar had z = 8.5 at a gap of 0.20
 }
 
-TEST(SphereBar, WideNecksAreAsStiffAsTheMaterial) {  // D 14
+TEST_F(SphereBar, WideNecksAreAsStiffAsTheMaterial) {  // D 14
     const Measured wide = sphereBar(0.7, 0.20, 1);
     EXPECT_NEAR(wide.bonds, 7.5, 0.2);
     EXPECT_NEAR(wide.modulus, 1.0, 0.06);
