@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "app/bridge/cuda_check.h"
 
@@ -67,16 +68,33 @@ CudaInteropBridge::~CudaInteropBridge() {
         if (resource != nullptr) cudaGraphicsUnregisterResource(resource);
 }
 
+void CudaInteropBridge::map(std::span<const engine::StreamId> ids) {
+    if (ids.empty()) return;
+    std::vector<cudaGraphicsResource*> mapped;
+    for (const engine::StreamId id : ids) mapped.push_back(resources_[static_cast<size_t>(id)]);
+    checkCuda(cudaGraphicsMapResources(static_cast<int>(mapped.size()), mapped.data(), nullptr),
+              "mapping GL's buffers");
+    mapped_ = std::move(mapped);
+}
+
+/// While nothing moves, the next frame will hardly need them.
+void CudaInteropBridge::prepare() {
+    if (mapped_.empty() && history_.moved()) map(kAllStreams);
+}
+
+int CudaInteropBridge::unmap() {
+    if (mapped_.empty()) return cudaSuccess;
+    auto mapped = std::exchange(mapped_, {});
+    return cudaGraphicsUnmapResources(static_cast<int>(mapped.size()), mapped.data(), nullptr);
+}
+
 void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::StreamId> ids,
                                      ParticleColour colour, bool fresh) {
-    std::array<cudaGraphicsResource*, kStreamCount> mapped{};
-    for (size_t k = 0; k < ids.size(); ++k) mapped[k] = resources_[static_cast<size_t>(ids[k])];
-    const auto count = static_cast<int>(ids.size());
-    if (count > 0) checkCuda(cudaGraphicsMapResources(count, mapped.data(), nullptr), "mapping GL's buffers");
+    if (mapped_.empty()) map(ids);
     std::array<void*, kStreamCount> data{};
     std::array<size_t, kStreamCount> bytes{};
-    for (size_t k = 0; k < ids.size(); ++k) {
-        const auto i = static_cast<size_t>(ids[k]);
+    for (const engine::StreamId id : ids) {
+        const auto i = static_cast<size_t>(id);
         checkCuda(cudaGraphicsResourceGetMappedPointer(&data[i], &bytes[i], resources_[i]),
                   "mapping a GL buffer");
     }
@@ -84,8 +102,7 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
     streams.projectiles = projectile_block_.stream();
     solver.exportFrame(streams, fresh);
     solver.synchronize();  // the solver's stream is its own; unmapping orders only stream 0
-    if (count > 0)
-        checkCuda(cudaGraphicsUnmapResources(count, mapped.data(), nullptr), "unmapping GL's buffers");
+    checkCuda(static_cast<cudaError_t>(unmap()), "unmapping GL's buffers");
 }
 
 void CudaInteropBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {

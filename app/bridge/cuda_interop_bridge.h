@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/bridge/cuda_projectiles.h"
 #include "app/bridge/frame_bridge.h"
@@ -21,16 +22,21 @@ class CudaInteropBridge : public FrameBridge {
     CudaInteropBridge& operator=(const CudaInteropBridge&) = delete;
 
     void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) override;
+    void prepare() override;
+    void release() override { unmap(); }
     Transfer kind() const override { return Transfer::kInterop; }
 
   private:
     explicit CudaInteropBridge(engine::FractureMesh& mesh) : mesh_(mesh) {}
-    /// Maps these streams, lets the solver write them, and unmaps them.
+    void map(std::span<const engine::StreamId> streams);
+    int unmap();  ///< cudaError_t
+    /// Maps these streams unless all are mapped, lets the solver write them, and unmaps what is mapped.
     void exportMapped(Solver& solver, std::span<const engine::StreamId> streams, ParticleColour colour,
                       bool fresh);
 
     engine::FractureMesh& mesh_;
     std::array<cudaGraphicsResource*, kStreamCount> resources_{};
+    std::vector<cudaGraphicsResource*> mapped_;
     CudaProjectiles projectile_block_;
     ExportHistory history_;
 };

@@ -28,6 +28,8 @@ class ExportHistory {
     /// What has to travel now that the solver's frame is `stats`; the caller brings it over. What falls
     /// asleep travels once more. `fresh` as FrameBridge::transfer().
     FrameChange next(const FrameStats& stats, ParticleColour colour, bool fresh);
+    /// Bodies moved in the frame that was brought over last.
+    bool moved() const { return !was_asleep_; }
 
   private:
     uint64_t frame_ = 0;
@@ -45,6 +47,11 @@ class FrameBridge {
     /// replayed frame). What has not changed since the last call stays where it is. The GL context of the
     /// mesh must be current. Throws DeviceError.
     virtual void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) = 0;
+    /// The solver is about to compute a frame that will be brought over: nothing of the mesh is drawn until
+    /// transfer() or release(). A GPU that must change between computing and drawing then does so once a
+    /// frame and not twice.
+    virtual void prepare() {}
+    virtual void release() {}
     virtual Transfer kind() const = 0;
 
     /// Why the transfer is not the fastest one; empty when it is.
@@ -55,6 +62,22 @@ class FrameBridge {
   protected:
     std::string note_;
     std::vector<ParticleInstance> projectiles_;
+};
+
+/// prepare() for as long as a frame is computed, whatever becomes of it.
+class ExpectedTransfer {
+  public:
+    explicit ExpectedTransfer(FrameBridge* bridge) : bridge_(bridge) {
+        if (bridge_ != nullptr) bridge_->prepare();
+    }
+    ~ExpectedTransfer() {
+        if (bridge_ != nullptr) bridge_->release();
+    }
+    ExpectedTransfer(const ExpectedTransfer&) = delete;
+    ExpectedTransfer& operator=(const ExpectedTransfer&) = delete;
+
+  private:
+    FrameBridge* bridge_;
 };
 
 /// Interop if the GPU that draws is the GPU that computes and registration works; else the copy path; the

@@ -180,6 +180,7 @@ void Session::bringFrame(bool fresh) {
 StepStatus Session::advance() {
     const auto begun = Clock::now();
     startDueBalls();
+    const ExpectedTransfer expected(output_ ? &output_->bridge() : nullptr);
     const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
     built_.solver->synchronize();
     last_sim_ms_ = msSince(begun);

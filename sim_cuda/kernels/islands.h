@@ -68,16 +68,23 @@ struct MeetingsIn {
     /// only with `above`: what is found in every kThreads-th slot of its rows from slot `part` on.
     template <uint32_t kThreads, class Visit>
     DEM_FN void visitMeetings(uint32_t i, uint32_t part, bool above, const Visit& visit) const {
+        visitMeetingsWith<kThreads>(
+            i, part, above, [](uint32_t) { return true; }, visit);
+    }
+    /// With fragments only whose slot is `wanted`.
+    template <uint32_t kThreads, class Wanted, class Visit>
+    DEM_FN void visitMeetingsWith(uint32_t i, uint32_t part, bool above, const Wanted& wanted,
+                                  const Visit& visit) const {
         const uint32_t own = label[i];
         for (uint32_t s = bonds.row_start[i] + part; s < bonds.row_start[i + 1]; s += kThreads) {
             const BondLink link = bonds.link[s];
             const uint32_t j = linkedParticle(link);
-            if (isBonded(link) || (above && j < i) || label[j] == own) continue;
+            if (isBonded(link) || (above && j < i) || label[j] == own || !wanted(label[j])) continue;
             if (pairState(link) == PairState::kBroken || mayMeetSoon(i, j)) visit(j);
         }
         for (uint32_t s = contacts.row_start[i] + part; s < contacts.row_start[i + 1]; s += kThreads) {
             const uint32_t j = contacts.neighbour[s];
-            if ((above && j < i) || label[j] == own) continue;
+            if ((above && j < i) || label[j] == own || !wanted(label[j])) continue;
             if (mayMeetSoon(i, j)) visit(j);
         }
     }
@@ -230,7 +237,11 @@ struct FlagIslands {
         HardHits hits;
         if (part == 0 && !isCrumb(slot))
             hits = hitsOnPlanes(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6)));
-        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
+        const bool sleeps = regime[slot] == wordOf(Regime::kAsleep);
+        const auto mayBeHard = [&](uint32_t other) {
+            return !sleeps || regime[other] != wordOf(Regime::kAsleep);  // sleepers do not hit each other
+        };
+        meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, [&](uint32_t j) {
             const uint32_t other = meetings.label[j];
             if (isCrumb(slot) && isCrumb(other)) return;
             const Real limit = wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other));

@@ -4,21 +4,25 @@
 
 namespace demolish {
 
+/// kThreads threads a triangle: those of a coarse mesh are cut into hundreds of parts.
+template <uint32_t kThreads>
 struct WriteExteriorIndices {
     ExteriorMesh mesh;
     Span<const uint8_t> uncut;
     Span<const uint32_t> first;  ///< of each triangle in the stream, by CountExterior's counts
     Span<uint32_t> out;
 
-    DEM_FN void operator()(uint32_t t) const {
-        uint32_t to = first[t];
+    DEM_FN void operator()(uint32_t thread) const {
+        const uint32_t t = thread / kThreads, part = thread % kThreads;
+        const uint32_t to = first[t];
         if (first[t + 1] > out.size()) return;
         const ExteriorTriangle& triangle = mesh.triangles[t];
         if (uncut[t] == 0) {
-            for (uint32_t i = 0; i < triangle.index_count; ++i)
+            for (uint32_t i = part; i < triangle.index_count; i += kThreads)
                 out[to + i] = mesh.parts[triangle.first_index + i];
             return;
         }
+        if (part != 0) return;
         const RimView view(mesh, uncut, t);
         const bool cut[3] = {view.points[0] > 2, view.points[1] > 2, view.points[2] > 2};
         const int cut_sides = (cut[0] ? 1 : 0) + (cut[1] ? 1 : 0) + (cut[2] ? 1 : 0);

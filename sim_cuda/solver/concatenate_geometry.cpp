@@ -124,8 +124,8 @@ std::vector<uint32_t> drawnExterior(const SceneSetup& setup, std::span<const uin
             first[t + 1] = first[t] + counts[t];
         }
         std::vector<uint32_t> indices(first.back());
-        const WriteExteriorIndices write{mesh, chosen, span(std::as_const(first)),
-                                         Span(indices.data(), indices.size())};
+        const WriteExteriorIndices<1> write{mesh, chosen, span(std::as_const(first)),
+                                            Span(indices.data(), indices.size())};
         for (uint32_t t = 0; t < triangles; ++t) write(t);
         append(indices, first_vertex, drawn);
         first_vertex += count(geometry.exterior);

@@ -80,6 +80,7 @@ class FractureSurface {
     void bendNewFaces();
     void chooseExterior(Span<const uint32_t> fragment);
     void makeExteriorWhole();
+    void writeExterior(Span<uint32_t> outside);
     void countShown(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken);
 
     Backend& backend_;
@@ -244,10 +245,7 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
             WriteInteriorIndices{faces_.view(), face_indices_.view(), face_state_.view(),
                                  first_vertex_.view(), first_index_.view(), vertices.size(), indices},
             "write interior indices");
-    if (!outside.empty())
-        backend_.forEach(exterior_triangles_.size(),
-                         WriteExteriorIndices{exterior(), uncut_.view(), first_exterior_.view(), outside},
-                         "write exterior indices");
+    if (!outside.empty()) writeExterior(outside);
     if (!cracks.empty())
         backend_.forEach(crack_edges_.size(), WriteCrackList{crack_place_.view(), cracks},
                          "write crack list");
@@ -256,6 +254,20 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
                          WriteDrawCommands{first_index_.view(), crack_place_.view(), first_exterior_.view(),
                                            indices.size(), cracks.size(), outside.size(), commands},
                          "write draw commands");
+}
+
+template <class Backend>
+void FractureSurface<Backend>::writeExterior(Span<uint32_t> outside) {
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 32 : 1;
+    const size_t triangles = exterior_triangles_.size();
+    const auto write = [&](auto kernel, uint32_t threads) {
+        backend_.forEach(triangles * threads, kernel, "write exterior indices");
+    };
+    if (kThreads > 1 && exterior_parts_.size() > kThreads * triangles)
+        write(WriteExteriorIndices<kThreads>{exterior(), uncut_.view(), first_exterior_.view(), outside},
+              kThreads);
+    else
+        write(WriteExteriorIndices<1>{exterior(), uncut_.view(), first_exterior_.view(), outside}, 1);
 }
 
 template <class Backend>
