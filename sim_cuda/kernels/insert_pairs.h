@@ -7,7 +7,7 @@
 namespace demolish {
 
 /// Of both ends of a pair each needs the other in its row.
-inline constexpr uint32_t kMostInserted = 512;
+inline constexpr uint32_t kMostInserted = 1024;
 
 /// An entry of a row, so that entries sort by (row, id).
 DEM_FN uint64_t rowEntry(uint32_t row, uint32_t id) {

@@ -15,7 +15,7 @@
 namespace demolish {
 
 /// With more than this many, lists are made again.
-inline constexpr uint32_t kMostStrayed = 64;
+inline constexpr uint32_t kMostStrayed = 192;
 
 /// Words for the host, 0 before: how many have strayed (above kMostStrayed: too many); how many entries the
 /// rows lack; when something has to be decided, as soonest() tells it.

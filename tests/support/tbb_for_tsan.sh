@@ -10,7 +10,7 @@ build="$root/build/tbb-tsan"
 
 rm -rf "$build"
 mkdir -p "$build/lists/partial" "$build/source"
-cd "$build/source"
+cd "$build"
 # The machine's own lists stay as they are: sources are looked for in lists of this folder.
 case "$ID" in
 debian) echo "deb-src http://deb.debian.org/debian $VERSION_CODENAME main" ;;
@@ -22,7 +22,7 @@ apt=(apt-get -q -o "Dir::Etc::SourceList=$build/sources.list" -o Dir::Etc::Sourc
 "${apt[@]}" update
 "${apt[@]}" --download-only source onetbb
 # The archive as upstream made it: Debian's patches concern other machines, and unpacking needs no dpkg-dev.
-tar xf onetbb_*.orig.tar.*
-cmake -S onetbb-* -B "$build/build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_INSTALL_PREFIX="$build/installed" \
+tar xf onetbb_*.orig.tar.* -C source --strip-components=1
+cmake -S source -B "$build/build" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_INSTALL_PREFIX="$build/installed" \
     -DTBB_SANITIZE=thread -DTBB_TEST=OFF -DTBB_STRICT=OFF -DTBBMALLOC_BUILD=OFF
 cmake --build "$build/build" --target install
