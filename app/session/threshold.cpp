@@ -59,9 +59,9 @@ double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresh
 }
 
 double lowestThresholdShare(const Shot& shot, const BreakableBody& body) {
-    double lowest = predictionOf(shot, body, ImpactKind::kDrop).share;
+    double lowest = predictionOf(shot, body, ImpactKind::kDrop).wake_share;
     if (shot.impact.kind == ImpactKind::kBall)
-        lowest = std::min(lowest, predictionOf(shot, body, ImpactKind::kBall).share);
+        lowest = std::min(lowest, predictionOf(shot, body, ImpactKind::kBall).wake_share);
     return std::round(1000 * lowest) / 1000;  // the same on every machine, whatever its pow() gives
 }
 

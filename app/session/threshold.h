@@ -33,6 +33,7 @@ double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresh
                            double predicted);
 
 /// Predicted v_th / v_c of this body for the impact that it bears least: dropped, or hit by the shot's ball.
+/// What rigid pieces wake by.
 double lowestThresholdShare(const Shot& shot, const BreakableBody& body);
 
 }  // namespace demolish

@@ -67,6 +67,7 @@ ThresholdTable::ThresholdTable(const std::filesystem::path& file) {
         reader.read(at + "ball", row.ball, kFactor);
         reader.read(at + "ball_mass_ratio", row.ball_mass_ratio, {1e-9, 1e9});
         reader.read(at + "ball_scatter", row.ball_scatter, kShare);
+        if (reader.has(at + "wake_drop")) reader.read(at + "wake_drop", row.wake_drop, kFactor);
     }
     for (Rule* rule : {&drop_, &ball_}) {
         const std::string at = rule == &drop_ ? "rule.drop." : "rule.ball.";
@@ -106,18 +107,21 @@ ThresholdTable::Prediction ThresholdTable::predict(const std::string& model, con
     const bool drop = !(features.mass_ratio > 0);
     const Rule& rule = drop ? drop_ : ball_;
     Prediction prediction;
-    double factor = 0;
+    double factor = 0, wakes = 0;
     if (const BodyRow* row = rowOf(model, features.slimness)) {
         prediction.is_known = true;
         prediction.scatter = 1 + (drop ? row->drop_scatter : row->ball_scatter);
         factor = drop ? row->drop
                       : row->ball * std::pow(features.mass_ratio / row->ball_mass_ratio, rule.mass_exponent);
+        if (drop) wakes = row->wake_drop;
     } else {
         prediction.scatter = rule.scatter;
         factor = rule.scale * std::pow(features.slimness, rule.slimness_exponent) *
                  (drop ? 1 : std::pow(features.mass_ratio, rule.mass_exponent));
     }
-    prediction.share = factor * material.beta / sphereBeta(material, features.size_ratio);
+    const double shares = material.beta / sphereBeta(material, features.size_ratio);
+    prediction.share = factor * shares;
+    prediction.wake_share = (wakes > 0 ? wakes : factor) * shares;
     return prediction;
 }
 

@@ -32,6 +32,7 @@ class ThresholdTable {
         double share = 0;       ///< v_th / v_c
         double scatter = 1;     ///< as a factor: the threshold lies between share/scatter and share*scatter
         bool is_known = false;  ///< the body has a row of its own; else from its shape and the ball's mass
+        double wake_share = 0;  ///< as `share`; what the speed goes by at which rigid pieces wake
     };
     /// `model`: stem of the mesh's file name.
     Prediction predict(const std::string& model, const Material& material,
@@ -44,6 +45,7 @@ class ThresholdTable {
     struct BodyRow {
         std::string model;
         double slimness = 1, drop = 0, drop_scatter = 0, ball = 0, ball_mass_ratio = 0, ball_scatter = 0;
+        double wake_drop = 0;  ///< in place of `drop` for waking; 0: the same
     };
     struct Rule {
         double scale = 1, slimness_exponent = 0, mass_exponent = 0, scatter = 1;

@@ -97,6 +97,17 @@ TEST(Threshold, TheShippedTableKnowsTheBodiesOfTheScenes) {
     }
 }
 
+TEST(Threshold, PiecesOfAColumnWakeByANumberOfTheirOwn) {
+    Shot shot = loadScene("column");
+    shot.fineness.particles = 150;
+    shot.settle_time = 0;
+    shot.device = DeviceChoice::kCpu;
+    const BuiltShot built = buildShot(shot, {.draw_geometry = false}, {});
+    shot.impact.kind = ImpactKind::kDrop;
+    const double predicted = thresholdOf(shot, *built.body)->predicted / shot.material.critical_velocity;
+    EXPECT_NEAR(lowestThresholdShare(shot, *built.body) / predicted, 0.24 / 0.17, 0.01);
+}
+
 TEST(Threshold, BreakAtSetsTheStrength) {
     Shot shot = loadScene("block");
     shot.fineness.particles = 150;
