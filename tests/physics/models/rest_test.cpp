@@ -95,8 +95,8 @@ SceneSetup pile(bool hand_over) {
     setup.params.planes.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.substeps = 60;
-    setup.params.sleeping = true;
-    setup.params.hand_over = hand_over;
+    // What creeps must be seen; as the program runs, rigid pieces that hardly move fall asleep.
+    setup.params.sleeping = setup.params.hand_over = hand_over;
     return setup;
 }
 
