@@ -1,5 +1,5 @@
-// Sequences of launches kept as CUDA graphs: recorded when the same has been asked for
-// several times.
+// Sequences of launches kept as CUDA graphs: recorded when the same has been asked for several
+// times.
 #pragma once
 #include <algorithm>
 #include <bit>
