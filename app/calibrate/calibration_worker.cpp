@@ -25,8 +25,10 @@ void CalibrationWorker::start(const Shot& shot, std::shared_ptr<const BreakableB
             error = std::current_exception();
         }
         const std::lock_guard lock(job->mutex);
-        job->result = std::move(result);
-        job->error = error;
+        if (!stop.stop_requested()) {
+            job->result = std::move(result);
+            job->error = error;
+        }
         job->done = true;
     });
 }

@@ -17,7 +17,8 @@ class CalibrationWorker {
     /// On the CPU, so that the picture keeps the GPU: both give the same bits. `body`: the shot's filling.
     /// Does nothing while one is running.
     void start(const Shot& shot, std::shared_ptr<const BreakableBody> body);
-    /// Returns at once; the thread ends after the trial that it is in.
+    /// Returns at once; the thread ends after the trial that it is in. Nothing comes of a cancelled start(),
+    /// though that trial was its last.
     void cancel();
     bool busy() const { return job_ && !job_->done; }
     double fraction() const;

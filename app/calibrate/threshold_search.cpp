@@ -128,6 +128,7 @@ MeasuredThreshold measureThreshold(const Shot& shot,
                 return trial.breaksAt(speed);
             },
             guess, options.tolerance));
+        tell(tried);  // cancelled in the last trial is cancelled, too
         guess = result.packings.back().threshold();
         result.velocity += guess / count;
     }

@@ -28,11 +28,12 @@ class WindowProgram : public testing::Test {
         fs::create_directories(screenshots_);
     }
 
-    void run(const std::string& script, std::vector<std::string> more = {}) {
+    void run(const std::string& script, std::vector<std::string> more = {}, int particles = 300) {
         const auto file = folder_.write("script.txt", withPaths(script));
-        std::vector<std::string> words = {"view",       "block",    "--particles", "300",       "--device",
-                                          "cpu",        "--size",   "900x640",     "--quality", "draft",
-                                          "--no-vsync", "--script", file};
+        std::vector<std::string> words = {"view",      "block", "--particles", std::to_string(particles),
+                                          "--device",  "cpu",   "--size",      "900x640",
+                                          "--quality", "draft", "--no-vsync",  "--script",
+                                          file};
         words.insert(words.end(), more.begin(), more.end());
         const ProgramRun result =
             runProgram(words, {"LIBGL_ALWAYS_SOFTWARE=1", "XDG_CACHE_HOME=" + folder_.path().string()},
@@ -200,6 +201,7 @@ state chosen
 }
 
 TEST_F(WindowProgram, MeasuringCanBeCancelled) {
+    constexpr int kSlowToMeasure = 3000;  // a trial takes longer than the click, on any machine
     run(R"(
 wait 2
 key space
@@ -210,7 +212,8 @@ click impact.cancel_measuring
 until measured
 wait 2
 state cancelled
-)");
+)",
+        {}, kSlowToMeasure);
     if (HasFatalFailure()) return;
     const auto cancelled = read("cancelled");
     EXPECT_TRUE(cancelled["threshold"]["measured"].is_null());

@@ -53,6 +53,20 @@ TEST_F(Worker, ACancelledOneBringsNothing) {
     EXPECT_FALSE(worker.take());
 }
 
+TEST_F(Worker, CancelledInTheLastTrialKeepsNothing) {
+    int told = 0;
+    const auto until = [&](int last) {
+        told = 0;
+        return [&told, last](double, const char*) { return ++told != last; };
+    };
+    calibrate(shot_, body_, {.use_cache = false}, until(-1));
+    const int all = told;
+    EXPECT_THROW(calibrate(shot_, body_, {}, until(all)), Cancelled);
+    EXPECT_FALSE(thresholdOf(shot_, *body_)->measured);
+    calibrate(shot_, body_, {}, until(all + 1));
+    EXPECT_TRUE(thresholdOf(shot_, *body_)->measured);
+}
+
 TEST_F(Worker, AnErrorComesOutWhereTheResultWould) {
     shot_.impact.kind = ImpactKind::kNone;
     CalibrationWorker worker;
