@@ -29,16 +29,14 @@ DEM_FN Vec3<T> turnedIntoPlane(const Vec3<T>& spring, const Vec3<T>& normal) {
 template <class T>
 DEM_FN TangentialResult<T> tangentialSpring(const Vec3<T>& spring, const Vec3<T>& normal, const Vec3<T>& slip,
                                             T dt, T stiffness, T damping, T limit) {
+    const T limit2 = limit * limit;
     TangentialResult<T> result{axpy(dt, slip, turnedIntoPlane(spring, normal)), {}, false};
-    Vec3<T> elastic = stiffness * result.spring;
-    if (const T size2 = length2(elastic); size2 > limit * limit) {
-        const T share = limit * inverseSqrt(size2);
-        result.spring = share * result.spring;
-        elastic = share * elastic;
+    if (const T held2 = stiffness * stiffness * length2(result.spring); held2 > limit2) {
+        result.spring = (limit * inverseSqrt(held2)) * result.spring;
         result.sliding = true;
     }
-    result.force = axpy(damping, slip, elastic);
-    if (const T size2 = length2(result.force); size2 > limit * limit) {
+    result.force = axpy(damping, slip, stiffness * result.spring);
+    if (const T size2 = length2(result.force); size2 > limit2) {
         result.force = (limit * inverseSqrt(size2)) * result.force;
         result.sliding = true;
     }
