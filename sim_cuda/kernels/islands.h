@@ -48,9 +48,14 @@ struct MeetingsIn {
     DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
     /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
     /// on by half a skin brings a new decision where one is needed (strayed_paths.h).
-    DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const {
+    DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const { return mayMeetWithin(i, j, soon); }
+    DEM_FN bool mayMeetWithin(uint32_t i, uint32_t j, Real time) const {
         return mayMeet(withW(positionOf(state, i), paths.position[i].w), state.velocity[i],
-                       withW(positionOf(state, j), paths.position[j].w), state.velocity[j], soon);
+                       withW(positionOf(state, j), paths.position[j].w), state.velocity[j], time);
+    }
+    /// m^2/s^2
+    DEM_FN Real relativeSpeed2(uint32_t i, uint32_t j) const {
+        return length2(xyz(state.velocity[j]) - xyz(state.velocity[i]));
     }
     /// Closing faster than `limit` (m/s), and touching or, on straight paths, within `time` (s) from here.
     DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit, Real time) const {
@@ -108,18 +113,68 @@ struct StartIslands {
     }
 };
 
+/// Which meetings are hard.
+template <class Real>
+struct HitRules {
+    MeetingsIn<Real> meetings;
+    FragmentRows rows;
+    Span<const uint32_t> regime;     ///< per slot, before the decision
+    Span<const WakeLaw<Real>> wake;  ///< per owner; a projectile leaves it to the other
+    uint32_t crumb = 1;              ///< particles of the largest piece that stays whole once it is rigid
+
+    DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
+    DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
+    DEM_FN bool sleeps(uint32_t slot) const { return regime[slot] == wordOf(Regime::kAsleep); }
+    /// Particles of the fragment; a projectile is as heavy as any.
+    DEM_FN Real sizeOf(uint32_t slot) const {
+        return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
+    }
+    /// m/s, between particles of two fragments.
+    DEM_FN Real limit(uint32_t i, uint32_t j) const {
+        return wakeSpeed(wake[meetings.owner[i]], wake[meetings.owner[j]], sizeOf(meetings.label[i]),
+                         sizeOf(meetings.label[j]));
+    }
+    DEM_FN bool canBeHard(uint32_t i, uint32_t j) const {
+        return !isCrumb(meetings.label[i]) || !isCrumb(meetings.label[j]);
+    }
+    /// What comes fast towards a sleeper and cannot meet it before the next decision at the latest: the
+    /// sleeper sleeps on, and wakes with its bonds. Were it rigid in between, it would sink into the floor as
+    /// far as contact steps are softer than substeps, and be hit as it falls: a rabbit shot so lost a
+    /// twentieth of its bonds less.
+    DEM_FN bool mayWait(uint32_t i, uint32_t j) const {
+        return sleeps(meetings.label[i]) != sleeps(meetings.label[j]) && canBeHard(i, j) &&
+               isFast(i, j, limit(i, j)) && !meetings.mayMeetWithin(i, j, meetings.at_once);
+    }
+    DEM_FN bool isFast(uint32_t i, uint32_t j, Real limit) const {
+        return meetings.relativeSpeed2(i, j) > limit * limit;
+    }
+    /// Is the hit hard if it comes within `time` (s)? To a sleeper that cannot wait, what is fast and may
+    /// meet it at all.
+    DEM_FN bool isHard(uint32_t i, uint32_t j, Real time) const {
+        const Real above = limit(i, j);
+        return sleeps(meetings.label[i]) ? isFast(i, j, above) && meetings.mayMeetWithin(i, j, time)
+                                         : meetings.meetHard(i, j, above, time);
+    }
+};
+
 /// kThreads threads a particle or projectile slot.
 template <uint32_t kThreads, class Real>
 struct JoinIslands {
-    MeetingsIn<Real> meetings;
+    HitRules<Real> rules;
     Span<uint32_t> island;
+    Span<uint32_t> words;  ///< kWorkWords
 
     DEM_FN void operator()(uint32_t k) const {
+        const MeetingsIn<Real>& meetings = rules.meetings;
         const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
-        meetings.template visitMeetings<kThreads>(i, k % kThreads, true,
-                                                  [&](uint32_t j) { join(island, own, meetings.label[j]); });
+        meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j) {
+            if (!rules.mayWait(i, j))
+                join(island, own, meetings.label[j]);
+            else if (atomicLoadU32(&words[kHitsLater]) == 0)
+                atomicOrU32(&words[kHitsLater], 1u);
+        });
     }
 };
 
@@ -183,17 +238,14 @@ struct RegimeRules {
     bool may_calm = false;    ///< a frame starts: bonds may come to rest; else they may only be woken
     bool all_bonded = false;  ///< so much must be moved with its bonds that all that is awake goes with it
     uint32_t calm_substeps = 0, rest_substeps = 0;
-    uint32_t crumb = 1;  ///< particles of the largest piece that stays whole once it is rigid
 };
 
 /// kThreads threads a particle or projectile slot.
 template <uint32_t kThreads, class Real>
 struct FlagIslands {
-    MeetingsIn<Real> meetings;
-    FragmentRows rows;
-    Span<const uint32_t> island, regime;
+    HitRules<Real> hits;
+    Span<const uint32_t> island;
     Span<const CalmClock> clock;
-    Span<const WakeLaw<Real>> wake;  ///< per owner; a projectile leaves it to the other
     PlaneSet<Real> planes;
     Vec3<Real> gravity;
     RegimeRules rules;
@@ -202,57 +254,48 @@ struct FlagIslands {
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k / kThreads, part = k % kThreads;
-        if (!meetings.takesPart(i)) return;
-        const uint32_t slot = meetings.label[i];
+        if (!hits.meetings.takesPart(i)) return;
+        const uint32_t slot = hits.meetings.label[i];
         uint32_t found = i == slot ? ownFlags(slot) : 0;
         if ((found & kMustBond) == 0) {
-            const HardHits hits = hardHits(i, slot, part);
-            if (hits.at_once) found |= kMustBond;
-            if (hits.later && atomicLoadU32(&words[kHitsLater]) == 0) atomicOrU32(&words[kHitsLater], 1u);
+            const HardHits hard = hardHits(i, slot, part);
+            if (hard.at_once) found |= kMustBond;
+            if (hard.later && atomicLoadU32(&words[kHitsLater]) == 0) atomicOrU32(&words[kHitsLater], 1u);
         }
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
         if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
     }
 
   private:
-    DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
-    DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= rules.crumb; }
-
     DEM_FN uint32_t ownFlags(uint32_t slot) const {
         const bool rested = clock[slot].rest >= rules.rest_substeps;
         const uint32_t restless = rested ? 0 : kRestless;
-        if (isProjectile(slot) || regime[slot] != wordOf(Regime::kBonded)) return restless;
+        if (hits.isProjectile(slot) || hits.regime[slot] != wordOf(Regime::kBonded)) return restless;
         const bool calm = rules.hand_over && clock[slot].calm >= rules.calm_substeps;
         return rules.may_calm && (calm || rested) ? restless : restless | kMustBond;
     }
-
-    /// Particles of the fragment; a projectile is as heavy as any.
-    DEM_FN Real sizeOf(uint32_t slot) const {
-        return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
-    }
-
     DEM_FN HardHits hardHits(uint32_t i, uint32_t slot, uint32_t part) const {
-        const WakeLaw<Real> own = wake[meetings.owner[i]];
-        const Real size = sizeOf(slot);
-        HardHits hits;
-        if (part == 0 && !isCrumb(slot))
-            hits = hitsOnPlanes(i, xyz(meetings.state.velocity[i]), wakeSpeed(own, own, size, Real(1e6)));
-        const bool sleeps = regime[slot] == wordOf(Regime::kAsleep);
+        const MeetingsIn<Real>& meetings = hits.meetings;
+        HardHits hard;
+        if (part == 0 && !hits.isCrumb(slot)) {
+            const WakeLaw<Real> own = hits.wake[meetings.owner[i]];
+            hard = hitsOnPlanes(i, xyz(meetings.state.velocity[i]),
+                                wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6)));
+        }
+        const bool sleeps = hits.sleeps(slot);
         const auto mayBeHard = [&](uint32_t other) {
-            return !sleeps || regime[other] != wordOf(Regime::kAsleep);  // sleepers do not hit each other
+            return !sleeps || !hits.sleeps(other);  // sleepers do not hit each other
         };
         meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, [&](uint32_t j) {
-            const uint32_t other = meetings.label[j];
-            if (isCrumb(slot) && isCrumb(other)) return;
-            const Real limit = wakeSpeed(own, wake[meetings.owner[j]], size, sizeOf(other));
-            if (meetings.meetHard(i, j, limit, meetings.soon))
-                (meetings.meetHard(i, j, limit, meetings.at_once) ? hits.at_once : hits.later) = true;
+            if (hits.canBeHard(i, j) && hits.isHard(i, j, meetings.soon))
+                (hits.isHard(i, j, meetings.at_once) ? hard.at_once : hard.later) = true;
         });
-        return hits;
+        return hard;
     }
     DEM_FN HardHits hitsOnPlanes(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
+        const MeetingsIn<Real>& meetings = hits.meetings;
         const Vec3<Real> position = positionOf(meetings.state, i);
-        HardHits hits;
+        HardHits hard;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
             const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
@@ -261,9 +304,9 @@ struct FlagIslands {
                 return madd(time, closing, Real(0.5) * time * time * falling) > gap;
             };
             if (closing > limit && reaches(meetings.soon))
-                (reaches(meetings.at_once) ? hits.at_once : hits.later) = true;
+                (reaches(meetings.at_once) ? hard.at_once : hard.later) = true;
         }
-        return hits;
+        return hard;
     }
 };
 

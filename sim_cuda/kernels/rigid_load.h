@@ -67,11 +67,24 @@ DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const 
                        [&] { return contactSlot<kLedger>(arrays, params, own, slot, end, load.tally); });
 }
 
+/// kg m^2: each of a rigid fragment's contacts turns its share of the fragment, whichever way it rolls.
+template <class Real>
+struct TurnsFragment {
+    RigidWork work;
+    DEM_FN Real operator()(uint32_t i) const {
+        const RigidBody& body = work.body[work.label[i]];
+        const Sym3& j = body.inverse_inertia;
+        return Real(1 / (double(body.contact_share) * (j.xx + j.yy + j.zz)));
+    }
+};
+
 template <bool kLedger, class Real>
 DEM_FN void addPlanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                      const OwnParticle<Real>& own, RigidLoad<Real>& load) {
+                      const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
     for (uint32_t p = 0; p < params.planes.count; ++p)
-        add(load.wrench, counted(planeContact<kLedger>(arrays, params, own, p, load.tally), load.touching));
+        add(load.wrench,
+            counted(planeContact<kLedger>(arrays, params, own, p, load.tally, TurnsFragment<Real>{work}),
+                    load.touching));
 }
 
 /// One thread a particle: the CPU. `load` is by place.
@@ -96,7 +109,7 @@ struct GatherRigidLoad {
                      countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
                                                  contactFragment(arrays, work.label, slot), out));
         out.wrench = sums.total();
-        addPlanes<kLedger>(arrays, params, own, out);
+        addPlanes<kLedger>(arrays, params, work, own, out);
         load[place] = out;
     }
 };

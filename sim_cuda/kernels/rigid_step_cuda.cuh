@@ -39,7 +39,7 @@ __global__ void __launch_bounds__(kSubstepBlock)
         out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
     if constexpr (kLedger) sumTally<T>(out.tally);
     if (!present || lane != 0) return;
-    addPlanes<kLedger>(arrays, params, own, out);
+    addPlanes<kLedger>(arrays, params, work, own, out);
     if constexpr (kLedger) load[place].tally = out.tally;
     load[place].wrench = out.wrench;
     load[place].touching = out.touching;

@@ -22,7 +22,7 @@ class CpuParticleStep {
             i < params_.in_bodies ? sumRow<kPartials>(own, tally) : sumRow<kLongPartials>(own, tally);
         if (own.constants.inverse_mass > Real(0))
             for (uint32_t p = 0; p < params_.planes.count; ++p)
-                add(load, planeContact<kLedger>(arrays_, params_, own, p, tally));
+                add(load, planeContact<kLedger>(arrays_, params_, own, p, tally, TurnsAlone<Real>{}));
         const LoadedState<Real> next =
             own.isCarried() ? carryOn(arrays_, own, load, params_) : kickAndDrift(own, load, params_);
         if constexpr (kLedger) {

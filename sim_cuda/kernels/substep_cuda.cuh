@@ -204,7 +204,7 @@ __device__ __forceinline__ void finishParticle(const SubstepArrays<Real>& arrays
                                                Wrench<Real> load, Tally<Real>& tally) {
     if (own.constants.inverse_mass > Real(0))
         for (uint32_t p = 0; p < params.planes.count; ++p)
-            add(load, planeContact<kLedger>(arrays, params, own, p, tally));
+            add(load, planeContact<kLedger>(arrays, params, own, p, tally, TurnsAlone<Real>{}));
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
     if constexpr (kLedger) {

@@ -248,24 +248,32 @@ DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
     return {own.inverse_mass, own.inverse_inertia};
 }
 
-/// Plane p: a wall with R* = R_w, nothing moves on its side.
-template <bool kLedger, class Real>
+/// A particle that substeps move turns alone.
+template <class Real>
+struct TurnsAlone {
+    DEM_FN Real operator()(uint32_t) const { return Real(0); }
+};
+
+/// Plane p: a wall with R* = R_w, nothing moves on its side. `turned_with(i)`: kg m^2 that turn with particle
+/// i at least, where something other than itself does.
+template <bool kLedger, class Real, class TurnedWith>
 DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                 const OwnParticle<Real>& own, uint32_t p, Tally<Real>& tally) {
+                                 const OwnParticle<Real>& own, uint32_t p, Tally<Real>& tally,
+                                 const TurnedWith& turned_with) {
     const Vec4<Real> plane = params.planes.planes[p];
     const Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
     const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) + dot(xyz(plane), low);
     const Real overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
     Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
-    const TouchLaw<Real> law =
-        contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
-                        own.constants.floor_radius, againstWall(own.constants), spring.w);
+    TouchLaw<Real> law = contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
+                                         own.constants.floor_radius, againstWall(own.constants), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), xyz(plane)), spring, spring, params,
                               Real(1), tally);
         return {};
     }
+    law.inertia = maxOf(law.inertia, turned_with(own.id));
     PairMotion<Real> pair;
     pair.velocity_i = xyz(own.state.velocity);
     pair.spin_i = xyz(own.state.spin);

@@ -22,17 +22,25 @@ DEM_FN Vec3<T> turnedIntoPlane(const Vec3<T>& spring, const Vec3<T>& normal) {
 
 /// Advances the spring by dt (s). `slip` = tangential velocity of j's surface point minus i's, m/s;
 /// `stiffness` k_t > 0, N/m; `damping` N s/m; `limit` = mu times the repulsive normal force, N, >= 0. Force
-/// on i = k_t xi + c slip, no longer than the limit; while sliding the spring is shortened to limit / k_t.
-/// Odd in (spring, normal, slip).
+/// on i = k_t xi + c slip, no longer than the limit; the spring by itself is shortened to limit / k_t. What
+/// the damper alone drives beyond the limit leaves the spring as it is: a spring that had to hold the whole
+/// capped force would be loaded with energy that nobody put in, and never let a crumb come to rest. So the
+/// contact takes in at least what its spring holds more. Odd in (spring, normal, slip).
 template <class T>
 DEM_FN TangentialResult<T> tangentialSpring(const Vec3<T>& spring, const Vec3<T>& normal, const Vec3<T>& slip,
                                             T dt, T stiffness, T damping, T limit) {
-    const Vec3<T> xi = axpy(dt, slip, turnedIntoPlane(spring, normal));
-    const Vec3<T> trial = axpy(damping, slip, stiffness * xi);
-    const T size2 = length2(trial);
-    if (!(size2 > limit * limit)) return {xi, trial, false};
-    const Vec3<T> capped = (limit * inverseSqrt(size2)) * trial;
-    return {(T(1) / stiffness) * capped, capped, true};
+    const T limit2 = limit * limit;
+    TangentialResult<T> result{axpy(dt, slip, turnedIntoPlane(spring, normal)), {}, false};
+    if (const T held2 = stiffness * stiffness * length2(result.spring); held2 > limit2) {
+        result.spring = (limit * inverseSqrt(held2)) * result.spring;
+        result.sliding = true;
+    }
+    result.force = axpy(damping, slip, stiffness * result.spring);
+    if (const T size2 = length2(result.force); size2 > limit2) {
+        result.force = (limit * inverseSqrt(size2)) * result.force;
+        result.sliding = true;
+    }
+    return result;
 }
 
 }  // namespace demolish

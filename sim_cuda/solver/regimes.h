@@ -261,20 +261,20 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
                                            const StepParams<Real>& params, bool frame_starts) {
     const uint32_t total = counts_of_.total;
     if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
-    const RegimeRules rules{hand_over_,     sleeping_,      frame_starts, memory_.all_bonded != 0,
-                            calm_substeps_, rest_substeps_, crumb_};
+    const RegimeRules rules{hand_over_,     sleeping_,     frame_starts, memory_.all_bonded != 0,
+                            calm_substeps_, rest_substeps_};
+    const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_};
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(total,
                      StartIslands{island_.span(), flags_.span(), marks.part(0, total),
                                   marks.part(3 * size_t{total}, total), words_.span(), body_awake_.span()},
                      "start islands");
-    backend_.forEach(size_t{total} * kThreads, JoinIslands<kThreads, Real>{meetings, island_.span()},
-                     "join islands");
+    backend_.forEach(size_t{total} * kThreads,
+                     JoinIslands<kThreads, Real>{hits, island_.span(), words_.span()}, "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
     backend_.forEach(size_t{total} * kThreads,
-                     FlagIslands<kThreads, Real>{meetings, rows, island_.view(), regime_.view(),
-                                                 clock_.view(), wake_.view(), params.planes, params.gravity,
-                                                 rules, flags_.span(), words_.span()},
+                     FlagIslands<kThreads, Real>{hits, island_.view(), clock_.view(), params.planes,
+                                                 params.gravity, rules, flags_.span(), words_.span()},
                      "flag islands");
     backend_.forEach(
         total,

@@ -37,6 +37,21 @@ TEST(TangentialSpring, NoNormalForceMeansNoFriction) {
     EXPECT_EQ(length(result.spring), 0);
 }
 
+TEST(TangentialSpring, TakesInWhatItsSpringHoldsMore) {
+    std::mt19937 random(6);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const double stiffness = 50, dt = 0.1;
+    for (int k = 0; k < 5000; ++k) {
+        const double damping = k % 2 == 0 ? 0 : 20 * (1 + uniform(random)), limit = 3 * (1 + uniform(random));
+        const V spring = (0.1 * uniform(random)) * V{1, 0, 0}, slip{uniform(random), 0, uniform(random)};
+        const auto result = laws::tangentialSpring(spring, V{0, 1, 0}, slip, dt, stiffness, damping, limit);
+        const double taken = dt * dot(result.force, slip),
+                     held = 0.5 * stiffness * (length2(result.spring) - length2(spring));
+        ASSERT_GE(taken, held - 1e-12) << "spring " << spring.x << ", slip " << slip.x << " " << slip.z
+                                       << ", damping " << damping << ", limit " << limit;
+    }
+}
+
 TEST(TangentialSpring, TurnsWithTheContactPlaneAndKeepsItsLength) {
     const V spring{1e-3, 2e-3, 0}, normal = normalized(V{0, 0.2, 1});
     const V turned = laws::turnedIntoPlane(spring, normal);

@@ -20,8 +20,7 @@ Result run(SceneSetup setup, double seconds) {
     auto solver = makeSolver(setup);
     const auto total = [&] {
         solver->measure();
-        const EnergyLedger& e = solver->stats().energy;
-        return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+        return energySum(solver->stats().energy);
     };
     solver->measure();  // a ball that starts at once is in place after the first substep
     EXPECT_EQ(solver->advanceSubsteps(1), StepStatus::kOk);

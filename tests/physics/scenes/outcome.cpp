@@ -42,6 +42,13 @@ void watch(const FrameStats& stats, uint32_t& most_rigid, uint32_t& most_asleep)
     most_asleep = std::max(most_asleep, stats.sleeping_fragments);
 }
 
+/// m, from the origin: the lever of round-off in a momentum.
+double farthestOut(const std::vector<Float3>& positions) {
+    double farthest = 0;
+    for (const Float3& x : positions) farthest = std::max<double>(farthest, std::hypot(x.x, x.y, x.z));
+    return farthest;
+}
+
 }  // namespace
 
 SceneOutcome outcomeOf(const Shot& shot, double seconds) {
@@ -87,7 +94,7 @@ Straying strayingOf(Shot shot, double flight, uint32_t frames) {
     for (TimedBall& ball : shot.balls) ball.flight_time = flight;
     SceneRun run(shot, {.ledger = true, .in_free_space = true});
     const FrameStats start = run.measured();
-    const double momentum = lengthOf(start.linear_momentum), size = shot.height;
+    const double momentum = lengthOf(start.linear_momentum);
     Straying straying;
     uint32_t asleep = 0;
     for (uint32_t frame = 0; frame < frames && !testing::Test::HasFatalFailure(); ++frame) {
@@ -97,8 +104,8 @@ Straying strayingOf(Shot shot, double flight, uint32_t frames) {
         straying.linear =
             std::max(straying.linear, lengthOf(minus(now.linear_momentum, start.linear_momentum)) / momentum);
         straying.angular =
-            std::max(straying.angular,
-                     lengthOf(minus(now.angular_momentum, start.angular_momentum)) / (momentum * size));
+            std::max(straying.angular, lengthOf(minus(now.angular_momentum, start.angular_momentum)) /
+                                           (momentum * std::max(shot.height, farthestOut(run.positions()))));
     }
     straying.broken = run.stats().bonds_broken;
     return straying;

@@ -9,11 +9,6 @@ namespace {
 
 class Falling : public OnEitherDevice {};
 
-double found(const FrameStats& stats) {
-    const EnergyLedger& e = stats.energy;
-    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture;
-}
-
 /// A brick that is thrown up, at steps so long that half of one makes a difference.
 SceneSetup thrownBrick(bool hand_over) {
     SceneSetup setup = freeBody(latticeBody(3, 4, 6, 0.05, 0.2));
@@ -49,7 +44,7 @@ TEST_F(Falling, ABodyThatWakesLandsAsItFell) {
     setup.bodies[0].material.critical_velocity = 9;  // so that the landing wakes it and breaks nothing
     auto solver = makeSolver(setup);
     solver->measure();
-    const double start = found(solver->stats()), fall = 9.81 * 0.5 * solver->stats().mass;
+    const double start = energySum(solver->stats().energy), fall = 9.81 * 0.5 * solver->stats().mass;
     bool was_rigid = false, woke = false;
     while (solver->stats().time < 0.75) {
         ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
@@ -59,7 +54,7 @@ TEST_F(Falling, ABodyThatWakesLandsAsItFell) {
     solver->measure();
     EXPECT_TRUE(woke);
     EXPECT_EQ(solver->stats().bonds_broken, 0u);
-    EXPECT_LT(std::abs(found(solver->stats()) - start), 2e-3 * fall);
+    EXPECT_LT(std::abs(energySum(solver->stats().energy) - start), 2e-3 * fall);
 }
 
 }  // namespace

@@ -13,6 +13,10 @@ bool asksForGpu() {
     return device == "cuda";
 }
 
+double energySum(const EnergyLedger& e) {
+    return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+}
+
 std::unique_ptr<Solver> makeSolver(const SceneSetup& setup) {
     return asksForGpu() ? makeCudaSolver(setup) : makeCpuSolver(setup);
 }

@@ -12,6 +12,9 @@ namespace demolish::tests {
 /// True when the environment asks for the GPU. Anything but "cpu" and "cuda" fails the calling test.
 bool asksForGpu();
 
+/// J: what there is and where it went, less what came from outside; the same at all times.
+double energySum(const EnergyLedger& ledger);
+
 /// A solver of single precision on the device under test.
 std::unique_ptr<Solver> makeSolver(const SceneSetup& setup);
 

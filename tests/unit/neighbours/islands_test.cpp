@@ -62,14 +62,11 @@ class Crowd {
         RegimeRules rules;
         rules.hand_over = rules.may_calm = true;
         rules.calm_substeps = rules.rest_substeps = 10;
-        rules.crumb = 8;
+        const HitRules<float> hits{meetings, rows, regime_.view(), wake_.view(), 8};
         arrays_.backend.forEach(size_t{total} * kThreads,
-                                FlagIslands<kThreads, float>{meetings,
-                                                             rows,
+                                FlagIslands<kThreads, float>{hits,
                                                              labels_.view(),
-                                                             regime_.view(),
                                                              clock_.view(),
-                                                             wake_.view(),
                                                              floor,
                                                              {0, -9.81f, 0},
                                                              rules,

@@ -1,0 +1,73 @@
+// A sleeper that a ball flies at: it sleeps until its bonds are needed, and breaks as if it had never slept.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "tests/physics/solver/exported_frame.h"
+#include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/solver_under_test.h"
+
+namespace demolish::tests {
+namespace {
+
+class Sleeper : public OnEitherDevice {};
+
+/// A brick on the floor, settled, and a ball that comes from `distance` m away.
+SceneSetup brickAndBall(double distance, bool hand_over) {
+    SceneSetup setup = freeBody(latticeBody(4, 6, 4, 0.03, 0.2));
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.planes.push_back(Plane{});
+    setup.params.substeps = 150;
+    setup.params.settle_time = 0.3;
+    setup.params.sleeping = true;
+    setup.params.hand_over = hand_over;
+    Projectile ball;
+    ball.radius = 0.03;
+    ball.position = {-distance, 0.12, 0.003};
+    ball.velocity = {9, 0, 0};
+    setup.projectiles = {ball};
+    return setup;
+}
+
+struct Hit {
+    int frame = 0;        ///< in which the first bonds break
+    uint32_t broken = 0;  ///< bonds, at its end
+    bool stood = true;    ///< no particle of the brick moved before that frame
+};
+Hit hitOf(const SceneSetup& setup) {
+    const size_t count = setup.bodies[0].body->particles.size();
+    auto solver = makeSolver(setup);
+    const auto start = exportedFrame(*solver, count).particles;
+    for (Hit hit; hit.frame < 20; ++hit.frame) {
+        EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        hit.broken = solver->stats().bonds_broken;
+        if (hit.broken > 0) return hit;
+        const auto now = exportedFrame(*solver, count).particles;
+        for (size_t i = 0; i < count; ++i)
+            hit.stood = hit.stood && now[i].position.x == start[i].position.x &&
+                        now[i].position.y == start[i].position.y;
+    }
+    return {};
+}
+
+/// Rigid before the hit, it would sink into the floor, where contact steps are softer, and be hit in its
+/// fall. The distances put the hit early, in the middle and late in a frame.
+TEST_F(Sleeper, StandsUntilAHardHitAndBreaksAsWithBondsAlone) {
+    int stood = 0;
+    for (const double distance : {0.46, 0.50, 0.54, 0.58}) {
+        const Hit handed = hitOf(brickAndBall(distance, true)), bonded = hitOf(brickAndBall(distance, false));
+        std::printf("from %.2f m: %u bonds broken in frame %d, with bonds alone %u\n", distance,
+                    handed.broken, handed.frame, bonded.broken);
+        EXPECT_EQ(handed.stood, bonded.stood) << distance;
+        stood += handed.stood ? 1 : 0;
+        EXPECT_EQ(handed.frame, bonded.frame) << distance;
+        EXPECT_GT(handed.frame, 1) << distance;
+        // The ball falls in steps ten times as long: round-off, which a break can double.
+        EXPECT_NEAR(handed.broken, bonded.broken, 1 + 0.02 * bonded.broken) << distance;
+    }
+    EXPECT_GE(stood, 2) << "in the other frames the ball touches before a bond breaks";
+}
+
+}  // namespace
+}  // namespace demolish::tests
