@@ -16,6 +16,7 @@ namespace demolish::tests {
 namespace {
 
 class Sleeping : public OnEitherDevice {};
+class WakeSpeed : public OnTheCpu {};
 class RigidMotion : public OnEitherDevice {};
 
 double lengthOf(const Double3& a) {
@@ -229,7 +230,7 @@ TEST_F(Sleeping, ARestoredStateGoesOnExactly) {
 }
 
 /// What is light must come faster; what is as heavy as the body, or does not move at all, need not.
-TEST(WakeSpeed, RisesByTheFourthRootAsTheTwoGetLighter) {
+TEST_F(WakeSpeed, RisesByTheFourthRootAsTheTwoGetLighter) {
     const WakeLaw<double> body = wakeLaw(0.4, 6, 0.5, 1600), ball{1e30, 1e30, 1e30};
     const double heavy = kWakeShare * 0.5 * 6;
     EXPECT_NEAR(wakeSpeed(body, ball, 1600.0, 1e9), heavy, 1e-6);
