@@ -27,10 +27,7 @@ void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, co
     layout_.setVertices(vertices, kVertexBytes);
     layout_.setIndices(indices);
     layout_.bind();
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(command * kDrawCommandBytes));
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    mesh.drawCommanded(command);
 }
 
 void BodyGeometry::drawExterior(const FractureMesh& mesh) {

@@ -36,10 +36,7 @@ void CrackPass::draw(const FractureMesh& mesh, float width) {
     glBlendColor(0, 0, 0, kRough);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, mesh.stream(StreamId::kCommands).id());
-    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(kCrackCommand * kDrawCommandBytes));
-    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+    mesh.drawCommanded(kCrackCommand);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -69,4 +69,13 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
         .upload(std::as_bytes(std::span(exterior)), kExteriorCommand * kDrawCommandBytes);
 }
 
+void FractureMesh::drawCommanded(uint32_t command) const {
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream(StreamId::kCommands).id());
+    // OpenGL takes an offset in the buffer where it once took an address.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    const auto* offset = reinterpret_cast<const void*>(command * kDrawCommandBytes);
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
 }  // namespace demolish::engine

@@ -51,6 +51,8 @@ class FractureMesh {
     const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
     const gl::Buffer& exteriorVertices() const { return exterior_vertices_; }
     const gl::Buffer& crackEdges() const { return crack_edges_; }
+    /// Triangles as one of the stream's commands says, of what is bound.
+    void drawCommanded(uint32_t command) const;
     /// The streams were written from outside, by whoever knows the buffers' ids.
     void touch() { version_ = nextVersion(); }
     /// Changes with the streams' contents; no two meshes have the same.
