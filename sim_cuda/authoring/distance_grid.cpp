@@ -103,7 +103,8 @@ double DistanceGrid::distance(const Double3& point) const {
 
 Double3 DistanceGrid::gradient(const Double3& point) const {
     const Grid::Place at = grid_->placeOf(point);
-    const auto [v] = grid_->cellAt(at.node);
+    const auto cell = grid_->cellAt(at.node);
+    const auto& v = cell.v;
     const auto along_x = [&](int k, int j) { return v[k][j][1] - v[k][j][0]; };
     const auto at_x = [&](int k, int j) { return mix(v[k][j][0], v[k][j][1], at.fx); };
     const double dx =
