@@ -57,8 +57,9 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
 
 /// Each contact stands for what the fragment sets against it there, over all its contacts of the step before:
 /// its mass and, across the arm to the particle, its turning, so that the step is stable however many touch,
-/// be it at the tip of a splinter. Its damper and what resists rolling are those of a substep, and go by the
-/// particle's own mass (`OwnMass`). `arm`: m, from the centre, in the frame that the inertia belongs to.
+/// be it at the tip of a splinter. Its damper is that of a substep and goes by the particle's own mass
+/// (`OwnMass`), and so does what resists rolling but on planes (`TurnsFragment`). `arm`: m, from the centre,
+/// in the frame that the inertia belongs to.
 template <class Real>
 DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm, const Vec4<Real>& own) {
     const Sym3& j = body.inverse_inertia;

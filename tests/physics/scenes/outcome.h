@@ -25,7 +25,8 @@ SceneOutcome outcomeOf(const Shot& shot, double seconds);
 double massDistance(const SceneOutcome& a, const SceneOutcome& b);
 
 /// How far momentum strays while the shot runs without gravity and floor, so that all flies freely. Over the
-/// momentum that the balls brought, and for the angular one over that times a body's height.
+/// momentum that the balls brought, and for the angular one over that times a body's height or the way of the
+/// farthest particle from the origin, whichever is longer.
 struct Straying {
     double linear = 0, angular = 0;
     uint32_t broken = 0, most_rigid = 0;
