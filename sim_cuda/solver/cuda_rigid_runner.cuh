@@ -1,4 +1,4 @@
-// Contact steps of rigid fragments on the GPU: two kernels each, several steps as one graph.
+// Contact steps of rigid fragments on the GPU: two kernels each, with substeps between them one graph.
 #pragma once
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
@@ -28,19 +28,22 @@ class RigidRunner<CudaBackend, Real> {
         key.push_back(n);
         graphs_.run(backend, key, [&] { steps(n); });
     }
-    /// steps(n), which starts n substeps of `runner` too, as a graph when the state then ends where it began.
+    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph: while things
+    /// break few sequences come again, and the shorter ones sooner.
     template <class Runner, class Steps>
     void repeat(CudaBackend& backend, const Step& step, const Runner& runner, uint32_t n,
                 const Steps& steps) {
+        static_assert(kRigidStride % 2 == 0, "a graph must end on the state it started from");
         makeRoom(backend, step.work);
         n -= startSingly(backend, n, steps);
-        if (n == 0) return;
-        if (n % 2 != 0) return steps(n);
-        GraphKey key = keyOf(step);
-        const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
-        key.insert(key.end(), substep.begin(), substep.end());
-        key.push_back(n);
-        graphs_.run(backend, key, [&] { steps(n); });
+        if (n >= kRigidStride) {
+            GraphKey key = keyOf(step);
+            const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
+            key.insert(key.end(), substep.begin(), substep.end());
+            for (; n >= kRigidStride; n -= kRigidStride)
+                graphs_.run(backend, key, [&] { steps(kRigidStride); });
+        }
+        if (n > 0) steps(n);
     }
     void gather(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
         step.ledger ? gatherWith<true>(backend, step, stride, follows)
@@ -76,7 +79,6 @@ class RigidRunner<CudaBackend, Real> {
         steps(first);
         return first;
     }
-
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
         backend.synchronize();  // what was started before may still use it
