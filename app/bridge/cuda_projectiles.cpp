@@ -1,4 +1,4 @@
-// One small block of device memory.
+// One small block of the host's memory that the GPU writes into.
 #include "app/bridge/cuda_projectiles.h"
 
 #include "app/bridge/cuda_check.h"
@@ -7,12 +7,12 @@
 namespace demolish {
 
 CudaProjectiles::CudaProjectiles() {
-    checkCuda(cudaMalloc(&memory_, kMaxProjectiles * sizeof(ParticleInstance)),
+    checkCuda(cudaMallocHost(&memory_, kMaxProjectiles * sizeof(ParticleInstance)),
               "allocating memory for projectiles");
 }
 
 CudaProjectiles::~CudaProjectiles() {
-    cudaFree(memory_);
+    cudaFreeHost(memory_);
 }
 
 Stream<ParticleInstance> CudaProjectiles::stream() const {
@@ -20,11 +20,8 @@ Stream<ParticleInstance> CudaProjectiles::stream() const {
 }
 
 void CudaProjectiles::read(uint32_t count, std::vector<ParticleInstance>& projectiles) const {
-    projectiles.resize(count);
-    if (count == 0) return;
-    checkCuda(
-        cudaMemcpy(projectiles.data(), memory_, count * sizeof(ParticleInstance), cudaMemcpyDeviceToHost),
-        "reading the projectiles");
+    const auto* first = static_cast<const ParticleInstance*>(memory_);
+    projectiles.assign(first, first + count);
 }
 
 }  // namespace demolish

@@ -1,5 +1,5 @@
-// Where the GPU writes the projectiles of a frame, and their way to the host: a kilobyte of its own, so that
-// GL's buffers need no mapping while only a ball flies.
+// Where the GPU writes the projectiles of a frame: a kilobyte of the host's memory, so that GL's buffers need
+// no mapping while only a ball flies, and nothing has to be copied.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,14 +10,14 @@ namespace demolish {
 
 class CudaProjectiles {
   public:
-    /// Throws DeviceError when the GPU has no kilobyte left.
+    /// Throws DeviceError when there is no kilobyte left.
     CudaProjectiles();
     ~CudaProjectiles();
     CudaProjectiles(const CudaProjectiles&) = delete;
     CudaProjectiles& operator=(const CudaProjectiles&) = delete;
 
     Stream<ParticleInstance> stream() const;
-    /// Copies the first `count` of a finished export. Throws DeviceError.
+    /// The first `count` of a finished export, at most kMaxProjectiles.
     void read(uint32_t count, std::vector<ParticleInstance>& projectiles) const;
 
   private:

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
+#include <cstring>
 
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
@@ -31,9 +32,11 @@ CudaBackend::CudaBackend() {
     device_name_ = properties.name;
     multiprocessors_ = properties.multiProcessorCount;
     checkCuda(cudaStreamCreate(&stream_), "making a stream");
+    few_words_ = std::make_unique<Reader>(*this);
 }
 
 CudaBackend::~CudaBackend() {
+    few_words_.reset();  // it waits for the stream
     cudaStreamSynchronize(stream_);
     cudaStreamDestroy(stream_);
 }
@@ -179,6 +182,11 @@ const std::vector<uint32_t>& CudaBackend::Reader::wait() {
     }
     words_.assign(pinned_, pinned_ + words_.size());
     return words_;
+}
+
+void CudaBackend::readWords(const void* from, size_t bytes, void* to) {
+    few_words_->start(*this, {static_cast<const uint32_t*>(from), bytes / sizeof(uint32_t)});
+    std::memcpy(to, few_words_->wait().data(), bytes);
 }
 
 CudaBackend::Timer::Timer() {

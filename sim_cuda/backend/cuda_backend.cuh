@@ -3,6 +3,7 @@
 #include <cuda_runtime.h>
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,9 @@ class CudaBackend {
     /// Waits for what was started before.
     template <class T>
     void download(Span<const T> from, T* to) {
+        if (alignof(T) >= sizeof(uint32_t) && from.count > 0 &&
+            from.count * sizeof(T) <= Reader::kWords * sizeof(uint32_t))
+            return readWords(from.data, from.count * sizeof(T), to);
         if (from.count > 0) transfer(to, from.data, from.count * sizeof(T), cudaMemcpyDeviceToHost);
         synchronize();
     }
@@ -216,6 +220,8 @@ class CudaBackend {
     };
 
   private:
+    /// A few whole words: sooner than a copy.
+    void readWords(const void* from, size_t bytes, void* to);
     /// Memory for one scan or reduction, kept for the next.
     void* scratch(size_t bytes);
     void transfer(void* to, const void* from, size_t bytes, cudaMemcpyKind kind) {
@@ -250,6 +256,7 @@ class CudaBackend {
     std::string device_name_;
     int multiprocessors_ = 0;
     Buffer<unsigned char> scratch_;
+    std::unique_ptr<Reader> few_words_;
 };
 
 }  // namespace demolish

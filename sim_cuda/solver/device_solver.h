@@ -131,6 +131,7 @@ class DeviceSolver final : public Solver {
     Buffer<uint64_t> lacking_;  ///< entries of contact rows, as the strayed find them
     mutable Buffer<uint64_t> hash_sum_;
     Buffer<Vec4<Real>> shown_projectiles_;
+    std::vector<Vec4<Real>> shown_;  ///< what it holds
     Buffer<uint8_t> broken_bonds_;
     StepParams<Real> params_;
     std::vector<Projectile> projectiles_;  ///< in their slots

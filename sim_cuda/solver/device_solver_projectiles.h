@@ -96,8 +96,13 @@ void DeviceSolver<Backend, Real>::showProjectiles() {
                              shot.position.z - ahead * shot.velocity.z};
         shown[p] = withW(toReal<Real>(x), static_cast<Real>(shot.radius));
     }
+    const auto same = [](const Vec4<Real>& a, const Vec4<Real>& b) {
+        return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+    };
+    if (std::equal(shown.begin(), shown.end(), shown_.begin(), shown_.end(), same)) return;
     backend_.upload(shown_projectiles_.span(), shown.data(), shown.size());
     backend_.synchronize();
+    shown_ = std::move(shown);
 }
 
 }  // namespace demolish
