@@ -2,6 +2,7 @@
 //
 //   start sums -> fold 1, 8, 64 ... -> transforms;  spins about the centres -> fold -> rigid motions
 #pragma once
+#include <algorithm>
 #include <cstring>
 #include <stdexcept>
 #include <vector>
@@ -46,7 +47,7 @@ class FragmentMotion {
     void fold(const FragmentRows& rows, Buffer<Terms>& terms, const char* name);
 
     Backend& backend_;
-    uint32_t count_;
+    uint32_t count_, largest_body_;  ///< particles; no fragment is larger
     Buffer<Vec4<Real>> rest_position_;
     Buffer<uint32_t> body_particles_, owner_, former_size_, age_;
     Buffer<PoseSums> pose_;
@@ -66,6 +67,7 @@ FragmentMotion<Backend, Real>::FragmentMotion(Backend& backend, const std::vecto
                                               const std::vector<uint32_t>& body_particles)
     : backend_(backend),
       count_(static_cast<uint32_t>(rest_position.size())),
+      largest_body_(*std::max_element(body_particles.begin(), body_particles.end())),
       rest_position_(backend.uploaded(rest_position)),
       body_particles_(backend.uploaded(body_particles)),
       owner_(backend.uploaded(ownersOf(body_particles))),
@@ -85,7 +87,7 @@ void FragmentMotion<Backend, Real>::advanceAges(const FragmentRows& rows) {
 template <class Backend, class Real>
 template <class Terms>
 void FragmentMotion<Backend, Real>::fold(const FragmentRows& rows, Buffer<Terms>& terms, const char* name) {
-    for (uint64_t stride = 1; stride < count_; stride *= kFoldWidth)
+    for (uint64_t stride = 1; stride < largest_body_; stride *= kFoldWidth)
         backend_.forEach(count_, FoldFragments<Terms>{rows, terms.span(), static_cast<uint32_t>(stride)},
                          name);
 }
