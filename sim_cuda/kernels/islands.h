@@ -98,6 +98,8 @@ struct MeetingsIn {
 /// Threads that share a particle's rows where they are visited on a GPU: there are too few particles to hide
 /// the way to memory, and whatever is found is joined or marked in any order.
 inline constexpr uint32_t kMeetingThreads = 8;
+/// The same once it is known who has no meetings.
+inline constexpr uint32_t kLaterThreads = 4;
 
 /// One thread a slot. Also clears what later kernels of a decision add to.
 struct StartIslands {

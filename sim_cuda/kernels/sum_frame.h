@@ -30,7 +30,7 @@ struct SumFrame {
         FrameSums sums{static_cast<double>(ledger.x), static_cast<double>(ledger.y),
                        static_cast<double>(ledger.z)};
         if (i >= in_bodies) return sums;
-        sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i)));
+        sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i));
         for (uint32_t slot = arrays.bond_row[i]; slot < arrays.bond_row[i + 1]; ++slot)
             if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) {
                 ++sums.broken;

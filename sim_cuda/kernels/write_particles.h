@@ -5,13 +5,15 @@
 
 namespace demolish {
 
-/// (E2) over strength of a particle's worst solid bond, 0..1; what a stress colour shows.
+/// (E2) over strength of a particle's worst solid bond, 0..1; what a stress colour shows. Of the bonds to
+/// particles from `least` on: it is the same at both ends.
 template <class Real>
-DEM_FN Real worstStressRatio(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own) {
+DEM_FN Real worstStressRatio(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own,
+                             uint32_t least = 0) {
     Real worst = Real(0);
     for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s) {
         const BondLink link = arrays.link[s];
-        if (!isBonded(link)) continue;
+        if (!isBonded(link) || linkedParticle(link) < least) continue;
         const BondConstants<Real> bond =
             bondConstants(arrays.rest[s], link.grade, arrays.body_laws[own.owner]);
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, linkedParticle(link)));

@@ -256,21 +256,25 @@ StepStatus DeviceSolver<Backend, Real>::runChunk(uint32_t n) {
 /// the state, the others follow.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::placeRigid() {
-    if (place_rigid_) regimes_.place(data_, clusters_);
+    if (place_rigid_)
+        backend_.forEach(tables_.counts.total, regimes_.placer(data_, clusters_), "place rigid");
     place_rigid_ = false;
 }
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
-    placeRigid();
     const auto seconds = [&](uint32_t substeps) { return static_cast<Real>(substeps * tables_.time_step); };
     const CheckPaths<Real> paths{data_.particles.in(data_.current), lists_.contacts().paths(),
                                  look_words_.span().part(kLookRebuild, 1), seconds(progress_.since_build),
                                  seconds(lookahead)};
-    backend_.forEach(tables_.counts.total,
-                     LookAtState<Real>{paths, data_.particles.constants.view(), look_words_.span(),
-                                       static_cast<Real>(setup_.params.scene_radius)},
-                     "look at the state");
+    const LookAtState<Real> look{paths, data_.particles.constants.view(), look_words_.span(),
+                                 static_cast<Real>(setup_.params.scene_radius)};
+    if (place_rigid_)
+        backend_.forEach(tables_.counts.total, InTurn{regimes_.placer(data_, clusters_), look},
+                         "place rigid and look at the state");
+    else
+        backend_.forEach(tables_.counts.total, look, "look at the state");
+    place_rigid_ = false;
     reader_.take(backend_, look_words_.span());
 }
 

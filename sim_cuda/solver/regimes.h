@@ -42,7 +42,7 @@ class Regimes {
 
     Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables);
 
-    /// False: every particle is moved with its bonds, always, and nothing below is to be called.
+    /// False: all is moved with its bonds, always, and nothing below is to be called.
     bool on() const { return hand_over_ || sleeping_; }
 
     /// Decides anew for the present state, whose contact lists must be good. `frame_starts`: `substeps` have
@@ -55,8 +55,8 @@ class Regimes {
     /// something asleep within `soon`, so that all must be decided anew? Waits.
     bool stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                const Clustering<Backend>& clusters, double soon);
-    /// All particles of rigid fragments put where those are. Does not wait.
-    void place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
+    /// Puts all particles of rigid fragments where those are.
+    PlaceRigid<Real> placer(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// The bodies have stood still for long: they may sleep at once.
     void markRested();
 
@@ -108,7 +108,8 @@ class Regimes {
                   const StepParams<Real>& params, bool frame_starts);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
 
-    static constexpr uint32_t kThreads = Backend::kOnGpu ? kMeetingThreads : 1;
+    static constexpr uint32_t kThreads = Backend::kOnGpu ? kMeetingThreads : 1,
+                              kLater = Backend::kOnGpu ? kLaterThreads : 1;
 
     Backend& backend_;
     ParticleCounts counts_of_;
@@ -165,11 +166,9 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     }
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);
-    for (Buffer<uint32_t>* words :
-         {&regime_, &former_, &island_, &flags_, &meets_, &active_, &fragment_, &first_, &last_, &large_})
+    for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &active_, &fragment_,
+                                    &first_, &last_, &large_, &speeds_, &body_memory_})
         *words = backend.template allocate<uint32_t>(total);
-    speeds_ = backend.template allocate<uint32_t>(total);
-    body_memory_ = backend.template allocate<uint32_t>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
@@ -271,10 +270,10 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
                      JoinIslands<kThreads, Real>{hits, island_.span(), meets_.span(), words_.span()},
                      "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-    const FlagIslands<kThreads, Real> flag{hits,          island_.view(), meets_.view(),
-                                           clock_.view(), params.planes,  params.gravity,
-                                           rules,         flags_.span(),  words_.span()};
-    backend_.forEach(size_t{total} * kThreads, flag, "flag islands");
+    const FlagIslands<kLater, Real> flag{hits,          island_.view(), meets_.view(),
+                                         clock_.view(), params.planes,  params.gravity,
+                                         rules,         flags_.span(),  words_.span()};
+    backend_.forEach(size_t{total} * kLater, flag, "flag islands");
     backend_.forEach(
         total,
         ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,
@@ -312,35 +311,34 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const PlacesIn places{rows, counts_of_.in_bodies, total};
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(
-        size_t{total} * kThreads,
-        MarkWork<kThreads, Real>{meetings, places, regime_.view(),
-                                 frame_starts ? Span<const uint32_t>{} : meets_.view(), params.planes,
-                                 marks.part(0, total), marks.part(total, total),
-                                 marks.part(2 * size_t{total}, total), marks.part(3 * size_t{total}, total)},
+        size_t{total} * kLater,
+        MarkWork<kLater, Real>{meetings, places, regime_.view(),
+                               frame_starts ? Span<const uint32_t>{} : meets_.view(), params.planes,
+                               marks.part(0, total), marks.part(total, total),
+                               marks.part(2 * size_t{total}, total), marks.part(3 * size_t{total}, total)},
         "mark work");
     backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
-    backend_.forEach(total,
-                     WriteWork<Real>{places,
-                                     meetings.label,
-                                     regime_.view(),
-                                     marks_.view(),
-                                     meetings.owner,
-                                     flags_.view(),
-                                     body_.view(),
-                                     arm_.view(),
-                                     body_memory_.view(),
-                                     meetings.constants,
-                                     active_.span(),
-                                     fragment_.span(),
-                                     first_.span(),
-                                     last_.span(),
-                                     bonded_.span(),
-                                     large_.span(),
-                                     words_.span(),
-                                     body_awake_.span(),
-                                     rigid_constants_.span(),
-                                     in_substeps_.span()},
-                     "write work");
+    const WriteWork<Real> write{places,
+                                meetings.label,
+                                regime_.view(),
+                                marks_.view(),
+                                meetings.owner,
+                                flags_.view(),
+                                body_.view(),
+                                arm_.view(),
+                                body_memory_.view(),
+                                meetings.constants,
+                                active_.span(),
+                                fragment_.span(),
+                                first_.span(),
+                                last_.span(),
+                                bonded_.span(),
+                                large_.span(),
+                                words_.span(),
+                                body_awake_.span(),
+                                rigid_constants_.span(),
+                                in_substeps_.span()};
+    backend_.forEach(total, write, "write work");
     reader_.start(backend_, words_.view());
     const std::vector<uint32_t>& told = reader_.wait();
     std::copy(told.begin(), told.end(), counts_);
@@ -353,14 +351,13 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
               large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
               arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
               counts_[kLargeCount]};
-    const bool all = counts_[kBondedCount] == counts_of_.in_bodies;
-    data.work = all ? BondedWork{}
-                    : BondedWork{bonded_.view(),
-                                 words_.view().part(kBondedCount, 2),
-                                 {},
-                                 regime_.view(),
-                                 counts_[kBondedCount] + counts_[kCarriedCount]};
-    if (all) data.work.regime = regime_.view();
+    data.work = BondedWork{};
+    if (counts_[kBondedCount] != counts_of_.in_bodies) {
+        data.work.ids = bonded_.view();
+        data.work.count = words_.view().part(kBondedCount, 2);
+        data.work.at_most = counts_[kBondedCount] + counts_[kCarriedCount];
+    }
+    data.work.regime = regime_.view();
     data.constants_in_substeps = carries() ? in_substeps_.view() : Span<const Vec4<Real>>{};
     data.carried = carried_.span();
     data.carried_tally = carried_tally_.span();
@@ -383,12 +380,15 @@ void Regimes<Backend, Real>::listBondsOnHost(SolverData<Backend, Real>& data,
 }
 
 template <class Backend, class Real>
-void Regimes<Backend, Real>::place(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters) {
-    backend_.forEach(counts_of_.total,
-                     PlaceRigid<Real>{clusters.fragment(), regime_.view(), body_.view(), arm_.view(),
-                                      start_rotation_.view(), data.particles.out(data.current),
-                                      data.particles.out(1 - data.current)},
-                     "place rigid");
+PlaceRigid<Real> Regimes<Backend, Real>::placer(SolverData<Backend, Real>& data,
+                                                const Clustering<Backend>& clusters) {
+    return {clusters.fragment(),
+            regime_.view(),
+            body_.view(),
+            arm_.view(),
+            start_rotation_.view(),
+            data.particles.out(data.current),
+            data.particles.out(1 - data.current)};
 }
 
 template <class Backend, class Real>
