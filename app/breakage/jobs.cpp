@@ -70,6 +70,12 @@ std::string visibleDevice(size_t slot, const char* cuda_visible_devices) {
     return names[slot];
 }
 
+void checkGpus(size_t jobs, size_t gpus) {
+    if (jobs > gpus)
+        throw UsageError("--jobs " + std::to_string(jobs) + ", but this machine has " + std::to_string(gpus) +
+                         (gpus == 1 ? " GPU" : " GPUs") + "; ask for that many at most");
+}
+
 void runJobs(const std::vector<std::vector<std::string>>& arguments, size_t jobs, bool on_gpu,
              const std::function<void(size_t done)>& done) {
     std::vector<std::string> devices(std::min(jobs, arguments.size()));

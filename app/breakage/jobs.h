@@ -10,6 +10,9 @@ namespace demolish {
 /// number when that is not set. Throws UsageError when the variable names fewer.
 std::string visibleDevice(size_t slot, const char* cuda_visible_devices);
 
+/// A GPU to each of so many jobs. Throws UsageError when there are fewer.
+void checkGpus(size_t jobs, size_t gpus);
+
 /// Starts this program once for each list of arguments, at most `jobs` at a time, each with a GPU of its own
 /// (CUDA_VISIBLE_DEVICES) when `on_gpu`, and waits for all. After a failure no more are started, and the exit
 /// code of the first one that failed is thrown as an Error; what it said stands on stderr. `done` hears how

@@ -106,6 +106,7 @@ void runMissing(const BreakagePlan& plan, const BreakageOptions& options, bool o
         for (const size_t item : missing) computeItem(plan, options, item, on_gpu);
         return;
     }
+    if (on_gpu) checkGpus(jobs, static_cast<size_t>(findCudaDevice().count));
     std::vector<std::vector<std::string>> arguments;
     for (const size_t item : missing) arguments.push_back(argumentsFor(options, item, on_gpu));
     ProgressBar bar;

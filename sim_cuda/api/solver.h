@@ -108,9 +108,9 @@ std::unique_ptr<Solver> makeCudaSolver(const SceneSetup& setup, const ProgressCa
 struct CudaDevice {
     bool built_with_cuda = false;
     bool usable = false;
-    int ordinal = 0;
-    std::string name;     ///< "NVIDIA H200"
-    std::string problem;  ///< why it is not usable, one clause
+    int ordinal = 0, count = 0;  ///< the one in use, and how many this process sees
+    std::string name;            ///< "NVIDIA H200"
+    std::string problem;         ///< why it is not usable, one clause
     int driver_version = 0;
 };
 /// Never throws; on a machine without a GPU says so.

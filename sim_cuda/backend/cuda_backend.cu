@@ -5,6 +5,7 @@
 #include <thrust/iterator/transform_iterator.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 
 #include <cub/device/device_radix_sort.cuh>
@@ -68,6 +69,8 @@ struct CopyRanges {
 
 /// Row y of the grid copies range y, 16 bytes at a time.
 __global__ void __launch_bounds__(kCudaBlock) copyRanges(const CopyRanges ranges) {
+    letNextStart();
+    awaitPrevious();
     const CopyRange range = ranges.range[blockIdx.y];
     const size_t wide = range.bytes / sizeof(uint4), thread = blockIdx.x * kCudaBlock + threadIdx.x;
     const auto* from = reinterpret_cast<const uint4*>(range.from);
@@ -91,8 +94,7 @@ void CudaBackend::copyAll(const std::vector<CopyRange>& ranges) {
         const size_t blocks = std::min<size_t>((longest + kCudaBlock - 1) / kCudaBlock,
                                                8 * static_cast<size_t>(multiprocessors_));
         const dim3 grid(static_cast<unsigned>(blocks), static_cast<unsigned>(count));
-        copyRanges<<<grid, kCudaBlock, 0, stream_>>>(part);
-        checkCuda(cudaGetLastError(), "copying memory");
+        launchChained(stream_, true, copyRanges, grid, kCudaBlock, "copying memory", part);
     }
 }
 
@@ -121,25 +123,31 @@ void CudaBackend::orderByKey(Span<const uint32_t> key, Span<uint32_t> order) {
               "sorting");
 }
 
-CudaBackend::Reader::Reader(CudaBackend&) {
-    checkCuda(cudaMallocHost(&pinned_, kWords * sizeof(uint32_t)), "allocating pinned memory");
-    checkCuda(cudaEventCreateWithFlags(&arrived_, cudaEventDisableTiming), "making an event");
+CudaBackend::Reader::Reader(CudaBackend& backend) : stream_(backend.stream_) {
+    checkCuda(cudaMallocHost(&pinned_, (kWords + 1) * sizeof(uint32_t)), "allocating pinned memory");
+    pinned_[kWords] = 0;
 }
 
 CudaBackend::Reader::~Reader() {
-    cudaEventSynchronize(arrived_);
-    cudaEventDestroy(arrived_);
+    cudaStreamSynchronize(stream_);
     cudaFreeHost(pinned_);
 }
 
 namespace {
 
-/// One warp. `cleared`: the words once more, or null.
-__global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, uint32_t* cleared) {
+/// One warp. `cleared`: the words once more, or null. `number`: of this message, written behind it.
+__global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, uint32_t* cleared,
+                         uint32_t* message, uint32_t number) {
+    letNextStart();
+    awaitPrevious();
     const uint32_t k = threadIdx.x;
-    if (k >= count) return;
-    host[k] = words[k];
-    if (cleared != nullptr) cleared[k] = 0;
+    if (k < count) {
+        host[k] = words[k];
+        if (cleared != nullptr) cleared[k] = 0;
+        __threadfence_system();
+    }
+    __syncwarp();
+    if (k == 0) *static_cast<volatile uint32_t*>(message) = number;
 }
 
 }  // namespace
@@ -147,10 +155,8 @@ __global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, 
 void CudaBackend::Reader::send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared) {
     static_assert(kWords <= 32);
     words_.resize(words.count < kWords ? words.count : kWords);
-    tellHost<<<1, 32, 0, backend.stream_>>>(words.data, static_cast<uint32_t>(words_.size()), pinned_,
-                                            cleared);
-    checkCuda(cudaGetLastError(), "reading flags");
-    checkCuda(cudaEventRecord(arrived_, backend.stream_), "reading flags");
+    launchChained(backend.stream_, true, tellHost, 1, 32, "reading flags", words.data,
+                  static_cast<uint32_t>(words_.size()), pinned_, cleared, pinned_ + kWords, ++sent_);
 }
 
 void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {
@@ -161,8 +167,16 @@ void CudaBackend::Reader::take(CudaBackend& backend, Span<uint32_t> words) {
     send(backend, words, words.data);
 }
 
+/// Looks at the message's number in its own memory, which costs no call of the driver; now and then asks
+/// whether anything has failed.
 const std::vector<uint32_t>& CudaBackend::Reader::wait() {
-    checkCuda(cudaEventSynchronize(arrived_), "waiting for the GPU");
+    constexpr uint32_t kLooks = 4096;
+    const std::atomic_ref<uint32_t> number(pinned_[kWords]);
+    for (uint32_t looks = 1; number.load(std::memory_order_acquire) != sent_; ++looks) {
+        if (looks % kLooks != 0) continue;
+        const cudaError_t state = cudaStreamQuery(stream_);
+        if (state != cudaErrorNotReady) checkCuda(state, "waiting for the GPU");
+    }
     words_.assign(pinned_, pinned_ + words_.size());
     return words_;
 }

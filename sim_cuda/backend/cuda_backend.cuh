@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim_cuda/backend/atomics.h"
+#include "sim_cuda/backend/cuda_chained_launch.cuh"
 #include "sim_cuda/backend/cuda_error.h"
 #include "sim_cuda/backend/reduction.h"
 #include "sim_cuda/backend/span.h"
@@ -18,6 +19,8 @@ inline constexpr unsigned kCudaBlock = 128;
 
 template <class Kernel>
 __global__ void __launch_bounds__(kCudaBlock) runForEach(uint32_t n, Kernel kernel) {
+    letNextStart();
+    awaitPrevious();
     const uint32_t i = blockIdx.x * kCudaBlock + threadIdx.x;
     if (i < n) kernel(i);
 }
@@ -27,6 +30,8 @@ template <class T, class Map, class Fold>
 __global__ void __launch_bounds__(kReductionChunk)
     runReduce(uint32_t n, T zero, Map map, Fold fold, T* partial) {
     __shared__ alignas(T) unsigned char memory[kReductionChunk * sizeof(T)];
+    letNextStart();
+    awaitPrevious();
     T* lane = reinterpret_cast<T*>(memory);
     const uint32_t l = threadIdx.x, i = blockIdx.x * kReductionChunk + l;
     lane[l] = i < n ? map(i) : zero;
@@ -133,8 +138,8 @@ class CudaBackend {
     void forEach(size_t n, const Kernel& kernel, const char* name) {
         if (n == 0) return;
         const auto blocks = static_cast<unsigned>((n + kCudaBlock - 1) / kCudaBlock);
-        runForEach<<<blocks, kCudaBlock, 0, stream_>>>(static_cast<uint32_t>(n), kernel);
-        checkCuda(cudaGetLastError(), name);
+        launchChained(stream_, true, runForEach<Kernel>, blocks, kCudaBlock, name, static_cast<uint32_t>(n),
+                      kernel);
     }
 
     /// out[k] = in[0] + ... + in[k-1] for k = 0..n; out has n + 1 elements. `in` and `out` may be the same
@@ -162,6 +167,8 @@ class CudaBackend {
 
     /// Throws DeviceError when anything since the last call failed.
     void synchronize() { checkCuda(cudaStreamSynchronize(stream_), "waiting for the GPU"); }
+    /// Nothing that was started is still to be done.
+    bool isIdle() const { return cudaStreamQuery(stream_) == cudaSuccess; }
     std::string deviceName() const { return device_name_; }
     cudaStream_t stream() const { return stream_; }
     int multiprocessors() const { return multiprocessors_; }
@@ -186,8 +193,9 @@ class CudaBackend {
       private:
         void send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared);
 
-        uint32_t* pinned_ = nullptr;
-        cudaEvent_t arrived_ = nullptr;
+        cudaStream_t stream_ = nullptr;
+        uint32_t* pinned_ = nullptr;  ///< kWords, then how often something was sent
+        uint32_t sent_ = 0;
         std::vector<uint32_t> words_;
     };
 
@@ -234,9 +242,8 @@ class CudaBackend {
     template <class T, class Map, class Fold>
     void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold, T* partial,
                       const char* name) {
-        runReduce<<<static_cast<unsigned>(chunks), kReductionChunk, 0, stream_>>>(static_cast<uint32_t>(n),
-                                                                                  zero, map, fold, partial);
-        checkCuda(cudaGetLastError(), name);
+        launchChained(stream_, true, runReduce<T, Map, Fold>, static_cast<unsigned>(chunks), kReductionChunk,
+                      name, static_cast<uint32_t>(n), zero, map, fold, partial);
     }
 
     cudaStream_t stream_ = nullptr;

@@ -2,6 +2,7 @@
 // cell, so that what lies about them is read once. Most candidates fail the first test and few pass; those
 // who pass are gathered in a queue and looked at together, else every lane would wait for the few.
 #pragma once
+#include "sim_cuda/backend/cuda_chained_launch.cuh"
 #include "sim_cuda/kernels/find_pairs.h"
 #include "sim_cuda/kernels/velocity_trim.h"
 
@@ -161,6 +162,8 @@ __global__ void __launch_bounds__(kSearchBlock)
     findPairsKernel(const NeighbourSearch<Real> search, const RowDrafts drafts,
                     const ProjectileBits projectiles) {
     __shared__ WarpMemory<kGroup, Real> memory[kSearchWarps];
+    letNextStart();
+    awaitPrevious();
     const uint32_t lane = threadIdx.x % 32, warp = blockIdx.x * kSearchWarps + threadIdx.x / 32;
     const uint32_t for_bodies = searchWarps<kGroup>(search.in_bodies, 0);
     if (warp >= for_bodies) {

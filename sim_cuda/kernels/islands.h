@@ -101,13 +101,13 @@ inline constexpr uint32_t kMeetingThreads = 8;
 
 /// One thread a slot. Also clears what later kernels of a decision add to.
 struct StartIslands {
-    Span<uint32_t> island, flags;
+    Span<uint32_t> island, flags, meets;
     Span<uint32_t> active, carried;    ///< marks
     Span<uint32_t> words, body_awake;  ///< no longer than there are slots
 
     DEM_FN void operator()(uint32_t slot) const {
         island[slot] = slot;
-        flags[slot] = active[slot] = carried[slot] = 0;
+        flags[slot] = meets[slot] = active[slot] = carried[slot] = 0;
         if (slot < words.count) words[slot] = 0;
         if (slot < body_awake.count) body_awake[slot] = 0;
     }
@@ -157,11 +157,17 @@ struct HitRules {
     }
 };
 
+/// By many threads, most of which find it raised.
+DEM_FN void raise(uint32_t& word) {
+    if (atomicLoadU32(&word) == 0) atomicOrU32(&word, 1u);
+}
+
 /// kThreads threads a particle or projectile slot.
 template <uint32_t kThreads, class Real>
 struct JoinIslands {
     HitRules<Real> rules;
     Span<uint32_t> island;
+    Span<uint32_t> meets;  ///< 1: has meetings; of most particles the later kernels need not ask
     Span<uint32_t> words;  ///< kWorkWords
 
     DEM_FN void operator()(uint32_t k) const {
@@ -170,10 +176,12 @@ struct JoinIslands {
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
         meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j) {
+            raise(meets[i]);
+            raise(meets[j]);
             if (!rules.mayWait(i, j))
                 join(island, own, meetings.label[j]);
-            else if (atomicLoadU32(&words[kHitsLater]) == 0)
-                atomicOrU32(&words[kHitsLater], 1u);
+            else
+                raise(words[kHitsLater]);
         });
     }
 };
@@ -244,7 +252,7 @@ struct RegimeRules {
 template <uint32_t kThreads, class Real>
 struct FlagIslands {
     HitRules<Real> hits;
-    Span<const uint32_t> island;
+    Span<const uint32_t> island, meets;
     Span<const CalmClock> clock;
     PlaneSet<Real> planes;
     Vec3<Real> gravity;
@@ -260,7 +268,7 @@ struct FlagIslands {
         if ((found & kMustBond) == 0) {
             const HardHits hard = hardHits(i, slot, part);
             if (hard.at_once) found |= kMustBond;
-            if (hard.later && atomicLoadU32(&words[kHitsLater]) == 0) atomicOrU32(&words[kHitsLater], 1u);
+            if (hard.later) raise(words[kHitsLater]);
         }
         if (found != 0) atomicOrU32(&flags[island[slot]], found);
         if ((found & kMustBond) != 0) atomicOrU32(&flags[slot], kNeedsBonds);
@@ -282,6 +290,7 @@ struct FlagIslands {
             hard = hitsOnPlanes(i, xyz(meetings.state.velocity[i]),
                                 wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6)));
         }
+        if (meets[i] == 0) return hard;
         const bool sleeps = hits.sleeps(slot);
         const auto mayBeHard = [&](uint32_t other) {
             return !sleeps || !hits.sleeps(other);  // sleepers do not hit each other

@@ -83,6 +83,17 @@ DEM_FN Vec4<Real> movedOtherwise(const Vec4<Real>& constants) {
     return {-constants.x, constants.y, constants.z, constants.w};
 }
 
+/// A rigid fragment: its slot and its places in RigidWork::active.
+struct RigidRow {
+    uint32_t slot, first, last;
+    DEM_FN uint32_t places() const { return last - first; }
+};
+/// What stands at a place, and does not change from step to step.
+struct RigidSeat {
+    uint32_t place, particle;
+    Vec3<double> arm;
+};
+
 template <bool kLedger, class Real>
 struct StepRigid {
     SubstepArrays<Real> arrays;  ///< `in` and `out` are both brought up to date
@@ -96,17 +107,26 @@ struct StepRigid {
     uint32_t stride = kRigidStride;  ///< substeps in this step
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
-    DEM_FN uint32_t places(uint32_t entry) const { return work.last[entry] - work.first[entry]; }
-    DEM_FN RigidSums gather(const RigidBody& body, uint32_t entry, uint32_t lane, uint32_t lanes) const {
+    DEM_FN RigidRow row(uint32_t entry) const {
+        return {work.fragment[entry], work.first[entry], work.last[entry]};
+    }
+    /// At a place of the row, or in its first one if it has not so many.
+    DEM_FN RigidSeat seat(const RigidRow& row, uint32_t k) const {
+        const uint32_t place = row.first + (k < row.places() ? k : 0), i = work.active[place];
+        return {place, i, work.arm[i]};
+    }
+    /// `seat`: at the lane's first place, seat(row, lane).
+    DEM_FN RigidSums gather(const RigidBody& body, const RigidRow& row, RigidSeat seat, uint32_t lane,
+                            uint32_t lanes) const {
         RigidSums sums;
-        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += lanes) {
-            const uint32_t i = work.active[place];
-            const Wrench<Real> felt = carriedLoad(i), wrench = load[place].wrench;
+        for (uint32_t k = lane; k < row.places(); k += lanes) {
+            if (k != lane) seat = this->seat(row, k);
+            const Wrench<Real> felt = carriedLoad(seat.particle), wrench = load[seat.place].wrench;
             if (isNullWrench(wrench) && isNullWrench(felt)) continue;
             const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(wrench.force));
             const Vec3<double> torque = axpy(carried_share, asDouble(felt.torque), asDouble(wrench.torque));
-            const Vec3<double> arm = rotate(body.turned, work.arm[i]);
-            add(sums, {force, torque + cross(arm, force), load[place].touching});
+            const Vec3<double> arm = rotate(body.turned, seat.arm);
+            add(sums, {force, torque + cross(arm, force), load[seat.place].touching});
         }
         return sums;
     }
@@ -120,27 +140,28 @@ struct StepRigid {
         const uint32_t wanted = total.touching / kContactsPerShare;
         body.contact_share = wanted > body.least_share ? wanted : body.least_share;
     }
-    DEM_FN void keep(const RigidBody& body, uint32_t entry) const {
-        const uint32_t slot = work.fragment[entry];
-        work.body[slot] = body;
-        work.memory[slot] = memoryOf(body);
+    DEM_FN void keep(const RigidBody& body, const RigidRow& row) const {
+        work.body[row.slot] = body;
+        work.memory[row.slot] = memoryOf(body);
     }
-    /// Every `lanes`-th particle from `lane` on, however many lanes there are.
-    DEM_FN void place(const RigidBody& body, uint32_t entry, uint32_t lane, uint32_t lanes) const {
-        for (uint32_t place = work.first[entry] + lane; place < work.last[entry]; place += lanes) {
-            const uint32_t i = work.active[place];
+    /// Every `lanes`-th particle from `lane` on, however many lanes there are; `seat` as in gather().
+    DEM_FN void place(const RigidBody& body, const RigidRow& row, RigidSeat seat, uint32_t lane,
+                      uint32_t lanes) const {
+        for (uint32_t k = lane; k < row.places(); k += lanes) {
+            if (k != lane) seat = this->seat(row, k);
+            const uint32_t i = seat.particle;
             const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-            const Vec3<double> arm = rotate(body.turned, work.arm[i]);
+            const Vec3<double> arm = rotate(body.turned, seat.arm);
             const Vec3<double> x = body.centre + arm, v = velocityAtArm(body, arm);
             placeParticle(state, i, x, v, body.spin);
             placeParticle(arrays.out, i, x, v, body.spin);
-            constants[i] = sharedConstants(body, work.arm[i], own_constants[i]);
+            constants[i] = sharedConstants(body, seat.arm, own_constants[i]);
             in_substeps[i] = carriedConstants(body, constants[i], own_constants[i]);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
                 const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-                bookLedger(arrays.ledger[i], load[place].tally, before, after, params.dt);
+                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, params.dt);
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
                                Real(carried_share) * params.dt);
@@ -149,15 +170,17 @@ struct StepRigid {
     }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {
-        RigidBody body = work.body[work.fragment[entry]];
+        const RigidRow row = this->row(entry);
+        RigidBody body = work.body[row.slot];
         RigidSums sums[kRigidLanes];
-        const uint32_t lanes = laneCount(places(entry));
-        for (uint32_t lane = 0; lane < lanes; ++lane) sums[lane] = gather(body, entry, lane, lanes);
+        const uint32_t lanes = laneCount(row.places());
+        for (uint32_t lane = 0; lane < lanes; ++lane)
+            sums[lane] = gather(body, row, seat(row, lane), lane, lanes);
         for (uint32_t step = lanes / 2; step > 0; step /= 2)
             for (uint32_t lane = 0; lane < step; ++lane) add(sums[lane], sums[lane + step]);
         move(body, sums[0]);
-        keep(body, entry);
-        place(body, entry, 0, 1);
+        keep(body, row);
+        place(body, row, seat(row, 0), 0, 1);
     }
 };
 

@@ -61,29 +61,34 @@ __device__ __forceinline__ RigidSums warpTotal(RigidSums sums, uint32_t lanes) {
     return sums;
 }
 
+/// Reads what no step changes, then waits for the step before.
 template <bool kLedger, class Real>
-__device__ void moveSmall(const StepRigid<kLedger, Real>& step, uint32_t entry, uint32_t lane) {
+__device__ void moveSmall(const StepRigid<kLedger, Real>& step, const RigidRow& row, uint32_t lane) {
     static_assert(kShortRigidRow == 2 * kWarp);
-    const uint32_t lanes = laneCount(step.places(entry));
-    RigidBody body = step.work.body[step.work.fragment[entry]];
+    const uint32_t lanes = laneCount(row.places());
+    const RigidSeat seat = step.seat(row, lane);
+    awaitPrevious();
+    RigidBody body = step.work.body[row.slot];
     RigidSums sums;
-    if (lane < lanes) sums = step.gather(body, entry, lane, lanes);
-    if (lanes > kWarp) add(sums, step.gather(body, entry, lane + kWarp, lanes));
+    if (lane < lanes) sums = step.gather(body, row, seat, lane, lanes);
+    if (lanes > kWarp) add(sums, step.gather(body, row, step.seat(row, lane + kWarp), lane + kWarp, lanes));
     step.move(body, warpTotal(sums, lanes < kWarp ? lanes : kWarp));
     // Lanes beyond the tree have no total.
-    if (lane == 0) step.keep(body, entry);
-    if (lane < lanes) step.place(body, entry, lane, lanes < kWarp ? lanes : kWarp);
+    if (lane == 0) step.keep(body, row);
+    if (lane < lanes) step.place(body, row, seat, lane, lanes < kWarp ? lanes : kWarp);
 }
 
 template <bool kLedger, class Real>
-__device__ void moveLarge(const StepRigid<kLedger, Real>& step, uint32_t entry) {
+__device__ void moveLarge(const StepRigid<kLedger, Real>& step, const RigidRow& row) {
     __shared__ alignas(16) unsigned char sums_memory[kRigidLanes * sizeof(RigidSums)];
     __shared__ alignas(16) unsigned char body_memory[sizeof(RigidBody)];
     auto* sums = reinterpret_cast<RigidSums*>(sums_memory);
     auto& moved = *reinterpret_cast<RigidBody*>(body_memory);
-    const uint32_t lane = threadIdx.x, lanes = laneCount(step.places(entry));
-    RigidBody body = step.work.body[step.work.fragment[entry]];
-    sums[lane] = lane < lanes ? step.gather(body, entry, lane, lanes) : RigidSums{};
+    const uint32_t lane = threadIdx.x, lanes = laneCount(row.places());
+    const RigidSeat seat = step.seat(row, lane);
+    awaitPrevious();
+    RigidBody body = step.work.body[row.slot];
+    sums[lane] = lane < lanes ? step.gather(body, row, seat, lane, lanes) : RigidSums{};
     for (uint32_t width = lanes / 2; width >= kWarp; width /= 2) {
         __syncthreads();
         if (lane < width) add(sums[lane], sums[lane + width]);
@@ -91,27 +96,29 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, uint32_t entry) 
     if (lane < kWarp) {
         step.move(body, warpTotal(sums[lane], kWarp));
         if (lane == 0) {
-            step.keep(body, entry);
+            step.keep(body, row);
             moved = body;
         }
     }
     __syncthreads();
-    step.place(moved, entry, lane, kRigidLanes);
+    step.place(moved, row, seat, lane, kRigidLanes);
 }
 
-/// The first large_blocks blocks move one large fragment each, the warps of the others one small one.
+/// The first large_blocks blocks move one large fragment each, the warps of the others one small one. There
+/// is a fragment, so that somebody waits for the step before and the next one may rely on it.
 template <bool kLedger, class Real>
 __global__ void __launch_bounds__(kRigidLanes)
     rigidStepKernel(const StepRigid<kLedger, Real> step, uint32_t large_blocks) {
     letNextStart();
-    awaitPrevious();
+    const RigidWork& work = step.work;
     if (blockIdx.x < large_blocks) {
-        if (blockIdx.x < step.work.counts[kLargeCount]) moveLarge(step, step.work.large[blockIdx.x]);
+        if (blockIdx.x < work.counts[kLargeCount]) moveLarge(step, step.row(work.large[blockIdx.x]));
         return;
     }
     const uint32_t entry = ((blockIdx.x - large_blocks) * kRigidLanes + threadIdx.x) / kWarp;
-    if (entry < step.work.counts[kFragmentCount] && step.places(entry) <= kShortRigidRow)
-        moveSmall(step, entry, threadIdx.x % kWarp);
+    if (entry >= work.counts[kFragmentCount]) return;
+    const RigidRow row = step.row(entry);
+    if (row.places() <= kShortRigidRow) moveSmall(step, row, threadIdx.x % kWarp);
 }
 
 }  // namespace demolish

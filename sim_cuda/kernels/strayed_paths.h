@@ -97,8 +97,9 @@ struct SeeStrayed {
             const uint32_t i = strayed[k];
             if (i == j)
                 seePlanes(i);
-            else if (!isEnclosed(i) && !moveAsOne(i, j))
-                seePair(i, j, paths.anew(i), other);
+            else if (const PathFromHere<Real> own = paths.anew(i);
+                     mayMeet(own, other) && !isEnclosed(i) && !moveAsOne(i, j))
+                seePair(i, j, own, other);
         }
     }
 
@@ -121,9 +122,13 @@ struct SeeStrayed {
         if (told > atomicLoadU32(&words[word])) atomicMaxU32(&words[word], told);
     }
 
+    /// Asked first, since few may.
+    DEM_FN bool mayMeet(const PathFromHere<Real>& a, const PathFromHere<Real>& b) const {
+        return demolish::mayMeet(a.position, a.velocity, b.position, b.velocity, remaining);
+    }
+    /// Two that may meet.
     DEM_FN void seePair(uint32_t i, uint32_t j, const PathFromHere<Real>& own,
                         const PathFromHere<Real>& other) const {
-        if (!mayMeet(own.position, own.velocity, other.position, other.velocity, remaining)) return;
         const Vec3<Real> x = xyz(other.position) - xyz(own.position),
                          v = xyz(other.velocity) - xyz(own.velocity);
         const Real gap = length(x) - (own.position.w + other.position.w), speed2 = length2(v);
@@ -141,9 +146,9 @@ struct SeeStrayed {
     /// By the paths before, and by so much that the last decision has seen it.
     DEM_FN bool wereToMeet(uint32_t i, uint32_t j) const {
         const PathFromHere<Real> a = paths.former(i), b = paths.former(j);
-        return mayMeet(withW(xyz(a.position), a.position.w - Real(0.5) * a.velocity.w), a.velocity,
-                       withW(xyz(b.position), b.position.w - Real(0.5) * b.velocity.w), b.velocity,
-                       remaining);
+        return demolish::mayMeet(withW(xyz(a.position), a.position.w - Real(0.5) * a.velocity.w), a.velocity,
+                                 withW(xyz(b.position), b.position.w - Real(0.5) * b.velocity.w), b.velocity,
+                                 remaining);
     }
 
     DEM_FN void seePlanes(uint32_t i) const {

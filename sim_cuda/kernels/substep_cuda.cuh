@@ -4,6 +4,7 @@
 #pragma once
 #include <utility>
 
+#include "sim_cuda/backend/cuda_chained_launch.cuh"
 #include "sim_cuda/kernels/integrate.h"
 #include "sim_cuda/kernels/partial_sums.h"
 #include "sim_cuda/kernels/touch_slots.h"
@@ -270,19 +271,6 @@ __device__ __forceinline__ uint32_t workAt(const SubstepArrays<Real>& arrays, co
                                            uint32_t k) {
     const uint32_t last = params.in_bodies - 1, place = k < last ? k : last;
     return arrays.work.all() ? place : arrays.work.ids[place];
-}
-
-/// Programmatic dependent launch: the kernel after this one may start, and waits for the end of the one
-/// before it. Nothing on GPUs that know of no such thing.
-__device__ __forceinline__ void letNextStart() {
-#if __CUDA_ARCH__ >= 900
-    cudaTriggerProgrammaticLaunchCompletion();
-#endif
-}
-__device__ __forceinline__ void awaitPrevious() {
-#if __CUDA_ARCH__ >= 900
-    cudaGridDependencySynchronize();
-#endif
 }
 
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the

@@ -21,6 +21,7 @@ struct MarkWork {
     MeetingsIn<Real> meetings;
     PlacesIn places;
     Span<const uint32_t> regime;
+    Span<const uint32_t> meets;  ///< as JoinIslands has found it; empty: particles have been moved since
     PlaneSet<Real> planes;
     Span<uint32_t> active, fragment, bonded, carried;  ///< marks: by place, by slot, by particle, by particle
 
@@ -43,6 +44,7 @@ struct MarkWork {
     };
     DEM_FN Near nearOf(uint32_t i, uint32_t part) const {
         Near near{part == 0 && nearPlane(i), false};
+        if (!meets.empty() && meets[i] == 0) return near;
         meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             near.anything = true;
             near.bonded = near.bonded || isIn(j, Regime::kBonded);

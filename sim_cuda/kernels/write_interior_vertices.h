@@ -28,32 +28,47 @@ struct WriteInteriorVertices {
         if (face_state[f] == kFaceHidden || first_vertex[f + 1] > out.size()) return;
         const InteriorFace face = faces[f];
         const uint32_t pool = face_vertices[index];
+        Side a{fragment[face.cell_a]}, b{fragment[face.cell_b]};
+        gather(pool, a, b);
         const uint32_t to = first_vertex[f] + (index - face.first_vertex);
-        out[to] = vertexOfSide(pool, face.cell_a);
-        out[to + face.vertex_count] = vertexOfSide(pool, face.cell_b);
+        out[to] = vertexOfSide(pool, face.cell_a, a);
+        out[to + face.vertex_count] = vertexOfSide(pool, face.cell_b, b);
     }
 
-    /// The normal points out of the cell's fragment: all exposed faces of the fragment that meet here, by
-    /// area.
-    DEM_FN SurfaceVertex vertexOfSide(uint32_t pool, uint32_t cell) const {
-        const uint32_t slot = fragment[cell];
-        const Vec3<float> here = toVec3(position[pool]);
-        Vec3<float> normal, neighbours;
+  private:
+    /// Of the fragment on one side of a face: all its exposed faces that meet at a vertex.
+    struct Side {
+        uint32_t slot;
+        Vec3<float> normal{}, neighbours{};
         float count = 0;
+
+        DEM_FN void add(bool outward, const Vec3<float>& area, const Vec3<float>& next_and_previous) {
+            normal = outward ? normal + area : normal - area;
+            neighbours = neighbours + next_and_previous;
+            count += 2.0f;
+        }
+    };
+    /// Both at once: what is read for one side is read for the other.
+    DEM_FN void gather(uint32_t pool, Side& a, Side& b) const {
+        const Vec3<float> here = toVec3(position[pool]);
         for (uint32_t c = corners.start[pool]; c < corners.start[pool + 1]; ++c) {
-            if (face_state[corners.face[c]] == kFaceHidden) continue;
-            const InteriorFace& face = faces[corners.face[c]];
-            const bool side_a = fragment[face.cell_a] == slot;
-            if (!side_a && fragment[face.cell_b] != slot) continue;
+            const uint32_t f = corners.face[c];
+            if (face_state[f] == kFaceHidden) continue;
+            const uint32_t slot_a = fragment[faces[f].cell_a], slot_b = fragment[faces[f].cell_b];
+            const bool of_a = slot_a == a.slot || slot_b == a.slot,
+                       of_b = slot_a == b.slot || slot_b == b.slot;
+            if (!of_a && !of_b) continue;
             const Vec3<float> next = toVec3(position[corners.next[c]]) - here;
             const Vec3<float> previous = toVec3(position[corners.previous[c]]) - here;
             const Vec3<float> area = cross(next, previous);
-            normal = side_a ? normal + area : normal - area;
-            neighbours = neighbours + (next + previous);
-            count += 2.0f;
+            if (of_a) a.add(slot_a == a.slot, area, next + previous);
+            if (of_b) b.add(slot_a == b.slot, area, next + previous);
         }
-        normal = normalized(normal);
-        const float bend = -dot(normal, neighbours) / (count * kFullBend * spacing[pool]);
+    }
+    /// The normal points out of the cell's fragment, by area.
+    DEM_FN SurfaceVertex vertexOfSide(uint32_t pool, uint32_t cell, const Side& side) const {
+        const Vec3<float> normal = normalized(side.normal);
+        const float bend = -dot(normal, side.neighbours) / (side.count * kFullBend * spacing[pool]);
         const float depth = static_cast<float>(surface_distance[pool]) / static_cast<float>(kInnerDistance);
         return {position[pool], packOctahedral(normal.x, normal.y, normal.z),
                 packHalf2(depth, clampTo(bend, -1.0f, 1.0f)), cell};

@@ -24,10 +24,9 @@ struct PairFinder<CudaBackend, Real> {
     static void launch(CudaBackend& backend, const NeighbourSearch<Real>& search, const RowDrafts& drafts,
                        const ProjectileBits& projectiles) {
         const uint32_t warps = searchWarps<kGroup>(search.in_bodies, search.total - search.in_bodies);
-        findPairsKernel<kGroup, Real>
-            <<<(warps + kSearchWarps - 1) / kSearchWarps, kSearchBlock, 0, backend.stream()>>>(search, drafts,
-                                                                                               projectiles);
-        checkCuda(cudaGetLastError(), "find pairs");
+        launchChained(backend.stream(), true, findPairsKernel<kGroup, Real>,
+                      (warps + kSearchWarps - 1) / kSearchWarps, kSearchBlock, "find pairs", search, drafts,
+                      projectiles);
     }
 };
 

@@ -15,13 +15,12 @@ std::unique_ptr<Solver> makeCudaSolver(const SceneSetup& setup, const ProgressCa
 CudaDevice findCudaDevice() {
     CudaDevice device;
     device.built_with_cuda = true;
-    int count = 0;
     cudaError_t problem = cudaDriverGetVersion(&device.driver_version);
     if (problem == cudaSuccess && device.driver_version == 0) {
         device.problem = "this machine has no NVIDIA driver";
         return device;
     }
-    if (problem == cudaSuccess) problem = cudaGetDeviceCount(&count);
+    if (problem == cudaSuccess) problem = cudaGetDeviceCount(&device.count);
     if (problem == cudaSuccess) problem = cudaGetDevice(&device.ordinal);
     cudaDeviceProp properties{};
     if (problem == cudaSuccess) problem = cudaGetDeviceProperties(&properties, device.ordinal);

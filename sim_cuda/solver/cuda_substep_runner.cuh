@@ -6,7 +6,6 @@
 #include <cstdlib>
 
 #include "sim_cuda/kernels/substep_cuda.cuh"
-#include "sim_cuda/solver/cuda_chained_launch.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
@@ -32,9 +31,11 @@ class SubstepRunner<CudaBackend, Real> {
     void run(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
              ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
              uint32_t n) {
+        if (backend.isIdle())
+            n -= runSingly(backend, data, contacts, params, ledger, std::min(n, kSubstepsTogether));
         for (; n >= kSubstepsTogether; n -= kSubstepsTogether)
             runInterval(backend, data, contacts, params, ledger);
-        for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger, k > 0);
+        runSingly(backend, data, contacts, params, ledger, n);
     }
     /// `follows`: right after another step of the same work lists, whose end it need not wait for to start.
     void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
@@ -58,6 +59,13 @@ class SubstepRunner<CudaBackend, Real> {
     }
 
   private:
+    /// As single launches, which start sooner than a graph does. Returns n.
+    uint32_t runSingly(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
+                       ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
+                       bool ledger, uint32_t n) {
+        for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger, k > 0);
+        return n;
+    }
     struct Launch {
         cudaStream_t stream = nullptr;
         bool follows = false;
@@ -114,7 +122,7 @@ class SubstepRunner<CudaBackend, Real> {
         const uint32_t particles = launchedParticles(arrays.work, params);
         const uint32_t blocks = (particles + kParticles - 1) / kParticles + kMaxProjectiles;
         launchChained(launch.stream, launch.follows, substepKernel<T, kLedger, Real>, blocks, kSubstepBlock,
-                      arrays, params);
+                      "starting a substep", arrays, params);
     }
 
     CudaGraphCache graphs_;

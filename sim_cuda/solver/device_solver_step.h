@@ -217,9 +217,9 @@ void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
 /// makes the mean exact). Else contacts would lose energy that nobody books.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n) {
-    rigid_runner_.repeat(backend_, step, runner_, n, [&] {
-        for (uint32_t done = 0; done < n;) {
-            const uint32_t stride = std::min(kRigidStride, n - done);
+    rigid_runner_.repeat(backend_, step, runner_, n, [&](uint32_t substeps) {
+        for (uint32_t done = 0; done < substeps;) {
+            const uint32_t stride = std::min(kRigidStride, substeps - done);
             StepParams<Real> params = params_;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
             rigid_runner_.gather(backend_, step, stride, done > 0);

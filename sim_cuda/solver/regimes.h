@@ -69,13 +69,11 @@ class Regimes {
     /// Something is rigid or sleeps, so that what meets it has to be known beforehand.
     bool leavesBonds() const { return movesRigid() || counts_[kAsleepCount] > 0; }
     bool movesRigid() const { return counts_[kFragmentCount] > 0; }
-    /// Some rigid fragment may touch what is moved with its bonds: substeps carry it from one contact step to
-    /// the next.
+    /// Some rigid fragment may touch what is moved with its bonds, so that substeps carry it along.
     bool carries() const { return counts_[kCarriedCount] > 0; }
+    double gentlestHit() const { return gentlest_hit_; }  ///< m/s: no slower meeting wakes bonds
     /// Somebody will be hit hard before the next decision but not at once, and has not been woken for it:
     /// decide anew within decisionInterval() substeps.
-    /// m/s: no meeting slower than this wakes bonds.
-    double gentlestHit() const { return gentlest_hit_; }
     bool hitsLater() const { return counts_[kHitsLater] != 0; }
     uint32_t decisionInterval() const { return decision_substeps_; }
     uint32_t bondedParticles() const { return counts_[kBondedCount]; }
@@ -121,7 +119,7 @@ class Regimes {
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
-    Buffer<uint32_t> regime_, former_, island_, flags_, speeds_, body_memory_;
+    Buffer<uint32_t> regime_, former_, island_, flags_, meets_, speeds_, body_memory_;
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
@@ -168,7 +166,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);
     for (Buffer<uint32_t>* words :
-         {&regime_, &former_, &island_, &flags_, &active_, &fragment_, &first_, &last_, &large_})
+         {&regime_, &former_, &island_, &flags_, &meets_, &active_, &fragment_, &first_, &last_, &large_})
         *words = backend.template allocate<uint32_t>(total);
     speeds_ = backend.template allocate<uint32_t>(total);
     body_memory_ = backend.template allocate<uint32_t>(total);
@@ -266,16 +264,17 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
     const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_};
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(total,
-                     StartIslands{island_.span(), flags_.span(), marks.part(0, total),
+                     StartIslands{island_.span(), flags_.span(), meets_.span(), marks.part(0, total),
                                   marks.part(3 * size_t{total}, total), words_.span(), body_awake_.span()},
                      "start islands");
     backend_.forEach(size_t{total} * kThreads,
-                     JoinIslands<kThreads, Real>{hits, island_.span(), words_.span()}, "join islands");
+                     JoinIslands<kThreads, Real>{hits, island_.span(), meets_.span(), words_.span()},
+                     "join islands");
     backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-    backend_.forEach(size_t{total} * kThreads,
-                     FlagIslands<kThreads, Real>{hits, island_.view(), clock_.view(), params.planes,
-                                                 params.gravity, rules, flags_.span(), words_.span()},
-                     "flag islands");
+    const FlagIslands<kThreads, Real> flag{hits,          island_.view(), meets_.view(),
+                                           clock_.view(), params.planes,  params.gravity,
+                                           rules,         flags_.span(),  words_.span()};
+    backend_.forEach(size_t{total} * kThreads, flag, "flag islands");
     backend_.forEach(
         total,
         ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,
@@ -314,9 +313,10 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(
         size_t{total} * kThreads,
-        MarkWork<kThreads, Real>{meetings, places, regime_.view(), params.planes, marks.part(0, total),
-                                 marks.part(total, total), marks.part(2 * size_t{total}, total),
-                                 marks.part(3 * size_t{total}, total)},
+        MarkWork<kThreads, Real>{meetings, places, regime_.view(),
+                                 frame_starts ? Span<const uint32_t>{} : meets_.view(), params.planes,
+                                 marks.part(0, total), marks.part(total, total),
+                                 marks.part(2 * size_t{total}, total), marks.part(3 * size_t{total}, total)},
         "mark work");
     backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
     backend_.forEach(total,

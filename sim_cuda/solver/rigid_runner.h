@@ -67,10 +67,10 @@ class RigidRunner<CpuBackend, Real> {
             done += stride;
         }
     }
-    /// Does what `steps` starts.
+    /// steps(n), which starts n substeps of the runner too.
     template <class Runner, class Steps>
-    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t, const Steps& steps) {
-        steps();
+    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t n, const Steps& steps) {
+        steps(n);
     }
     /// The two halves of one contact step; substeps that carry particles stand between them. On the GPU the
     /// first half may `follow` a second one.

@@ -139,6 +139,8 @@ TEST(Jobs, EachHasADeviceOfItsOwn) {
     EXPECT_EQ(visibleDevice(2, nullptr), "2");
     EXPECT_EQ(visibleDevice(1, "4,GPU-17"), "GPU-17");
     EXPECT_THROW(visibleDevice(2, "4,5"), UsageError);
+    EXPECT_NO_THROW(checkGpus(2, 2));
+    EXPECT_THROW(checkGpus(3, 2), UsageError);
 }
 
 }  // namespace

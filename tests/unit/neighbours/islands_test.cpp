@@ -2,6 +2,7 @@
 // CPU one.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "sim_cuda/kernels/islands.h"
@@ -38,11 +39,13 @@ class Crowd {
         clock_ = arrays_.backend.allocate<CalmClock>(total);
         wake_ = arrays_.backend.uploaded(std::vector<WakeLaw<float>>(1, {4.0f, 0.0f, 1.0f}));
     }
+    /// `all_ask`: also those of whom JoinIslands has found no meeting.
     template <uint32_t kThreads>
-    std::vector<uint32_t> flagged() {
+    std::vector<uint32_t> flagged(bool all_ask = false) {
         const auto total = static_cast<uint32_t>(cloud_.items.size());
         auto flags = arrays_.backend.allocate<uint32_t>(total),
-             words = arrays_.backend.allocate<uint32_t>(kWorkWords);
+             words = arrays_.backend.allocate<uint32_t>(kWorkWords),
+             island = arrays_.backend.uploaded(label_), meets = arrays_.backend.allocate<uint32_t>(total);
         const MeetingsIn<float> meetings{arrays_.state(),
                                          lists_.contacts().paths(),
                                          arrays_.particles.constants.view(),
@@ -63,9 +66,18 @@ class Crowd {
         rules.hand_over = rules.may_calm = true;
         rules.calm_substeps = rules.rest_substeps = 10;
         const HitRules<float> hits{meetings, rows, regime_.view(), wake_.view(), 8};
+        if (all_ask)
+            arrays_.backend.fill(meets.span(), 1u);
+        else
+            arrays_.backend.forEach(
+                size_t{total} * kThreads,
+                JoinIslands<kThreads, float>{hits, island.span(), meets.span(), words.span()}, "join");
+        without_meetings += static_cast<uint32_t>(std::count(&meets.view()[0], &meets.view()[0] + total, 0u));
+        arrays_.backend.fill(words.span(), 0u);
         arrays_.backend.forEach(size_t{total} * kThreads,
                                 FlagIslands<kThreads, float>{hits,
                                                              labels_.view(),
+                                                             meets.view(),
                                                              clock_.view(),
                                                              floor,
                                                              {0, -9.81f, 0},
@@ -78,6 +90,8 @@ class Crowd {
         return found;
     }
 
+    uint32_t without_meetings = 0;  ///< particles, over all calls
+
   private:
     test::Cloud cloud_;
     test::CloudArrays arrays_;
@@ -89,16 +103,19 @@ class Crowd {
 };
 
 TEST(FlagIslands, AnyNumberOfThreadsAParticleFindsTheSame) {
-    uint32_t at_once = 0, later = 0, neither = 0;
+    uint32_t at_once = 0, later = 0, neither = 0, without_meetings = 0;
     for (unsigned seed = 1; seed <= 200; ++seed) {
         Crowd crowd(seed);
         const std::vector<uint32_t> by_one = crowd.flagged<1>();
         EXPECT_EQ(by_one, crowd.flagged<8>()) << "seed " << seed;
+        without_meetings += crowd.without_meetings;
+        EXPECT_EQ(by_one, crowd.flagged<1>(true)) << "seed " << seed;
         later += by_one.back();
         for (size_t i = 0; i < 9; ++i) ((by_one[i] & kNeedsBonds) != 0 ? at_once : neither) += 1;
     }
     EXPECT_GT(at_once, 20u);
     EXPECT_GT(neither, 20u);
+    EXPECT_GT(without_meetings, 100u);
     EXPECT_GT(later, 10u);
     EXPECT_LT(later, 190u);
 }
