@@ -43,8 +43,9 @@ DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const Ste
                                     uint32_t slot, BondLink link, RigidLoad<Real>& load) {
     const uint32_t j = linkedParticle(link);
     if (isBonded(link) || label[j] == label[own.id]) return {};
-    return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching,
-                       [&] { return formerBondSlot<kLedger>(arrays, params, own, slot, load.tally); });
+    return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching, [&] {
+        return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, load.tally);
+    });
 }
 /// The other end of a contact and its fragment: most of those that are listed are of the same one.
 struct ContactFragment {
@@ -63,18 +64,38 @@ DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const 
                                        const ContactFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
-    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching,
-                       [&] { return contactSlot<kLedger>(arrays, params, own, slot, end, load.tally); });
+    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching, [&] {
+        return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
+    });
 }
 
-/// kg m^2: each of a rigid fragment's contacts turns its share of the fragment, whichever way it rolls.
+/// A piece that lies rolls as the ball of its size does, at this share of its radius; by the radius of a
+/// cell, which stands there for the piece, drums rolled on for metres. What stands higher than that ball
+/// topples rather than rolls: there the share falls by the square of the height, or leaning pieces would
+/// stand, and the wolf's break a tenth fewer bonds.
+inline constexpr double kRollingRadiusShare = 0.5;
+
+/// What all of a fragment's contacts may take of its spin in a step, over what one of a particle may (a
+/// fifth): less and a piece that leans beyond what rolling resistance holds creeps for seconds.
+inline constexpr double kRollingGrip = 4;
+
+/// A rigid fragment's contact with a plane turns its share of the fragment, whichever way it rolls: over
+/// those that touched in the step before, and one more.
 template <class Real>
 struct TurnsFragment {
+    static constexpr StepKind kStep = StepKind::kContact;
     RigidWork work;
-    DEM_FN Real operator()(uint32_t i) const {
+    DEM_FN Turning<Real> operator()(uint32_t i, const Vec4<Real>& plane) const {
         const RigidBody& body = work.body[work.label[i]];
         const Sym3& j = body.inverse_inertia;
-        return Real(1 / (double(body.contact_share) * (j.xx + j.yy + j.zz)));
+        const double diagonal = j.xx * j.xx + j.yy * j.yy + j.zz * j.zz;
+        // At least the greatest principal value; of a ball the trace is 7.5 / (m R^2).
+        const double norm = squareRoot(diagonal + 2 * (j.xy * j.xy + j.yz * j.yz + j.zx * j.zx));
+        const double ball = 7.5 * body.inverse_mass / (j.xx + j.yy + j.zz);
+        const double height = dot(asDouble(xyz(plane)), body.centre) - double(plane.w);
+        const double lies = height * height > ball ? ball / (height * height) : 1.0;
+        return {Real(kRollingGrip / ((1.0 + body.touching) * norm)),
+                Real(kRollingRadiusShare * lies * squareRoot(ball))};
     }
 };
 

@@ -58,8 +58,8 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
 /// Each contact stands for what the fragment sets against it there, over all its contacts of the step before:
 /// its mass and, across the arm to the particle, its turning, so that the step is stable however many touch,
 /// be it at the tip of a splinter. Its damper is that of a substep and goes by the particle's own mass
-/// (`OwnMass`), and so does what resists rolling but on planes (`TurnsFragment`). `arm`: m, from the centre,
-/// in the frame that the inertia belongs to.
+/// (`OwnMass`) but where it hardly approaches (`kRestApproach`), and so does what resists rolling but on
+/// planes (`TurnsFragment`). `arm`: m, from the centre, in the frame that the inertia belongs to.
 template <class Real>
 DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm, const Vec4<Real>& own) {
     const Sym3& j = body.inverse_inertia;
@@ -137,6 +137,7 @@ struct StepRigid {
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride;
         advance(body, total.force, total.torque, fallen * asDouble(params.gravity), double(params.dt));
+        body.touching = total.touching;
         const uint32_t wanted = total.touching / kContactsPerShare;
         body.contact_share = wanted > body.least_share ? wanted : body.least_share;
     }

@@ -15,6 +15,16 @@ namespace demolish {
 /// overshot in every substep, was cut at mu N, and drove piles at rest (1.5 mW in 125 cells, for ever).
 inline constexpr double kShearDampingShare = 0.2;
 
+/// Which kind of step asks for a law of touch.
+enum class StepKind : uint32_t {
+    kSubstep,  ///< of particles by themselves
+    kContact,  ///< of rigid fragments
+};
+
+/// m/s: below this speed of approach the dampers of contact steps pass over to those of the fragment's share.
+/// A fall from 2 mm; hardly a drum that rocks hits the floor harder.
+inline constexpr double kRestApproach = 0.2;
+
 /// What two particles set against their contact, or one against a plane.
 template <class Real>
 struct PairInertia {
@@ -61,6 +71,8 @@ struct TouchLaw {
     Real radius{};          ///< m, for rolling
     Real inertia{};         ///< kg m^2, for rolling
     bool softens = false;   ///< as in PairInertia, or a contact step
+    Real resting{};         ///< N s/m, what the normal damper has more at rest, in contact steps;
+    Real shear_resting{};   ///< the same of the tangential one
 };
 
 template <class Real>
@@ -73,8 +85,26 @@ struct TouchEffect {
     Real opening{};         ///< m/s, along the normal
 };
 
-/// Spring as it was; i and j as in PairMotion (of which positions and rotations are not used).
+/// 1 where nothing approaches or parts, 0 from kRestApproach on. `opening`: m/s.
 template <class Real>
+DEM_FN Real restShare(Real opening) {
+    return maxOf(Real(1) - opening * opening * Real(1 / (kRestApproach * kRestApproach)), Real(0));
+}
+
+/// N s/m.
+template <class Real>
+struct Dampers {
+    Real normal{}, shear{};
+};
+template <StepKind kStep, class Real>
+DEM_FN Dampers<Real> dampers(const TouchLaw<Real>& law, Real opening) {
+    if constexpr (kStep == StepKind::kSubstep) return {law.normal_damping, law.shear_damping};
+    const Real share = restShare(opening);
+    return {madd(share, law.resting, law.normal_damping), madd(share, law.shear_resting, law.shear_damping)};
+}
+
+/// Spring as it was; i and j as in PairMotion (of which positions and rotations are not used).
+template <StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
                                      const PairMotion<Real>& pair, const Vec3<Real>& spring, Real dt) {
     const Vec3<Real> arm_i = at.arm_i * at.normal, arm_j = -at.arm_j * at.normal;
@@ -82,9 +112,10 @@ DEM_FN TouchEffect<Real> touchEffect(const TouchGeometry<Real>& at, const TouchL
         (pair.velocity_j + cross(pair.spin_j, arm_j)) - (pair.velocity_i + cross(pair.spin_i, arm_i));
     const Real opening = dot(relative, at.normal);
     const Vec3<Real> slip = axpy(-opening, at.normal, relative);
-    const Real normal = repulsion(law.elastic, law.normal_damping, -opening);
-    const TangentialResult<Real> tangential = tangentialSpring(spring, at.normal, slip, dt, law.shear,
-                                                               law.shear_damping, law.friction * law.elastic);
+    const Dampers<Real> damping = dampers<kStep>(law, opening);
+    const Real normal = repulsion(law.elastic, damping.normal, -opening);
+    const TangentialResult<Real> tangential =
+        tangentialSpring(spring, at.normal, slip, dt, law.shear, damping.shear, law.friction * law.elastic);
     const Vec3<Real> rolling =
         rollingTorque(law.rolling, law.radius, law.elastic, law.inertia, pair.spin_j - pair.spin_i, dt);
     TouchEffect<Real> effect;
@@ -113,8 +144,9 @@ struct OwnMass {
     Real inertia{};  ///< kg m^2, reduced
 };
 /// In contact steps the particles' own masses, as in substeps: a fragment bounces off as it does with its
-/// bonds, which give back most of what they take in, while dampers as strong as the fragment is heavy would
-/// end its rocking at once. Rolling resistance takes ten times as much in a step ten times as long, where the
+/// bonds, which give back most of what they take in. Slower than kRestApproach it need not: there the damper
+/// grows to that of the fragment's share, which is what the restitution asks for, and ends the bouncing.
+/// Rolling resistance takes ten times as much in a step ten times as long, where the
 /// fragment's share (`shared`, kg) is heavy enough for it. `radius`: m.
 template <class Real>
 DEM_FN OwnMass<Real> ownMass(const PairInertia<Real>& against, const StepParams<Real>& params, Real radius,
@@ -125,19 +157,31 @@ DEM_FN OwnMass<Real> ownMass(const PairInertia<Real>& against, const StepParams<
     return {own, Real(0.4) * turned * (radius * radius)};
 }
 
-/// Contact constants by the law chosen; R* and overlap in m; `kept` as above.
+/// What kRestApproach adds to the dampers of `law`; `shared` N s/m: the normal one by the fragment's share;
+/// `shear_cap` N s/m.
 template <class Real>
+DEM_FN void addResting(TouchLaw<Real>& law, Real shared, Real shear_cap) {
+    const Real normal = maxOf(shared, law.normal_damping);
+    law.resting = normal - law.normal_damping;
+    law.shear_resting = minOf(normal, shear_cap) - law.shear_damping;
+}
+
+/// Contact constants by the law chosen; R* and overlap in m; `kept` as above.
+template <StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParams<Real>& params, Real overlap,
                                       Real reduced_radius, const PairInertia<Real>& against,
                                       Real kept = Real(0)) {
     const Real root = inverseSqrt(against.inverse_mass), reduced_mass = root * root;
     const OwnMass<Real> own = ownMass(against, params, reduced_radius, reduced_mass);
     TouchLaw<Real> law;
+    Real shared{};
     law.softens = against.softens || params.softening != 0;
     if (params.hertz != 0) {
         const Real a = contactRadius(reduced_radius, overlap);
         law.elastic = hertzForce(pair.modulus, a, overlap);
         law.normal_damping = hertzDamping(pair.damping, pair.modulus, own.mass, a);
+        if constexpr (kStep == StepKind::kContact)
+            shared = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
         const Real stiffness = noStifferThan(
@@ -145,10 +189,13 @@ DEM_FN TouchLaw<Real> contactTouchLaw(const PairLaw<Real>& pair, const StepParam
         law.stiffness = stiffness;
         law.elastic = stiffness * overlap;
         law.normal_damping = linearDamping(pair.damping, stiffness, own.mass);
+        if constexpr (kStep == StepKind::kContact)
+            shared = linearDamping(pair.damping, stiffness, reduced_mass);
         law.shear = Real(kContactShearRatio) * stiffness;
     }
-    law.shear_damping = minOf(law.normal_damping,
-                              against.damping_share * (Real(kShearDampingShare) * reduced_mass / params.dt));
+    const Real shear_cap = against.damping_share * (Real(kShearDampingShare) * reduced_mass / params.dt);
+    law.shear_damping = minOf(law.normal_damping, shear_cap);
+    if constexpr (kStep == StepKind::kContact) addResting(law, shared, shear_cap);
     law.adhesion = adhesionForce(pair.adhesion, reduced_radius, overlap);
     law.friction = pair.friction;
     law.rolling = pair.rolling;

