@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -15,11 +16,13 @@ namespace {
 constexpr double kAbove = 1 + kBreakAtMargin, kBelow = 1 - kBreakAtMargin;
 /// Nearer than what is promised: where chance allows, the threshold lies in the middle.
 constexpr double kNearAbove = 1.05, kNearBelow = 0.95;
-/// Speeds over the one asked for, the most telling first; the body is to break at those above 1 only.
-constexpr std::array kProbes{kAbove, kBelow, kNearAbove, kNearBelow, 1.21, 0.8, 1.33, 1.46, 1.61};
+/// Speeds over the one asked for; the body is to break at those above 1 only. First what makes the lowest one
+/// "from which on the body breaks": so many are promised.
+constexpr std::array kProbes{kAbove, kBelow, 1.21, 1.33, 1.46, 1.61, 0.8, 0.7};
+constexpr int kAll = static_cast<int>(kProbes.size()), kPromised = 6;
 
 /// m/s: its probes must lie where thresholds are looked for.
-constexpr Range kSearchedVelocity{kThresholdRange.least / 0.8, kThresholdRange.most / kAbove};
+constexpr Range kSearchedVelocity{kThresholdRange.least / 0.7, kThresholdRange.most / kAbove};
 
 constexpr double kFirstStep = 1.25, kStepGrowth = 1.2, kMostStep = 2;
 constexpr int kMostSteps = 10;
@@ -31,10 +34,7 @@ constexpr double kAroundStep = 1.025;
 /// Trials after which the progress bar has gone two thirds of its way; a search has no known end.
 constexpr double kUsualTrials = 12;
 
-struct Verdict {
-    int passed = 0;  ///< probes that went as wished, before the first that did not
-    bool met = true, too_strong = false;
-};
+enum class Verdict { kTooWeak, kTooStrong, kMet };
 
 class Search {
   public:
@@ -67,32 +67,51 @@ class Search {
         return breaks_(critical, speed);
     }
 
-    /// `centred`: with the two probes that are nearer than what is promised.
-    Verdict judge(double critical, bool centred) {
-        Verdict verdict;
-        for (const double probe : kProbes) {
-            if (!centred && probe > kBelow && probe < kAbove) continue;
-            const double speed = probe * velocity_;
-            const bool wished = probe > 1;
-            if (speed <= kThresholdRange.most && breaksAt(critical, speed) != wished) {
-                verdict.met = false;
-                verdict.too_strong = wished;
-                return verdict;
-            }
-            ++verdict.passed;
-        }
-        return verdict;
+    /// At one of the probes or nearer, over the velocity asked for; not tried twice.
+    bool breaksAtShare(double critical, double share) {
+        if (critical != judged_) answers_.clear();
+        judged_ = critical;
+        const auto known = answers_.find(share);
+        if (known != answers_.end()) return known->second;
+        const double speed = share * velocity_;
+        return answers_[share] = speed > kThresholdRange.most || breaksAt(critical, speed);
+    }
+
+    /// What two of three say: one alone may lie in a gap.
+    bool mostlyBreaks(double critical, double a, double b, double c) {
+        const bool first = breaksAtShare(critical, a);
+        return first == breaksAtShare(critical, b) ? first : breaksAtShare(critical, c);
+    }
+
+    /// Probes that go as wished before the first that does not.
+    int passed(double critical) {
+        int count = 0;
+        while (count < kAll && breaksAtShare(critical, kProbes[count]) == (kProbes[count] > 1)) ++count;
+        return count;
+    }
+
+    Verdict judge(double critical) {
+        if (!mostlyBreaks(critical, kAbove, 1.21, 1.33)) return Verdict::kTooStrong;
+        if (mostlyBreaks(critical, kBelow, 0.8, 0.7)) return Verdict::kTooWeak;
+        for (const double share : {kAbove, kNearAbove})
+            if (!breaksAtShare(critical, share)) return Verdict::kTooStrong;
+        for (const double share : {kBelow, kNearBelow})
+            if (breaksAtShare(critical, share)) return Verdict::kTooWeak;
+        const int count = passed(critical);
+        if (count == kAll) return Verdict::kMet;
+        return kProbes[count] > 1 ? Verdict::kTooStrong : Verdict::kTooWeak;
     }
 
     /// The strength at which all goes as wished; 0: one is known that is too weak and one too strong.
     double bracketFrom(double critical) {
         double step = kFirstStep;
         for (int k = 0; k < kMostSteps; ++k) {
-            const Verdict verdict = judge(critical, true);
-            if (verdict.met) return critical;
-            (verdict.too_strong ? strong_ : weak_) = critical;
+            const Verdict verdict = judge(critical);
+            if (verdict == Verdict::kMet) return critical;
+            const bool too_strong = verdict == Verdict::kTooStrong;
+            (too_strong ? strong_ : weak_) = critical;
             if (weak_ > 0 && strong_ > 0) return 0;
-            critical *= verdict.too_strong ? 1 / step : step;
+            critical *= too_strong ? 1 / step : step;
             step = std::min(kMostStep, step * kStepGrowth);
         }
         throw NumericalError("no strength was found at which the body breaks from " +
@@ -104,9 +123,9 @@ class Search {
     double halve() {
         while (strong_ > kNearest * weak_) {
             const double middle = std::sqrt(weak_ * strong_);
-            const Verdict verdict = judge(middle, true);
-            if (verdict.met) return middle;
-            (verdict.too_strong ? strong_ : weak_) = middle;
+            const Verdict verdict = judge(middle);
+            if (verdict == Verdict::kMet) return middle;
+            (verdict == Verdict::kTooStrong ? strong_ : weak_) = middle;
         }
         return 0;
     }
@@ -115,22 +134,22 @@ class Search {
     bool lookAround(double& best) {
         const double centre = std::sqrt(weak_ * strong_);
         int farthest = -1;
-        for (int k = 0; k <= 2 * kAround; ++k) {
+        for (int k = 0; k <= 2 * kAround && farthest < kAll; ++k) {
             const double critical = centre * std::pow(kAroundStep, (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2));
-            const Verdict verdict = judge(critical, false);
-            if (verdict.passed > farthest) {
-                farthest = verdict.passed;
-                best = critical;
-            }
-            if (verdict.met) return true;
+            const int count = passed(critical);
+            if (count <= farthest) continue;
+            farthest = count;
+            best = critical;
         }
-        return false;
+        return farthest >= kPromised;
     }
 
     const std::function<bool(double, double)>& breaks_;
     double velocity_;
     double weak_ = 0, strong_ = 0;  // v_c, m/s; 0: none yet
     uint32_t trials_ = 0;
+    double judged_ = 0;  // the strength that answers_ speak of
+    std::map<double, bool> answers_;
 };
 
 }  // namespace
