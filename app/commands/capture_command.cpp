@@ -156,7 +156,9 @@ void runCapture(const CaptureOptions& options) {
 void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
     auto* command = app.add_subcommand("capture", "Break a model without a window: PNG frames, film, report");
     addShotOptions(*command, options.shot);
-    command->add_option("--frames", options.frames, "Frames to draw")->type_name("N")->capture_default_str();
+    auto* frames = command->add_option("--frames", options.frames, "Frames to draw")
+                       ->type_name("N")
+                       ->capture_default_str();
     command->add_option("--out", options.out, "Folder for frame_0000.png ... and contact_sheet.png")
         ->type_name("DIR");
     command->add_option("--video", options.video, "Film, through the ffmpeg program")->type_name("FILE");
@@ -171,6 +173,7 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
     command->add_option("--at", options.at, "Draw these moments only, in seconds; instead of --frames")
         ->type_name("S,S,...")
         ->delimiter(',')
+        ->excludes(frames)
         ->allow_extra_args(false);
     command
         ->add_option("--camera-yaw", options.camera_yaw,

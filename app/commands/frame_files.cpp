@@ -1,6 +1,8 @@
 // A short queue in front of a few PNG writers; the video takes frames in order on the way.
 #include "app/commands/frame_files.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cstdio>
 
@@ -99,6 +101,10 @@ void FrameFiles::finish() {
                          engine::contactSheet(pictures, options_.sheet_columns, tile));
     }
     if (video_) video_->finish();
+    if (options_.folder && std::filesystem::exists(frameName(*options_.folder, options_.frames)))
+        spdlog::warn("{} also holds frames of an earlier, longer capture, from {} on",
+                     options_.folder->string(),
+                     frameName(*options_.folder, options_.frames).filename().string());
 }
 
 }  // namespace demolish

@@ -48,6 +48,19 @@ std::string complaint(const CLI::App& app, const CLI::ParseError& error, int arg
     return std::string(error.what()) + "; see demolish --help";
 }
 
+/// A value that is empty, as "$SPEED" is where nobody has set it, would mean the default: refused.
+void refuseEmptyValues(CLI::App& app) {
+    for (CLI::Option* option : app.get_options())
+        if (option->get_items_expected_max() > 0)
+            option->check(
+                [](const std::string& value) {
+                    return value.empty() ? std::string("is empty; give a value or leave it out")
+                                         : std::string();
+                },
+                "");
+    for (CLI::App* command : app.get_subcommands({})) refuseEmptyValues(*command);
+}
+
 int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
     try {
         app.parse(argument_count, arguments);
@@ -98,6 +111,7 @@ int runProgram(int argument_count, char** arguments) {
     addBreakageCommand(app, breakage);
     addCalibrateCommand(app, calibrate);
     addInfoCommand(app);
+    refuseEmptyValues(app);
     return parseAndRun(app, argument_count, arguments);
 }
 

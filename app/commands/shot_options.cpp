@@ -17,7 +17,7 @@ constexpr const char* kDefaultScene = "bunny";
 // break the body well (the rabbit's threshold is 3.5, models.md E.2).
 constexpr double kModelImpactFactor = 6;
 constexpr Range kPiecesRange{0, 100000};
-constexpr Range kSeedRange{0, 9007199254740992.0};  // whole numbers that a double holds
+constexpr Range kSeedRange{0, 4294967295.0};  // as in scene files; packings take 32 bits of it
 
 double inRange(const char* option, double value, const Range& range, const char* unit) {
     requireInRange(option, value, range, unit);

@@ -21,6 +21,10 @@ extern char** environ;
 namespace demolish {
 namespace {
 
+constexpr const char* kAskFfmpeg =
+    "ffmpeg gave up (its message is above); does the name end with .mp4, .mkv or .mov, is there room on the "
+    "disk?";
+
 [[noreturn]] void failVideo(const std::filesystem::path& file, const std::string& why) {
     throw OutputError("could not write the video " + file.string() + ": " + why);
 }
@@ -107,8 +111,7 @@ void VideoPipe::write(std::span<const uint8_t> pixels) {
     while (!pixels.empty()) {
         const ssize_t written = ::write(pipe_, pixels.data(), pixels.size());
         if (written < 0 && errno == EINTR) continue;
-        if (written < 0)
-            failVideo(file_, "ffmpeg gave up (its message is above); is there room on the disk?");
+        if (written < 0) failVideo(file_, kAskFfmpeg);
         pixels = pixels.subspan(static_cast<size_t>(written));
     }
 }
@@ -124,8 +127,7 @@ void VideoPipe::finish() {
         std::filesystem::rename(temporary_, file_, error);
         if (!error) return;
     }
-    const std::string why =
-        error ? error.message() : "ffmpeg failed (its message is above); is there room on the disk?";
+    const std::string why = error ? error.message() : kAskFfmpeg;
     std::filesystem::remove(temporary_, error);
     failVideo(file_, why);
 }

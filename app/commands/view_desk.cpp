@@ -18,6 +18,7 @@ ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
 void ViewDesk::adoptBody(const Session& session, bool move_camera) {
     const BreakableBody& body = *session.built().body;
     const Shot& shot = session.built().shot;
+    if (sameSubject(preset, shot)) built_preset_ = preset;
     const SceneBox box = sceneBox(shot, body);
     home.shot_camera = shot.camera ? *shot.camera : framedCamera(box);
     const glm::vec3 low(box.low.x, box.low.y, box.low.z), high(box.high.x, box.high.y, box.high.z);
@@ -81,6 +82,8 @@ void ViewDesk::obeyThreshold(const PanelContext& context, const Session& session
 
 std::vector<command::Any> ViewDesk::update(const Session& session, std::optional<PicturePoint>& click) {
     std::vector<command::Any> commands;
+    if (!sameSubject(preset, session.shot()))
+        preset = built_preset_;  // it could not be made, or was cancelled
     const std::optional<Calibration> measured = takeMeasurement();
     if (measured) threshold_shot_.reset();
     followThreshold(session);

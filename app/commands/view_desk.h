@@ -43,6 +43,7 @@ struct ViewDesk {
     void obeyThreshold(const PanelContext& context, const Session& session);
 
     CalibrationWorker calibration_;
+    Shot built_preset_;  ///< of what is on screen; `preset` runs ahead of it while that is made
     std::optional<Shot> threshold_shot_;  ///< that `threshold` speaks of
     std::shared_ptr<const BreakableBody> threshold_body_;
 };

@@ -12,8 +12,9 @@ namespace fs = std::filesystem;
 namespace {
 
 [[noreturn]] void failWriting(const fs::path& file, int error) {
-    throw OutputError("could not write " + file.string() + ": " + std::strerror(error) +
-                      "; choose another place or make room");
+    const char* const remedy = error == ENOENT ? "; make its folder first or choose another place"
+                                               : "; choose another place or make room";
+    throw OutputError("could not write " + file.string() + ": " + std::strerror(error) + remedy);
 }
 
 fs::path temporaryOf(const fs::path& file) {

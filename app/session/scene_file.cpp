@@ -102,7 +102,11 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     }
     reader.read("height_m", shot.height, kHeightRange);
     reader.read("material_preset", preset);
-    applyMaterial(shot, preset);
+    try {
+        applyMaterial(shot, preset);
+    } catch (const UsageError& error) {
+        reader.fail("material_preset", std::string("is wrong: ") + error.what());
+    }
     readMaterial(reader, "material.", shot.material);
     if (reader.has("break_at_mps")) {
         shot.break_at.emplace();

@@ -36,6 +36,10 @@ struct Session::Obey {
     void operator()(const command::Reset&) const { session.restart(); }
     void operator()(const command::Fire&) const { session.fireByHand(); }
     void operator()(const command::ShootAt& shot) const {
+        if (session.wanted_.impact.velocity <= 0) {
+            session.message_ = "nothing to shoot: the impact velocity is 0";
+            return;
+        }
         session.fire(makeBallAt(session.wanted_, *session.built_.body, shot.from, shot.target));
         ++session.fired_by_hand_;
         session.playing_ = true;
@@ -68,6 +72,7 @@ void Session::adopt(BuiltShot built) {
     if (wanted_.break_at && wanted_.break_at == built_.shot.break_at)
         wanted_.material.critical_velocity = built_.shot.material.critical_velocity;
     if (options_.draw) output_ = std::make_unique<FrameOutput>(built_);
+    live_ = sameSubject(wanted_, built_.shot) ? wanted_ : built_.shot;
     restart();
 }
 
@@ -121,13 +126,15 @@ void Session::fireByHand() {
     playing_ = true;
 }
 
-/// Live values stay as chosen; those that would need a rebuild go back.
+/// Live values stay as chosen; those that would need a rebuild go back. Of a scene or model that does not
+/// come nothing stays.
 void Session::wantWhatIsBuilt() {
+    if (sameSubject(wanted_, built_.shot)) live_ = wanted_;
     Shot shot = built_.shot;
-    if (shot.impact.kind == wanted_.impact.kind && shot.impact.kind != ImpactKind::kDrop)
-        shot.impact = wanted_.impact;
-    shot.time_scale = wanted_.time_scale;
-    shot.lighting = wanted_.lighting;
+    if (shot.impact.kind == live_.impact.kind && shot.impact.kind != ImpactKind::kDrop)
+        shot.impact = live_.impact;
+    shot.time_scale = live_.time_scale;
+    shot.lighting = live_.lighting;
     wanted_ = std::move(shot);
 }
 
@@ -230,6 +237,7 @@ void Session::change(const Shot& shot, double now) {
         return;
     }
     const Change since_wanted = changeBetween(wanted_, shot);
+    if (sameSubject(wanted_, built_.shot)) live_ = wanted_;
     wanted_ = shot;
     const Change since_built = changeBetween(built_.shot, shot);
     if (since_built >= Change::kSolver) {

@@ -93,6 +93,7 @@ class Session {
     SessionOptions options_;
     BuiltShot built_;
     Shot wanted_;
+    Shot live_;  ///< what was last wanted of the scene and model on screen
     std::unique_ptr<FrameOutput> output_;
     std::vector<engine::SphereDraw> spheres_;
     Recording recording_;

@@ -127,4 +127,8 @@ Change changeBetween(const Shot& before, const Shot& after) {
     return same_live ? Change::kNothing : Change::kLive;
 }
 
+bool sameSubject(const Shot& a, const Shot& b) {
+    return a.scene == b.scene && a.model == b.model;
+}
+
 }  // namespace demolish

@@ -96,5 +96,7 @@ enum class Change {
     kBody,    ///< particle size, seed, model: everything
 };
 Change changeBetween(const Shot& before, const Shot& after);
+/// The same scene with the same mesh, however its values were changed since.
+bool sameSubject(const Shot& a, const Shot& b);
 
 }  // namespace demolish

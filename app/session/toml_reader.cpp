@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <set>
 #include <sstream>
 
@@ -59,6 +60,8 @@ struct TomlReader::State {
 
 TomlReader::TomlReader(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
     state_->file = file;
+    if (!std::ifstream(file))
+        throw InputFileError(file.string() + " cannot be opened; check that it is there and may be read");
     try {
         state_->table = toml::parse_file(file.string());
     } catch (const toml::parse_error& error) {

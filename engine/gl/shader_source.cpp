@@ -13,7 +13,7 @@ void append(ShaderSource& source, const std::filesystem::path& folder, const std
     std::ifstream stream(folder / file);
     if (!stream) {
         throw GlError("Cannot read the shader " + (folder / file).string() +
-                      "; point --shaders or DEMOLISH_SHADERS at the folder 'shaders' of Demolish.");
+                      "; Demolish's folder 'shaders' belongs there, whole.");
     }
     const std::string number = std::to_string(source.files.size());
     source.files.push_back(file);

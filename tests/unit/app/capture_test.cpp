@@ -103,6 +103,9 @@ TEST(Capture, MomentsFromTwoCamerasMakeOneSheet) {
     EXPECT_EQ(sheet.width, 2 * 160 + 3 * 4);
     EXPECT_EQ(sheet.height, 2 * 90 + 3 * 4);
     EXPECT_EQ(capture("0.7,0.2").exit_code, 2) << "not in order";
+    EXPECT_THAT(run.err, testing::Not(testing::HasSubstr("earlier")));
+    EXPECT_THAT(capture("0").err,
+                testing::HasSubstr("frames of an earlier, longer capture, from frame_0002.png on"));
 }
 
 }  // namespace

@@ -32,6 +32,7 @@ TEST(OutputFile, NamesTheFileThatCouldNotBeWritten) {
         FAIL() << "no complaint";
     } catch (const OutputError& error) {
         EXPECT_NE(std::string(error.what()).find(file.string()), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("make its folder first"), std::string::npos);
     }
     folder.write("plain", "a file, not a folder");
     EXPECT_THROW(makeOutputFolder(folder.path() / "plain" / "below"), OutputError);

@@ -67,6 +67,17 @@ TEST_F(Program, MistakesInUsageAreCodeTwo) {
                       "1920x1080");
     expectOneSentence(runProgram({"capture", "block"}), 2, "--out");
     expectOneSentence(runProgram(smallBench({"--material", "jelly"})), 2, "ceramic");
+    expectOneSentence(runProgram(smallBench({"--seed", "4294967296"})), 2, "between 0 and 4294967295");
+    expectOneSentence(
+        runProgram({"capture", "block", "--frames", "3", "--at", "0.1", "--out", folder_.path()}), 2,
+        "excludes");
+}
+
+TEST_F(Program, EmptyValuesAreRefused) {
+    for (const char* option : {"--impact-velocity", "--model", "--size", "--seed"})
+        expectOneSentence(runProgram(smallBench({option, ""})), 2,
+                          std::string(option) + ": is empty; give a value");
+    expectOneSentence(runProgram({"bench", "", "--no-draw"}), 2, "scene: is empty");
 }
 
 TEST_F(Program, ParticleSizesThatCannotBeNameThoseThatCan) {

@@ -75,6 +75,9 @@ TEST(SceneFile, NamesFileAndLineOfAMistake) {
     EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [1, 2]\n"), HasSubstr("three numbers"));
     EXPECT_THAT(complaintAbout(kHead + "[particles]\nfull = 10.5\n"), HasSubstr("whole number"));
     EXPECT_THAT(complaintAbout("version = 1\nmodel = \n"), HasSubstr("scene.toml:2"));
+    EXPECT_THAT(complaintAbout(kHead + "material_preset = \"wood\"\n"),
+                testing::AllOf(HasSubstr("scene.toml:3: material_preset"), HasSubstr("ceramic")));
+    EXPECT_THROW(loadSceneFile("/no/such/scene.toml"), InputFileError);
 }
 
 TEST(SceneFile, ReadsBodiesBallsAndPhases) {

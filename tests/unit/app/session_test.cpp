@@ -1,0 +1,110 @@
+// What a session keeps when another scene or model is asked for and does not come, and what it refuses.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <stdexcept>
+#include <thread>
+
+#include "app/session/scene_file.h"
+#include "app/session/session.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kLater = 1;  // s, longer than a change rests before its rebuild starts
+
+Shot smallBlock() {
+    Shot shot = loadScene("block");
+    shot.device = DeviceChoice::kCpu;
+    shot.fineness.particles = 60;
+    return shot;
+}
+
+void waitForRebuild(Session& session) {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    do {
+        if (std::chrono::steady_clock::now() > patience) throw std::runtime_error("the rebuild does not end");
+        session.update(kLater, false);
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    } while (session.status().waiting || session.status().rebuilding);
+    session.update(kLater, false);
+}
+
+class SessionTest : public testing::Test {
+  protected:
+    SessionTest() {
+        chosen_.impact.velocity = 40;
+        chosen_.lighting.exposure = 0.5f;
+        session_.apply(command::ChangeShot{chosen_}, 0);
+    }
+    void expectTheChosenShot() const {
+        const Shot& shot = session_.shot();
+        EXPECT_EQ(shot.model, chosen_.model);
+        EXPECT_EQ(shot.impact.velocity, 40);
+        EXPECT_EQ(shot.impact.ball_radius, smallBlock().impact.ball_radius);
+        EXPECT_EQ(shot.impact.direction.x, smallBlock().impact.direction.x);
+        EXPECT_EQ(shot.impact.height_fraction, smallBlock().impact.height_fraction);
+        EXPECT_EQ(shot.lighting.exposure, 0.5f);
+        EXPECT_EQ(changeBetween(shot, chosen_), Change::kNothing);
+    }
+
+    Shot chosen_ = smallBlock();
+    Session session_{buildShot(smallBlock(), {}, {}), {.draw = false}};
+};
+
+TEST_F(SessionTest, AModelThatCannotBeReadLeavesTheShotAsItWas) {
+    Shot other;
+    other.model = "/no/such/file.obj";
+    other.device = DeviceChoice::kCpu;
+    session_.apply(command::ChangeShot{other}, 0);
+    other.impact.velocity = 7;  // and the slider moved meanwhile
+    session_.apply(command::ChangeShot{other}, 0);
+    waitForRebuild(session_);
+    EXPECT_THAT(session_.status().message, testing::HasSubstr("/no/such/file.obj"));
+    expectTheChosenShot();
+}
+
+TEST_F(SessionTest, ASceneThatIsCancelledLeavesTheShotAsItWas) {
+    Shot other = loadScene("bunny");
+    other.device = DeviceChoice::kCpu;
+    session_.apply(command::ChangeShot{other}, 0);
+    session_.update(kLater, false);
+    ASSERT_TRUE(session_.status().rebuilding);
+    session_.apply(command::CancelRebuild{}, kLater);
+    expectTheChosenShot();
+}
+
+TEST_F(SessionTest, AModelThatComesBringsItsOwnImpact) {
+    Shot other = smallBlock();
+    other.scene = "model";
+    other.model = other.model.parent_path() / "column_paper.obj";
+    other.impact.ball_radius = 0;
+    session_.apply(command::ChangeShot{other}, 0);
+    waitForRebuild(session_);
+    EXPECT_EQ(session_.built().shot.model, other.model);
+    EXPECT_EQ(session_.shot().impact.ball_radius, 0);
+    Shot third = other;
+    third.model = "/no/such/file.obj";
+    third.impact.ball_radius = 0.3;
+    session_.apply(command::ChangeShot{third}, 0);
+    waitForRebuild(session_);
+    EXPECT_EQ(session_.shot().impact.ball_radius, 0) << "that of the model on screen";
+}
+
+TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
+    const command::ShootAt click{{0, 1, 3}, {0, 0.5, 0}};
+    chosen_.impact.velocity = 0;
+    session_.apply(command::ChangeShot{chosen_}, 0);
+    session_.apply(click, 0);
+    EXPECT_THAT(session_.status().message, testing::HasSubstr("velocity is 0"));
+    EXPECT_FALSE(session_.status().playing);
+    chosen_.impact.velocity = 5;
+    session_.apply(command::ChangeShot{chosen_}, 0);
+    session_.apply(click, 0);
+    EXPECT_EQ(session_.status().message, "");
+    EXPECT_TRUE(session_.status().playing);
+}
+
+}  // namespace
+}  // namespace demolish
