@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/commands/bench_command.h"
 #include "app/commands/breakage_command.h"
@@ -82,6 +83,8 @@ int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
         return fail(ExitCode::kDevice, error.what());
     } catch (const engine::ImageError& error) {
         return fail(ExitCode::kOutput, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(ExitCode::kOutput, std::string(error.what()) + "; choose another place or make room");
     } catch (const std::bad_alloc&) {
         return fail(ExitCode::kDevice, "memory does not suffice; ask for fewer particles (--particles)");
     }

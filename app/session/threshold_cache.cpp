@@ -1,6 +1,8 @@
 // Key and file of one measured threshold.
 #include "app/session/threshold_cache.h"
 
+#include <spdlog/spdlog.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -11,6 +13,7 @@
 
 #include "app/session/ball_flight.h"
 #include "app/session/output_file.h"
+#include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace fs = std::filesystem;
@@ -150,6 +153,8 @@ double slopeBeyond(const CachedThresholds& measured, bool above) {
 CachedThresholds readCachedThresholds(const fs::path& folder, uint64_t key) {
     CachedThresholds measured;
     if (folder.empty()) return measured;
+    std::error_code ignored;
+    if (!fs::is_regular_file(fileOf(folder, key), ignored)) return measured;
     std::ifstream in(fileOf(folder, key));
     if (!in) return measured;
     const auto json = nlohmann::json::parse(in, nullptr, false);
@@ -170,8 +175,12 @@ void writeCachedThreshold(const fs::path& folder, uint64_t key, const CachedThre
     keep(threshold, measured);
     nlohmann::ordered_json json{{"measured", nlohmann::ordered_json::array()}};
     for (const CachedThreshold& point : measured) json["measured"].push_back(jsonOf(point));
-    makeOutputFolder(folder);
-    writeTextFile(fileOf(folder, key), json.dump(2) + "\n");
+    try {
+        makeOutputFolder(folder);
+        writeTextFile(fileOf(folder, key), json.dump(2) + "\n");
+    } catch (const OutputError& error) {  // minutes of measuring must not be lost for it
+        spdlog::warn("the threshold is measured, but not kept for the next time: {}", error.what());
+    }
 }
 
 void keep(const CachedThreshold& threshold, CachedThresholds& among) {

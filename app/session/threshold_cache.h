@@ -31,7 +31,7 @@ using CachedThresholds = std::vector<CachedThreshold>;
 /// None where there is no file, or one that is damaged or of another version.
 CachedThresholds readCachedThresholds(const std::filesystem::path& folder, uint64_t key);
 /// Beside those at other strengths, in place of one at the same; of those found for one velocity to break at
-/// the last is that velocity's. Whole or not at all. Throws OutputError.
+/// the last is that velocity's. Whole or not at all; a place that cannot be written is warned of.
 void writeCachedThreshold(const std::filesystem::path& folder, uint64_t key,
                           const CachedThreshold& threshold);
 /// The same without a file.

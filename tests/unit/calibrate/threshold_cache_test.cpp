@@ -116,6 +116,16 @@ TEST(ThresholdCache, ADamagedFileCountsAsNone) {
     }
 }
 
+TEST(ThresholdCache, APlaceThatCannotBeWrittenLosesNoMeasurement) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "0000000000000007.json");  // where the file would be
+    EXPECT_TRUE(readCachedThresholds(folder.path(), 7).empty());
+    EXPECT_NO_THROW(writeCachedThreshold(folder.path(), 7, {1.5, 1.2, 1.9, 2.5, 4, 0.03}));
+    folder.write("plain", "a file, not a folder");
+    EXPECT_NO_THROW(
+        writeCachedThreshold(folder.path() / "plain" / "below", 7, {1.5, 1.2, 1.9, 2.5, 4, 0.03}));
+}
+
 TEST(ThresholdCache, TheKeyHangsOnWhatAThresholdHangsOn) {
     const Shot shot;
     const BreakableBody whole = body();
