@@ -137,7 +137,8 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command
         .add_option("--substeps", options.substeps, "Substeps per 1/60 s (default: from the particle size)")
         ->type_name("N");
-    command.add_option("--seed", options.seed, "Seed of packing and strengths (default: 1)")->type_name("N");
+    command.add_option("--seed", options.seed, "Seed of packing and strengths (default: the scene's)")
+        ->type_name("N");
     command.add_option("--fps", options.fps, "Frames per simulated second (default: 60)")->type_name("N");
     command.add_option("--slow-motion", options.slow_motion, "Simulated time per frame, 0.01..1 of 1/fps")
         ->type_name("FACTOR");

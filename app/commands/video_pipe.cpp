@@ -31,11 +31,13 @@ constexpr const char* kAskFfmpeg =
 
 std::vector<std::string> arguments(const std::filesystem::path& file, int width, int height, double fps) {
     const std::string size = std::to_string(width) + "x" + std::to_string(height);
-    // H.264 in 4:2:0 wants even sides; the picture is BT.709.
+    // H.264 in 4:2:0 wants even sides; the picture is BT.709. Without -xerror ffmpeg ends with 0 after a film
+    // that the disk had no room for.
     return {"ffmpeg",
             "-y",
             "-loglevel",
             "error",
+            "-xerror",
             "-f",
             "rawvideo",
             "-pix_fmt",

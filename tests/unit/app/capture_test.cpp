@@ -47,6 +47,20 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
 }
 
+TEST(Capture, AFilmThatDoesNotFitOnTheDiskIsCodeSix) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+    const TemporaryFolder folder;
+    const auto film = folder.path() / "film.mp4";
+    // Files of 2 KiB at most, which a write is told of as of a full disk.
+    const ProgramRun run = runProgram(
+        {"capture", "block", "--particles", "100", "--frames", "14", "--size", "320x180", "--video", film},
+        {}, {"bash", "-c", "trap '' XFSZ; ulimit -f 2; exec \"$@\"", "bash"});
+    EXPECT_EQ(run.exit_code, 6) << run.err;
+    EXPECT_THAT(run.err, testing::HasSubstr("could not write the video"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing that looks like a film";
+}
+
 TEST(Capture, ParticlesAreColouredByWhatTheViewNames) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;
