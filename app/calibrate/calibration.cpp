@@ -4,13 +4,14 @@
 #include <cmath>
 #include <utility>
 
+#include "app/calibrate/strength_search.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
 constexpr double kFillingShare = 0.1;  // of the progress bar
-/// Strengths that are tried for a velocity to break at, and how near the threshold must come to it.
+/// Strengths that are tried until a mean threshold is the velocity to break at, and how near is near enough.
 constexpr int kMostRounds = 4;
 constexpr double kBreakAtTolerance = 0.05;
 
@@ -33,7 +34,7 @@ CachedThreshold inShares(const MeasuredThreshold& measured, const Shot& shot, do
     return shares;
 }
 
-/// Measures a shot at the strengths that it is asked for, one after the other.
+/// Measures a shot at the strengths that it is asked for, one after the other, or finds the strength.
 class Measuring {
   public:
     Measuring(const Shot& shot, std::shared_ptr<const BreakableBody> body, const CalibrationOptions& options,
@@ -50,7 +51,7 @@ class Measuring {
     /// In shares of v_c, at the shot's present strength; counts into `result` what it simulates.
     CachedThreshold at(const Shot& shot, double guess, Calibration& result) {
         if (const CachedThreshold* found = measuredAt(known_, shot.material.critical_velocity);
-            found && found->packings >= options_.packings && found->tolerance <= options_.tolerance)
+            found && isEnough(*found))
             return *found;
         if (packings_.empty())
             packings_ =
@@ -61,13 +62,61 @@ class Measuring {
             part(progress_, kFillingShare, 1));
         for (const Bracket& bracket : measured.packings) result.trials += bracket.trials;
         const CachedThreshold shares = inShares(measured, shot, options_.tolerance);
-        keep(shares, known_);
-        if (options_.use_cache) writeCachedThreshold(folder_, key_, shares);
+        remember(shares);
         return shares;
     }
-    const CachedThresholds& known() const { return known_; }
+
+    /// The same at the strength at which the body breaks at Shot::break_at; `predicted` at the shot's, m/s.
+    CachedThreshold atBreaking(double predicted, Calibration& result) {
+        if (const CachedThreshold* found = foundFor(known_, *shot_.break_at); found && isEnough(*found))
+            return *found;
+        CachedThreshold shares =
+            options_.packings == 1 ? byStrength(predicted, result) : byCorrection(predicted, result);
+        shares.break_at = *shot_.break_at;
+        remember(shares);
+        return shares;
+    }
 
   private:
+    bool isEnough(const CachedThreshold& known) const {
+        return known.packings >= options_.packings && known.tolerance <= options_.tolerance;
+    }
+
+    void remember(const CachedThreshold& shares) {
+        keep(shares, known_);
+        if (options_.use_cache) writeCachedThreshold(folder_, key_, shares);
+    }
+
+    CachedThreshold byStrength(double predicted, Calibration& result) {
+        const MeasuredStrength measured =
+            measureStrength(shot_, body_, *shot_.break_at,
+                            {.tolerance = options_.tolerance,
+                             .guess = criticalVelocityFor(shot_, *shot_.break_at, known_, predicted),
+                             .trial = {options_.on_gpu}},
+                            part(progress_, kFillingShare, 1));
+        result.trials += measured.found.bracket.trials;
+        Shot found = shot_;
+        found.material.critical_velocity = measured.found.critical;
+        return inShares(measured.threshold, found, options_.tolerance);
+    }
+
+    CachedThreshold byCorrection(double predicted, Calibration& result) {
+        const double wanted = *shot_.break_at;
+        for (CachedThreshold& point : known_) point.break_at = 0;  // found for fewer packings
+        const auto miss = [&](const CachedThreshold& point) {
+            return std::abs(point.share * point.critical_velocity / wanted - 1);
+        };
+        CachedThreshold best;
+        Shot tried = shot_;
+        for (int round = 0; round < kMostRounds; ++round) {
+            tried.material.critical_velocity = criticalVelocityFor(shot_, wanted, known_, predicted);
+            const CachedThreshold measured = at(tried, wanted, result);
+            if (round == 0 || miss(measured) < miss(best)) best = measured;
+            if (miss(best) <= kBreakAtTolerance) break;
+        }
+        return best;
+    }
+
     const Shot& shot_;
     std::shared_ptr<const BreakableBody> body_;
     const CalibrationOptions& options_;
@@ -79,6 +128,10 @@ class Measuring {
 };
 
 }  // namespace
+
+bool Calibration::meetsBreakAt() const {
+    return !shot.break_at || std::abs(velocity() / *shot.break_at - 1) <= kBreakAtMargin;
+}
 
 Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> body,
                       const CalibrationOptions& options, const ProgressCallback& progress) {
@@ -94,14 +147,11 @@ Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> bod
     if (!predicted) throw UsageError("nothing hits the body; choose a ball or a drop");
     double& critical = result.shot.material.critical_velocity;
     const double predicted_share = predicted->predicted / critical;
-    double guess = predicted->velocity();
-    for (int round = 0; round < (shot.break_at ? kMostRounds : 1); ++round) {
-        if (shot.break_at) {
-            critical = criticalVelocityFor(shot, *shot.break_at, measuring.known(), predicted->predicted);
-            guess = *shot.break_at;
-        }
-        result.measured = measuring.at(result.shot, guess, result);
-        if (shot.break_at && std::abs(result.velocity() / *shot.break_at - 1) <= kBreakAtTolerance) break;
+    if (shot.break_at) {
+        result.measured = measuring.atBreaking(predicted->predicted, result);
+        critical = result.measured.critical_velocity;
+    } else {
+        result.measured = measuring.at(shot, predicted->velocity(), result);
     }
     result.threshold = *predicted;
     result.threshold.predicted = predicted_share * critical;

@@ -22,12 +22,16 @@ struct Calibration {
     double particle_size = 0;  ///< m
     uint32_t trials = 0;       ///< simulations made now
     double velocity() const { return measured.share * shot.material.critical_velocity; }
+    /// The threshold is within kBreakAtMargin of Shot::break_at; true without one.
+    bool meetsBreakAt() const;
 };
 
-/// With Shot::break_at the strength is sought at which the threshold is that velocity: by what was measured
-/// before, else by the prediction, and anew from each measurement until it is met within 5 % or four were
-/// made. `body`: the shot's own filling, if there is one already; else it is made. Throws UsageError when
-/// nothing hits the body, the errors of authoring, solver and cache; Cancelled.
+/// With Shot::break_at the strength is sought at which the body breaks from that velocity on, beginning with
+/// what was measured before, else with the prediction: by searchStrength() for one packing. The mean of
+/// several is measured, corrected and measured again until it is met within 5 % or four were made, and the
+/// nearest is taken. The cache keeps what was found: the same velocity gives the same strength again
+/// everywhere. `body`: the shot's own filling, if there is one already; else it is made. Throws UsageError
+/// when nothing hits the body, the errors of authoring, solver and cache; Cancelled.
 Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> body,
                       const CalibrationOptions& options, const ProgressCallback& progress);
 

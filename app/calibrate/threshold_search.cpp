@@ -58,17 +58,21 @@ double Bracket::threshold() const {
     return std::sqrt(holds * breaks);
 }
 
+void halveBracket(const std::function<bool(double speed)>& breaks, Bracket& bracket, double tolerance) {
+    while (bracket.breaks > (1 + tolerance) * bracket.holds) {
+        const double middle = bracket.threshold();
+        (breaks(middle) ? bracket.breaks : bracket.holds) = middle;
+        ++bracket.trials;
+    }
+}
+
 Bracket searchThreshold(const std::function<bool(double speed)>& breaks, double guess, double tolerance) {
     requireInRange("the tolerance", tolerance, {0.005, 1}, "");
     Bracket bracket;
     double from = std::clamp(guess, kThresholdRange.least, kThresholdRange.most);
     for (;;) {
         bracketFrom(from, breaks, bracket);
-        while (bracket.breaks > (1 + tolerance) * bracket.holds) {
-            const double middle = bracket.threshold();
-            (breaks(middle) ? bracket.breaks : bracket.holds) = middle;
-            ++bracket.trials;
-        }
+        halveBracket(breaks, bracket, tolerance);
         const double held = holdsAbove(breaks, bracket);
         if (!(held > 0)) return bracket;
         bracket.holds = held;

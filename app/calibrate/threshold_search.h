@@ -29,6 +29,9 @@ inline constexpr Range kThresholdRange{0.01, 200};
 /// kThresholdRange.most.
 Bracket searchThreshold(const std::function<bool(double speed)>& breaks, double guess, double tolerance);
 
+/// Halves a bracket that has both ends until breaks/holds <= 1 + tolerance.
+void halveBracket(const std::function<bool(double speed)>& breaks, Bracket& bracket, double tolerance);
+
 struct MeasureOptions {
     double tolerance = 0.05;  ///< of the bracket, as a share
     double guess = 0;         ///< m/s; 0: the material's critical velocity

@@ -52,6 +52,8 @@ std::string calibrationJson(const Calibration& found) {
                                 {"from_cache", found.from_cache}};
     json["break_at"] = nullptr;
     if (found.shot.break_at) json["break_at"] = *found.shot.break_at;
+    json["break_at_met"] = nullptr;
+    if (found.shot.break_at) json["break_at_met"] = found.meetsBreakAt();
     return json.dump(2) + "\n";
 }
 
@@ -61,7 +63,9 @@ void printFound(const Calibration& found) {
     std::printf("  %-12s %s (%s), %s; %u particles of %.3g mm, critical velocity %.3g m/s\n", "shot",
                 found.shot.scene.c_str(), found.shot.model.filename().c_str(), impactName(found.shot),
                 found.particles, 1000 * found.particle_size, critical);
-    if (found.shot.break_at) std::printf("  %-12s %.3g m/s\n", "to break at", *found.shot.break_at);
+    if (found.shot.break_at)
+        std::printf("  %-12s %.3g m/s%s\n", "to break at", *found.shot.break_at,
+                    found.meetsBreakAt() ? "" : "; no strength does it within 10 %, this is the nearest");
     std::printf("  %-12s %.3g m/s, between %.3g and %.3g", "threshold", found.velocity(), low, high);
     if (found.measured.packings > 1)
         std::printf("; mean of %u packings, %.3g to %.3g", found.measured.packings,

@@ -48,15 +48,15 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
     }
 }
 
-/// True when a measurement has just come in.
-bool ViewDesk::takeMeasurement() {
+/// What has just come in, if anything.
+std::optional<Calibration> ViewDesk::takeMeasurement() {
     threshold.measuring = calibration_.busy();
     threshold.fraction = calibration_.fraction();
     try {
-        return calibration_.take().has_value();
+        return calibration_.take();
     } catch (const std::exception& error) {
         message = error.what();
-        return false;
+        return std::nullopt;
     }
 }
 
@@ -75,7 +75,7 @@ void ViewDesk::obeyThreshold(const PanelContext& context, const Session& session
     if (!context.measure_threshold) return;
     message.clear();
     Shot shot = session.built().shot;  // the strength in force, with the impact as it is chosen now
-    shot.break_at.reset();
+    shot.break_at = session.shot().break_at;
     if (shot.impact.kind == session.shot().impact.kind) shot.impact = session.shot().impact;
     calibration_.start(shot, session.built().body);
 }
@@ -84,7 +84,7 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     std::vector<command::Any> commands;
     if (!sameSubject(preset, session.shot()))
         preset = built_preset_;  // it could not be made, or was cancelled
-    const bool measured = takeMeasurement();
+    const std::optional<Calibration> measured = takeMeasurement();
     if (measured) threshold_shot_.reset();
     followThreshold(session);
     SessionStatus status = session.status();
@@ -92,8 +92,8 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
     context.threshold = threshold;
-    if (measured && context.shot.break_at && threshold.value) {
-        context.shot.material.critical_velocity *= *context.shot.break_at / threshold.value->velocity();
+    if (measured && context.shot.break_at && context.shot.break_at == measured->shot.break_at) {
+        context.shot.material.critical_velocity = measured->shot.material.critical_velocity;
         context.changed = true;
     }
     showPanels(context);

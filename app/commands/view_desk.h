@@ -39,7 +39,7 @@ struct ViewDesk {
 
   private:
     void followThreshold(const Session& session);
-    bool takeMeasurement();
+    std::optional<Calibration> takeMeasurement();
     void obeyThreshold(const PanelContext& context, const Session& session);
 
     CalibrationWorker calibration_;

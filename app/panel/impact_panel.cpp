@@ -13,8 +13,7 @@ void showMeasuring(PanelContext& context) {
     if (!threshold.measuring) {
         if (button(context, "impact.measure", "Measure",
                    "Tries velocities on this body until the threshold is known within 5 %, beside the "
-                   "window. Kept "
-                   "for the next time."))
+                   "window; after Break at, strengths until it breaks there. Kept for the next time."))
             context.measure_threshold = true;
         return;
     }

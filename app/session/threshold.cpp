@@ -51,6 +51,7 @@ double criticalVelocityFor(const Shot& shot, const BreakableBody& body, double v
 
 double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresholds& measured,
                            double predicted) {
+    if (const CachedThreshold* found = foundFor(measured, velocity)) return found->critical_velocity;
     const double critical = measured.empty() ? shot.material.critical_velocity * velocity / predicted
                                              : criticalVelocityAt(measured, velocity);
     requireInRange("the critical velocity that breaks the body as wished", critical, kCriticalVelocity,

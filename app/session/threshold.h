@@ -24,9 +24,9 @@ struct Threshold {
 /// Throws InputFileError (the table).
 std::optional<Threshold> thresholdOf(const Shot& shot, const BreakableBody& body);
 
-/// The critical velocity (m/s) at which the shot's threshold is `velocity`, by what was measured, else in
-/// proportion to the prediction. Throws UsageError when nothing hits the body, or no material is that weak or
-/// strong.
+/// The critical velocity (m/s) at which the shot's threshold is `velocity`: the one that calibrate() found
+/// for it, else by what was measured, else in proportion to the prediction. Throws UsageError when nothing
+/// hits the body, or no material is that weak or strong.
 double criticalVelocityFor(const Shot& shot, const BreakableBody& body, double velocity);
 /// The same with these measurements and this prediction (m/s, at the shot's own critical velocity).
 double criticalVelocityFor(const Shot& shot, double velocity, const CachedThresholds& measured,

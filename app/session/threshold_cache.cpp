@@ -106,8 +106,12 @@ fs::path fileOf(const fs::path& folder, uint64_t key) {
     return folder / name;
 }
 
-/// Critical velocities within this share are one and the same.
-constexpr double kSameStrength = 0.01;
+/// Critical velocities, and velocities to break at, within this share are one and the same.
+constexpr double kSameStrength = 0.01, kSameVelocity = 0.005;
+
+bool isFoundFor(const CachedThreshold& point, double break_at) {
+    return std::abs(point.break_at / break_at - 1) < kSameVelocity;
+}
 
 CachedThreshold pointOf(const nlohmann::json& json) {
     CachedThreshold point;
@@ -117,13 +121,15 @@ CachedThreshold pointOf(const nlohmann::json& json) {
     json.at("critical_velocity_mps").get_to(point.critical_velocity);
     json.at("packings").get_to(point.packings);
     json.at("tolerance").get_to(point.tolerance);
+    point.break_at = json.value("break_at_mps", 0.0);
     return point;
 }
 
 nlohmann::ordered_json jsonOf(const CachedThreshold& point) {
     return {{"share", point.share},           {"lowest_share", point.lowest},
             {"highest_share", point.highest}, {"critical_velocity_mps", point.critical_velocity},
-            {"packings", point.packings},     {"tolerance", point.tolerance}};
+            {"packings", point.packings},     {"tolerance", point.tolerance},
+            {"break_at_mps", point.break_at}};
 }
 
 double velocityOf(const CachedThreshold& point) {
@@ -181,6 +187,9 @@ void keep(const CachedThreshold& threshold, CachedThresholds& among) {
     std::erase_if(among, [&](const CachedThreshold& point) {
         return std::abs(point.critical_velocity / threshold.critical_velocity - 1) < kSameStrength;
     });
+    if (threshold.break_at > 0)
+        for (CachedThreshold& point : among)
+            if (isFoundFor(point, threshold.break_at)) point.break_at = 0;
     const auto stronger = std::find_if(among.begin(), among.end(), [&](const CachedThreshold& point) {
         return point.critical_velocity > threshold.critical_velocity;
     });
@@ -190,6 +199,12 @@ void keep(const CachedThreshold& threshold, CachedThresholds& among) {
 const CachedThreshold* measuredAt(const CachedThresholds& measured, double critical_velocity) {
     for (const CachedThreshold& point : measured)
         if (std::abs(point.critical_velocity / critical_velocity - 1) < kSameStrength) return &point;
+    return nullptr;
+}
+
+const CachedThreshold* foundFor(const CachedThresholds& measured, double break_at) {
+    for (const CachedThreshold& point : measured)
+        if (isFoundFor(point, break_at)) return &point;
     return nullptr;
 }
 

@@ -15,6 +15,7 @@ struct CachedThreshold {
     double critical_velocity = 0;    ///< m/s, at which it was measured
     uint32_t packings = 1;
     double tolerance = 0.05;  ///< of each packing's bracket
+    double break_at = 0;      ///< m/s, for which the strength was sought and found; 0: it was not
 };
 
 /// $XDG_CACHE_HOME/demolish/thresholds, or ~/.cache/... Empty where the environment names neither.
@@ -29,14 +30,17 @@ using CachedThresholds = std::vector<CachedThreshold>;
 
 /// None where there is no file, or one that is damaged or of another version.
 CachedThresholds readCachedThresholds(const std::filesystem::path& folder, uint64_t key);
-/// Beside those at other strengths, in place of one at the same. Whole or not at all; a place that cannot be
-/// written is warned of.
+/// Beside those at other strengths, in place of one at the same; of those found for one velocity to break at
+/// the last is that velocity's. Whole or not at all; a place that cannot be written is warned of.
 void writeCachedThreshold(const std::filesystem::path& folder, uint64_t key,
                           const CachedThreshold& threshold);
 /// The same without a file.
 void keep(const CachedThreshold& threshold, CachedThresholds& among);
 /// The one measured at this critical velocity (m/s) within 1 %, or null.
 const CachedThreshold* measuredAt(const CachedThresholds& measured, double critical_velocity);
+
+/// The one whose strength was found for this velocity to break at (m/s) within 0.5 %, or null.
+const CachedThreshold* foundFor(const CachedThresholds& measured, double break_at);
 
 /// v_th / v_c at this critical velocity, by the power law through the two measured ones next to it; by the
 /// share alone where there is one. A threshold is proportional to the strength only nearly: how a foot's edge

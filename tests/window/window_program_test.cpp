@@ -185,6 +185,13 @@ type impact.break_at 20
 until rebuilt
 wait 2
 state chosen
+click impact.measure
+until measuring
+until measured
+wait 2
+until rebuilt
+wait 2
+state kept
 )",
         {"--impact-velocity", "12"});
     if (HasFatalFailure()) return;
@@ -198,6 +205,9 @@ state chosen
     EXPECT_EQ(read("measured")["time"], 0.0) << "measuring must not touch the body on screen";
     EXPECT_EQ(chosen["break_at"], 20.0);
     EXPECT_NEAR(chosen["measured"].get<double>(), 20, 0.2) << "what was measured holds for the new strength";
+    const auto kept = read("kept")["threshold"];
+    EXPECT_EQ(kept["break_at"], 20.0);
+    EXPECT_NEAR(kept["measured"].get<double>(), 20, 2) << "Measure found the strength by trials";
 }
 
 TEST_F(WindowProgram, MeasuringCanBeCancelled) {

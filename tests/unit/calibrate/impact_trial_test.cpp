@@ -155,19 +155,38 @@ TEST_F(Calibrated, BreaksWhereItWasToldTo) {
         const Calibration told = calibrate(shot, body, {.tolerance = 0.03}, {});
         EXPECT_FALSE(told.from_cache);
         EXPECT_NEAR(told.velocity() / *shot.break_at, 1, 0.10);
+        EXPECT_TRUE(told.meetsBreakAt());
+        ImpactTrial trial(trialShot(told.shot), body, {});
+        EXPECT_FALSE(trial.breaksAt(0.9 * *shot.break_at));
+        EXPECT_TRUE(trial.breaksAt(1.1 * *shot.break_at));
         // The same strength again, and the same threshold beside it.
-        EXPECT_NEAR(criticalVelocityFor(shot, *body, told.velocity()) / told.shot.material.critical_velocity,
-                    1, 1e-6);
+        EXPECT_EQ(criticalVelocityFor(shot, *body, *shot.break_at), told.shot.material.critical_velocity);
         EXPECT_NEAR(thresholdOf(told.shot, *body)->measured.value(), told.velocity(), 1e-9);
+        const Calibration again = calibrate(shot, body, {.tolerance = 0.03}, {});
+        EXPECT_TRUE(again.from_cache);
+        EXPECT_EQ(again.shot.material.critical_velocity, told.shot.material.critical_velocity);
     }
 }
 
-TEST_F(Calibrated, CancelLeavesNothing) {
-    const Shot shot = smallBlock(ImpactKind::kDrop);
+TEST_F(Calibrated, TheMeanOfPackingsBreaksWhereItWasToldTo) {
+    Shot shot = smallBlock(ImpactKind::kDrop);
     const auto body = bodyOf(shot);
-    EXPECT_THROW(calibrate(shot, body, {}, [](double fraction, const char*) { return fraction < 0.2; }),
-                 Cancelled);
-    EXPECT_FALSE(thresholdOf(shot, *body)->measured);
+    shot.break_at = 1.3 * thresholdOf(shot, *body)->predicted;
+    const Calibration told = calibrate(shot, body, {.packings = 2}, {});
+    EXPECT_EQ(told.measured.packings, 2u);
+    EXPECT_NEAR(told.velocity() / *shot.break_at, 1, 0.10);
+    EXPECT_EQ(criticalVelocityFor(shot, *body, *shot.break_at), told.shot.material.critical_velocity);
+}
+
+TEST_F(Calibrated, CancelLeavesNothing) {
+    Shot shot = smallBlock(ImpactKind::kDrop);
+    const auto body = bodyOf(shot);
+    for (const bool told : {false, true}) {
+        if (told) shot.break_at = thresholdOf(shot, *body)->predicted;
+        EXPECT_THROW(calibrate(shot, body, {}, [](double fraction, const char*) { return fraction < 0.2; }),
+                     Cancelled);
+        EXPECT_FALSE(thresholdOf(shot, *body)->measured);
+    }
 }
 
 }  // namespace

@@ -53,6 +53,25 @@ TEST(ThresholdCache, KeepsOneMeasurementAStrength) {
     EXPECT_EQ(measuredAt(found, 3), nullptr);
 }
 
+TEST(ThresholdCache, TheLastStrengthFoundForAVelocityIsTheOne) {
+    const test::TemporaryFolder folder;
+    for (const double critical : {4.0, 5.0, 9.0}) {
+        CachedThreshold measured;
+        measured.share = 1.2;
+        measured.critical_velocity = critical;
+        measured.break_at = critical < 6 ? 6 : 11;
+        writeCachedThreshold(folder.path(), 7, measured);
+    }
+    const auto found = readCachedThresholds(folder.path(), 7);
+    ASSERT_EQ(found.size(), 3u);
+    ASSERT_NE(foundFor(found, 6.01), nullptr);
+    EXPECT_EQ(foundFor(found, 6.01)->critical_velocity, 5);
+    ASSERT_NE(foundFor(found, 11), nullptr);
+    EXPECT_EQ(foundFor(found, 11)->critical_velocity, 9);
+    EXPECT_EQ(foundFor(found, 7), nullptr);
+    EXPECT_EQ(found[0].break_at, 0);
+}
+
 CachedThresholds measuredTwice(double weaker, double stronger) {
     CachedThresholds measured(2);
     measured[0].critical_velocity = 2;
