@@ -27,7 +27,7 @@ struct MeshPlacement {
 
 /// Loads any file that assimp reads, welds, checks, and stands it on the floor (lowest y = 0, centred in x
 /// and z). Throws InputFileError with one sentence: unreadable, no triangles, not closed (with the count of
-/// open edges), zero or negative volume.
+/// open edges), triangles that are there twice, zero or negative volume.
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement = {});
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh);

@@ -1,4 +1,4 @@
-// Counts open edges and sums volume and area.
+// Counts open edges and doubled triangles, sums volume and area.
 #include "sim_cuda/authoring/mesh_checks.h"
 
 #include <algorithm>
@@ -26,6 +26,15 @@ size_t openEdgeCount(const TriangleMesh& mesh) {
         open += balance != 0;
     }
     return open;
+}
+
+size_t repeatedTriangleCount(const TriangleMesh& mesh) {
+    auto triangles = mesh.triangles;
+    for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    std::sort(triangles.begin(), triangles.end());
+    size_t repeated = 0;
+    for (size_t i = 1; i < triangles.size(); ++i) repeated += triangles[i] == triangles[i - 1];
+    return repeated;
 }
 
 double enclosedVolume(const TriangleMesh& mesh) {

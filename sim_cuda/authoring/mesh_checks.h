@@ -10,6 +10,10 @@ namespace demolish {
 /// turned mesh.
 size_t openEdgeCount(const TriangleMesh& mesh);
 
+/// Triangles that are there more than once with the same side out: a surface that was exported twice, which
+/// would enclose everything twice.
+size_t repeatedTriangleCount(const TriangleMesh& mesh);
+
 /// m^3, by the divergence theorem about the middle of the bounds; negative when the triangles face inwards.
 double enclosedVolume(const TriangleMesh& mesh);
 

@@ -192,6 +192,10 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
         throw InputFileError("The model " + quoted(file) + " is not closed: " + std::to_string(open) +
                              (open == 1 ? " open edge" : " open edges") +
                              "; fill its holes and make its faces point outwards.");
+    if (const size_t repeated = repeatedTriangleCount(mesh))
+        throw InputFileError("The model " + quoted(file) + " holds " + std::to_string(repeated) +
+                             (repeated == 1 ? " triangle" : " triangles") +
+                             " more than once; remove the doubled surface.");
     const Bounds bounds = boundsOf(mesh.positions);
     const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
     constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance

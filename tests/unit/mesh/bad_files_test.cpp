@@ -86,6 +86,16 @@ TEST_F(FileTest, InsideOutIsRefused) {
                   "inside out");
 }
 
+TEST_F(FileTest, ASurfaceThatIsThereTwice) {
+    TriangleMesh twice = test::makeCube(1);
+    const size_t once = twice.triangles.size();
+    for (size_t i = 0; i < once; ++i) {
+        const auto t = twice.triangles[i];
+        twice.triangles.push_back({t[1], t[2], t[0]});  // the same triangle, named from another corner
+    }
+    expectRefused(write("twice.obj", objText(twice)), "holds 12 triangles more than once");
+}
+
 TEST_F(FileTest, VerticesThatAreNotNumbers) {
     std::string text = objText(test::makeCube(1));
     for (const char* bad : {"nan", "inf"}) {
