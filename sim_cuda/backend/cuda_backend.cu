@@ -97,7 +97,7 @@ void CudaBackend::copyAll(const std::vector<CopyRange>& ranges) {
         const size_t blocks = std::min<size_t>((longest + kCudaBlock - 1) / kCudaBlock,
                                                8 * static_cast<size_t>(multiprocessors_));
         const dim3 grid(static_cast<unsigned>(blocks), static_cast<unsigned>(count));
-        launchChained(stream_, true, copyRanges, grid, kCudaBlock, "copying memory", part);
+        launch(true, copyRanges, grid, kCudaBlock, "copying memory", part);
     }
 }
 
@@ -158,8 +158,8 @@ __global__ void tellHost(const uint32_t* words, uint32_t count, uint32_t* host, 
 void CudaBackend::Reader::send(CudaBackend& backend, Span<const uint32_t> words, uint32_t* cleared) {
     static_assert(kWords <= 32);
     words_.resize(words.count < kWords ? words.count : kWords);
-    launchChained(backend.stream_, true, tellHost, 1, 32, "reading flags", words.data,
-                  static_cast<uint32_t>(words_.size()), pinned_, cleared, pinned_ + kWords, ++sent_);
+    backend.launch(true, tellHost, 1, 32, "reading flags", words.data, static_cast<uint32_t>(words_.size()),
+                   pinned_, cleared, pinned_ + kWords, ++sent_);
 }
 
 void CudaBackend::Reader::start(CudaBackend& backend, Span<const uint32_t> words) {

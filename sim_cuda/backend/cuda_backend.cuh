@@ -142,8 +142,27 @@ class CudaBackend {
     void forEach(size_t n, const Kernel& kernel, const char* name) {
         if (n == 0) return;
         const auto blocks = static_cast<unsigned>((n + kCudaBlock - 1) / kCudaBlock);
-        launchChained(stream_, true, runForEach<Kernel>, blocks, kCudaBlock, name, static_cast<uint32_t>(n),
-                      kernel);
+        launch(true, runForEach<Kernel>, blocks, kCudaBlock, name, static_cast<uint32_t>(n), kernel);
+    }
+
+    /// A kernel that calls letNextStart() and awaitPrevious(); `follows` as in LaunchShape. Throws on
+    /// failure.
+    template <class... Parameters, class... Arguments>
+    void launch(bool follows, void (*kernel)(Parameters...), dim3 blocks, uint32_t threads, const char* name,
+                const Arguments&... arguments) {
+        const KernelOf<Parameters...> described(kernel, blocks, threads, follows);
+        list_ != nullptr ? described.addTo(*list_, arguments...)
+                         : described.launch(stream_, name, arguments...);
+    }
+    /// Adds what `launches` launches, and nothing else, to the list instead.
+    template <class Launches>
+    void collect(LaunchList& list, const Launches& launches) {
+        const struct Until {
+            LaunchList*& list;
+            ~Until() { list = nullptr; }
+        } until{list_};
+        list_ = &list;
+        launches();
     }
 
     /// out[k] = in[0] + ... + in[k-1] for k = 0..n; out has n + 1 elements. `in` and `out` may be the same
@@ -171,8 +190,6 @@ class CudaBackend {
 
     /// Throws DeviceError when anything since the last call failed.
     void synchronize() { checkCuda(cudaStreamSynchronize(stream_), "waiting for the GPU"); }
-    /// Nothing that was started is still to be done.
-    bool isIdle() const { return cudaStreamQuery(stream_) == cudaSuccess; }
     std::string deviceName() const { return device_name_; }
     cudaStream_t stream() const { return stream_; }
     int multiprocessors() const { return multiprocessors_; }
@@ -248,11 +265,12 @@ class CudaBackend {
     template <class T, class Map, class Fold>
     void launchReduce(size_t n, size_t chunks, const T& zero, const Map& map, const Fold& fold, T* partial,
                       const char* name) {
-        launchChained(stream_, true, runReduce<T, Map, Fold>, static_cast<unsigned>(chunks), kReductionChunk,
-                      name, static_cast<uint32_t>(n), zero, map, fold, partial);
+        launch(true, runReduce<T, Map, Fold>, static_cast<unsigned>(chunks), kReductionChunk, name,
+               static_cast<uint32_t>(n), zero, map, fold, partial);
     }
 
     cudaStream_t stream_ = nullptr;
+    LaunchList* list_ = nullptr;  ///< where launches go while they are collected
     std::string device_name_;
     int multiprocessors_ = 0;
     Buffer<unsigned char> scratch_;

@@ -56,7 +56,7 @@ DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnPar
     next.velocity.w = low.y;
     next.spin.w = low.z;
     Vec4<Real>&force = arrays.carried[2 * size_t{own.id}], &torque = arrays.carried[2 * size_t{own.id} + 1];
-    force = withW(xyz(force) + load.force, Real(0));
+    force = withW(xyz(force) + load.force, force.w);
     torque = withW(xyz(torque) + load.torque, Real(0));
     return next;
 }

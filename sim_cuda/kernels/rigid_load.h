@@ -28,23 +28,33 @@ DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
     return wrench;
 }
 
-/// A slot of either list, counted also when substeps compute it: those keep its stiffness while it touches.
-/// `other`: the other end.
+/// Whether a contact is one with what substeps move, which compute it, and has been touching: such a one
+/// keeps the stiffness of the fragment's others. `other`: in contact steps.
+template <class Real>
+DEM_FN bool keepsTouching(const ParticleConstants<Real>& other, const Vec4<Real>& spring) {
+    return other.inverse_mass < Real(0) && spring.w > Real(0);
+}
+/// Who counts those. Where a substep is done at the same time and changes what carried particles touch, they
+/// count it before.
+enum class KeptTouches : uint32_t { kCountedHere, kLeftToSubstep };
+
+/// A slot of either list. `other`: the other end.
 template <class Real, class Slot>
 DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4<Real>& spring,
-                                uint32_t& touching, const Slot& slot) {
-    if (other.inverse_mass < Real(0) && spring.w > Real(0)) ++touching;
+                                KeptTouches kept, uint32_t& touching, const Slot& slot) {
+    if (kept == KeptTouches::kCountedHere && keepsTouching(other, spring)) ++touching;
     return counted(slot(), touching);
 }
 /// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                     const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                    uint32_t slot, BondLink link, RigidLoad<Real>& load) {
-    const uint32_t j = linkedParticle(link);
-    if (isBonded(link) || label[j] == label[own.id]) return {};
-    return countedSlot(asConstants(arrays.constants[j]), arrays.bond_spring[slot], load.touching, [&] {
-        return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, load.tally);
+                                    uint32_t slot, const LinkEnd& end, KeptTouches kept,
+                                    RigidLoad<Real>& load) {
+    if (isBonded(end.link) || label[end.id] == label[own.id]) return {};
+    const ParticleConstants<Real> other = asConstants(arrays.constants[end.id]);
+    return countedSlot(other, arrays.bond_spring[slot], kept, load.touching, [&] {
+        return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
 /// The other end of a contact and its fragment: most of those that are listed are of the same one.
@@ -61,10 +71,11 @@ DEM_FN ContactFragment contactFragment(const SubstepArrays<Real>& arrays, const 
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                        uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
-                                       const ContactFragment& other, RigidLoad<Real>& load) {
+                                       const ContactFragment& other, KeptTouches kept,
+                                       RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
-    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching, [&] {
+    return countedSlot(end.constants, arrays.contact_spring[slot], kept, load.touching, [&] {
         return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
@@ -123,12 +134,13 @@ struct GatherRigidLoad {
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
             sums.add(slot - first_bond,
-                     countedBondSlot<kLedger>(arrays, params, work.label, own, slot, arrays.link[slot], out));
+                     countedBondSlot<kLedger>(arrays, params, work.label, own, slot, linkEnd(arrays, slot),
+                                              KeptTouches::kCountedHere, out));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first,
-                     countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
-                                                 contactFragment(arrays, work.label, slot), out));
+            sums.add(slot - first, countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
+                                                               contactFragment(arrays, work.label, slot),
+                                                               KeptTouches::kCountedHere, out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, work, own, out);
         load[place] = out;

@@ -1,49 +1,9 @@
-// Contact steps on the GPU: some threads gather the row of a particle; a warp moves a small fragment,
-// a block a large one.
+// Rigid fragments moved on the GPU: a warp moves a small one, a block a large one.
 #pragma once
 #include "sim_cuda/kernels/rigid_step.h"
 #include "sim_cuda/kernels/substep_cuda.cuh"
 
 namespace demolish {
-
-/// T threads a particle. Both kernels start while the one before still runs, as substepKernel does.
-template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock)
-    rigidLoadKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params, const RigidWork work,
-                    const Span<RigidLoad<Real>> load) {
-    constexpr uint32_t kParticles = kSubstepBlock / T;
-    letNextStart();
-    const uint32_t count = work.counts[kActiveCount];
-    if (blockIdx.x > 0 && blockIdx.x * kParticles >= count) return;
-    const uint32_t place = blockIdx.x * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
-    const bool present = place < count;
-    const uint32_t id = work.active[present ? place : count > 0 ? count - 1 : 0];
-    const RowEnds ends = rowEnds(arrays, id, present);
-    const uint32_t label = work.label[id];
-    awaitPrevious();
-    const OwnParticle<Real> own = loadOwn(arrays, id);
-    LanePartials<T, Real> sums;
-    RigidLoad<Real> out;
-    gatherRows<T>(
-        arrays, ends, lane, sums,
-        [&](uint32_t slot, const BondLink& link) {
-            return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, link, out);
-        },
-        [&](uint32_t slot) { return contactFragment(arrays, work.label, slot); },
-        [&](uint32_t slot, const ContactFragment& other) {
-            return countedContactSlot<kLedger>(arrays, params, label, own, slot, other, out);
-        });
-    __syncwarp();
-    out.wrench = sums.total();
-    for (uint32_t step = T / 2; step > 0; step /= 2)
-        out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
-    if constexpr (kLedger) sumTally<T>(out.tally);
-    if (!present || lane != 0) return;
-    addPlanes<kLedger>(arrays, params, work, own, out);
-    if constexpr (kLedger) load[place].tally = out.tally;
-    load[place].wrench = out.wrench;
-    load[place].touching = out.touching;
-}
 
 inline constexpr uint32_t kWarp = 32;
 

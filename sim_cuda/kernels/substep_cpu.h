@@ -49,7 +49,8 @@ class CpuParticleStep {
     }
 
     Wrench<Real> bondSlot(const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) const {
-        if (!isBonded(arrays_.link[slot])) return formerBondSlot<kLedger>(arrays_, params_, own, slot, tally);
+        const LinkEnd end = linkEnd(arrays_, slot);
+        if (!isBonded(end.link)) return formerBondSlot<kLedger>(arrays_, params_, own, slot, end, tally);
         return own.isCarried() ? Wrench<Real>{} : recorded(slot, tally);
     }
 

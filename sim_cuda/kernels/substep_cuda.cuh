@@ -43,11 +43,12 @@ inline constexpr bool kReadsAhead = T >= 8;
 template <uint32_t T, bool kLedger, class Real>
 __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arrays,
                                                  const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                                 const BodyLaw<Real>& law, uint32_t slot, BondLink link,
+                                                 const BodyLaw<Real>& law, uint32_t slot, const LinkEnd& end,
                                                  Tally<Real>& tally) {
+    const uint32_t j = end.id;
+    const BondLink link = end.link;
     const bool solid = isBonded(link);
-    if (!kReadsAhead<T> && !solid) return formerBondSlot<kLedger>(arrays, params, own, slot, tally);
-    const uint32_t j = linkedParticle(link);
+    if (!kReadsAhead<T> && !solid) return formerBondSlot<kLedger>(arrays, params, own, slot, end, tally);
     FormerBond<Real> read{slot, link, loadState(arrays.in, j), {}, arrays.rest[slot], {}};
     if (kReadsAhead<T> && __any_sync(__activemask(), !solid)) {
         read.constants = asConstants(arrays.constants[solid ? own.id : j]);
@@ -106,14 +107,16 @@ class LanePartials {
 
 /// Slots first .. last-1 of one list as one of T threads goes through them. peek(k) reads what the way to
 /// memory is long for: where many threads share a particle there are few warps to hide it, and the next slot
-/// is peeked at while one is computed.
+/// is peeked at while one is computed. `peek_first(k)` does so for the first one.
 template <uint32_t T, class Peek>
 class RowCursor {
   public:
-    __device__ __forceinline__ RowCursor(uint32_t first, uint32_t last, uint32_t lane, const Peek& peek)
+    template <class PeekFirst>
+    __device__ __forceinline__ RowCursor(uint32_t first, uint32_t last, uint32_t lane, const Peek& peek,
+                                         const PeekFirst& peek_first)
         : k_(first + lane), last_(last), peek_(peek) {
         if constexpr (kAhead)
-            if (k_ < last_) ahead_ = peek_(k_);
+            if (k_ < last_) ahead_ = peek_first(k_);
     }
     /// The same for the whole warp where sums are handed from thread to thread.
     __device__ __forceinline__ bool more() const {
@@ -171,16 +174,47 @@ __device__ __forceinline__ RowEnds rowEnds(const SubstepArrays<Real>& arrays, ui
     return {arrays.bond_row[i], arrays.bond_row[i + 1], arrays.contact_row[i], arrays.contact_row[i + 1]};
 }
 
-/// The rows of a particle; peek_at_end(slot) for the other end of a contact. Both start before the first is
-/// gone through.
-template <uint32_t T, class Real, class BondSlot, class PeekAtEnd, class ContactSlot>
+/// The other ends of the first slots that a thread goes through. No substep changes them, so that they are
+/// read before its turn has come, and what they lead to is asked for all at once when it has.
+struct FirstEnds {
+    uint32_t bonded = 0, contact = 0, contact_owner = 0;
+};
+template <uint32_t T, class Real>
+__device__ __forceinline__ FirstEnds firstEnds(const SubstepArrays<Real>& arrays, const RowEnds& ends,
+                                               uint32_t lane) {
+    FirstEnds first;
+    if constexpr (kReadsAhead<T>) {
+        const uint32_t bond = ends.first_bond + lane, contact = ends.first_contact + lane;
+        // Past the first cache, which would keep a state of the pair that is changing meanwhile.
+        if (bond < ends.last_bond) first.bonded = __ldcg(&arrays.link[bond].link) & kLinkIdMask;
+        if (contact < ends.last_contact) {
+            first.contact = arrays.neighbour[contact];
+            first.contact_owner = arrays.owner[first.contact];
+        }
+    }
+    return first;
+}
+
+/// The rows of a particle. Both start before the first is gone through.
+template <uint32_t T, class Real, class BondSlot, class ContactSlot>
 __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, const RowEnds& ends,
-                                           uint32_t lane, LanePartials<T, Real>& sums,
-                                           const BondSlot& bond_slot, const PeekAtEnd& peek_at_end,
+                                           const FirstEnds& first_ends, uint32_t lane,
+                                           LanePartials<T, Real>& sums, const BondSlot& bond_slot,
                                            const ContactSlot& contact_slot) {
-    const auto peekAtLink = [&](uint32_t slot) { return BondLink{arrays.link[slot]}; };
-    RowCursor<T, decltype(peekAtLink)> bonds(ends.first_bond, ends.last_bond, lane, peekAtLink);
-    RowCursor<T, PeekAtEnd> contacts(ends.first_contact, ends.last_contact, lane, peek_at_end);
+    const auto link_end = [&](uint32_t slot) { return linkEnd(arrays, slot); };
+    const auto contact_end = [&](uint32_t slot) {
+        return kReadsAhead<T> ? contactEndWithOwner(arrays, slot) : contactEnd(arrays, slot);
+    };
+    RowCursor<T, decltype(link_end)> bonds(ends.first_bond, ends.last_bond, lane, link_end,
+                                           [&](uint32_t slot) {
+                                               return LinkEnd{first_ends.bonded, arrays.link[slot]};
+                                           });
+    RowCursor<T, decltype(contact_end)> contacts(
+        ends.first_contact, ends.last_contact, lane, contact_end, [&](uint32_t) {
+            const uint32_t j = first_ends.contact;
+            return ContactEnd<Real>{j, first_ends.contact_owner, arrays.in.position[j],
+                                    asConstants(arrays.constants[j])};
+        });
     gatherRow<T>(bonds, sums, bond_slot);
     gatherRow<T>(contacts, sums, contact_slot);
 }
@@ -273,38 +307,46 @@ __device__ __forceinline__ uint32_t workAt(const SubstepArrays<Real>& arrays, co
     return arrays.work.all() ? place : arrays.work.ids[place];
 }
 
+/// No contacts of carried particles are counted.
+struct CountsNothing {
+    template <class Real>
+    __device__ __forceinline__ uint32_t operator()(const OwnParticle<Real>&, const RowEnds&, uint32_t) const {
+        return 0;
+    }
+};
+
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
 /// bodies' particles: all, or those of the work list. Started while the substep before still runs:
-/// what no substep changes is read before its end is waited for.
-template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
-    substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
+/// what no substep changes is read before its end is waited for. `counts(own, ends, lane)`: of a carried
+/// particle, contacts to be told to its fragment.
+template <uint32_t T, bool kLedger, class Real, class Counts>
+__device__ __forceinline__ void substepBlock(const SubstepArrays<Real>& arrays,
+                                             const StepParams<Real>& params, uint32_t block,
+                                             const Counts& counts) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
-    letNextStart();
-    if (blockIdx.x < kMaxProjectiles) {
+    if (block < kMaxProjectiles) {
         awaitPrevious();
-        const uint32_t shot = params.in_bodies + blockIdx.x;
+        const uint32_t shot = params.in_bodies + block;
         if (arrays.work.movesProjectile(shot)) stepProjectile<kLedger>(arrays, params, shot);
         return;
     }
-    const uint32_t first = (blockIdx.x - kMaxProjectiles) * kParticles;
+    const uint32_t first = (block - kMaxProjectiles) * kParticles;
     const uint32_t k = first + threadIdx.x / T, lane = threadIdx.x % T;
     const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = k < count;
     const RowEnds ends = rowEnds(arrays, id, present);
     const BodyLaw<Real> law = arrays.body_laws[arrays.owner[id]];
+    const FirstEnds first_ends = firstEnds<T>(arrays, ends, lane);
     awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
+    const uint32_t touching = counts(own, ends, lane);
     LanePartials<T, Real> sums;
     Tally<Real> tally;
     gatherRows<T>(
-        arrays, ends, lane, sums,
-        [&](uint32_t slot, const BondLink& link) {
-            return bondSlot<T, kLedger>(arrays, params, own, law, slot, link, tally);
-        },
-        [&](uint32_t slot) {
-            return kReadsAhead<T> ? contactEndWithOwner(arrays, slot) : contactEnd(arrays, slot);
+        arrays, ends, first_ends, lane, sums,
+        [&](uint32_t slot, const LinkEnd& end) {
+            return bondSlot<T, kLedger>(arrays, params, own, law, slot, end, tally);
         },
         [&](uint32_t slot, const ContactEnd<Real>& end) {
             return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
@@ -312,7 +354,16 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     if constexpr (T > 1) __syncwarp();
     const Wrench<Real> load = sums.total();
     if constexpr (kLedger) sumTally<T>(tally);
-    if (present && lane == 0) finishParticle<kLedger>(arrays, params, own, load, tally);
+    if (!present || lane != 0) return;
+    if (touching > 0) arrays.carried[2 * size_t{id}].w += static_cast<Real>(touching);
+    finishParticle<kLedger>(arrays, params, own, load, tally);
+}
+
+template <uint32_t T, bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
+    substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
+    letNextStart();
+    substepBlock<T, kLedger>(arrays, params, blockIdx.x, CountsNothing{});
 }
 
 }  // namespace demolish

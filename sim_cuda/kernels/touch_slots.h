@@ -145,21 +145,38 @@ DEM_FN ContactEnd<Real> contactEndWithOwner(const SubstepArrays<Real>& arrays, u
     return end;
 }
 
+/// Nothing more need be read of a contact's other end.
+template <class Real>
+DEM_FN bool isOutOfTouch(const OwnParticle<Real>& own, const Vec4<Real>& position,
+                         const ParticleConstants<Real>& other, const StepParams<Real>& params) {
+    return outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) ||
+           isLeftOut(own.constants, other, params);
+}
+
 /// A slot of the contact list and its other end.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                 const OwnParticle<Real>& own, uint32_t slot, const ContactEnd<Real>& end,
                                 Tally<Real>& tally) {
     const ParticleConstants<Real> other = end.constants;
-    if (outOfReach(own.state.position, end.position, own.constants.contact_radius + other.contact_radius) ||
-        isLeftOut(own.constants, other, params))
-        return {};
+    if (isOutOfTouch(own, end.position, other, params)) return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
     Vec4<Real>& spring = arrays.contact_spring[slot];
     return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), spring,
                                         spring, tally);
+}
+
+/// A slot of the bonds as it is, and its other end, which is always the same.
+struct LinkEnd {
+    uint32_t id = 0;
+    BondLink link;
+};
+template <class Real>
+DEM_FN LinkEnd linkEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
+    const BondLink link = arrays.link[slot];
+    return {linkedParticle(link), link};
 }
 
 /// All that the record of a bond that is no longer solid needs.
@@ -171,17 +188,6 @@ struct FormerBond {
     ParticleConstants<Real> constants;
     Vec4<Real> rest, spring;
 };
-template <class Real>
-DEM_FN FormerBond<Real> formerBond(const SubstepArrays<Real>& arrays, uint32_t slot, BondLink link) {
-    const uint32_t j = linkedParticle(link);
-    return {slot,
-            link,
-            loadWithoutRotation(arrays.in, arrays.in.position[j], j),
-            asConstants(arrays.constants[j]),
-            arrays.rest[slot],
-            arrays.bond_spring[slot]};
-}
-
 /// Type 3, and the step from it to type 1.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
@@ -237,11 +243,14 @@ DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const 
 /// it.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                   const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) {
-    const BondLink link = arrays.link[slot];
-    const uint32_t j = linkedParticle(link);
-    if (isApart(own, arrays.in.position[j], asConstants(arrays.constants[j]), link, params)) return {};
-    return touchingFormerBond<kLedger, kStep>(arrays, params, own, formerBond(arrays, slot, link), tally);
+                                   const OwnParticle<Real>& own, uint32_t slot, const LinkEnd& end,
+                                   Tally<Real>& tally) {
+    const Vec4<Real> position = arrays.in.position[end.id];
+    const ParticleConstants<Real> other = asConstants(arrays.constants[end.id]);
+    if (isApart(own, position, other, end.link, params)) return {};
+    const FormerBond<Real> former{slot,  end.link,          loadWithoutRotation(arrays.in, position, end.id),
+                                  other, arrays.rest[slot], arrays.bond_spring[slot]};
+    return touchingFormerBond<kLedger, kStep>(arrays, params, own, former, tally);
 }
 
 template <class Real>

@@ -14,7 +14,7 @@ class SubstepRunner<CpuBackend, Real> {
     /// n substeps from data.current on, which turns with each of them.
     void run(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
              ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
-             uint32_t n) {
+             uint32_t n, bool = false) {
         for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger);
     }
     void runOne(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
@@ -27,7 +27,7 @@ class SubstepRunner<CpuBackend, Real> {
     void runOn(CpuBackend& backend, SolverData<CpuBackend, Real>& data,
                ContactArrays<CpuBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
                uint32_t n) {
-        run(backend, data, contacts, params, ledger, n);
+        run(backend, data, contacts, params, ledger, n, true);
     }
 
   private:

@@ -24,9 +24,8 @@ struct PairFinder<CudaBackend, Real> {
     static void launch(CudaBackend& backend, const NeighbourSearch<Real>& search, const RowDrafts& drafts,
                        const ProjectileBits& projectiles) {
         const uint32_t warps = searchWarps<kGroup>(search.in_bodies, search.total - search.in_bodies);
-        launchChained(backend.stream(), true, findPairsKernel<kGroup, Real>,
-                      (warps + kSearchWarps - 1) / kSearchWarps, kSearchBlock, "find pairs", search, drafts,
-                      projectiles);
+        backend.launch(true, findPairsKernel<kGroup, Real>, (warps + kSearchWarps - 1) / kSearchWarps,
+                       kSearchBlock, "find pairs", search, drafts, projectiles);
     }
 };
 

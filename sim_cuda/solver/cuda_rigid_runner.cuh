@@ -1,7 +1,10 @@
-// Contact steps of rigid fragments on the GPU: two kernels each, with substeps between them one graph.
+// Contact steps of rigid fragments on the GPU: two kernels each, or, where substeps stand between them, the
+// first one together with the first substep.
 #pragma once
+#include "sim_cuda/kernels/rigid_load_cuda.cuh"
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
+#include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/rigid_runner.h"
 
 namespace demolish {
@@ -11,48 +14,80 @@ class RigidRunner<CudaBackend, Real> {
   public:
     using Step = RigidStepOf<CudaBackend, Real>;
 
-    /// As on the CPU; does not wait.
-    void run(CudaBackend& backend, const Step& step, uint32_t n) {
+    /// As on the CPU; does not wait. `follows`: nothing that steps read but the state has been written since
+    /// the step before.
+    void run(CudaBackend& backend, const Step& step, uint32_t n, bool follows) {
         makeRoom(backend, step.work);
-        const auto steps = [&](uint32_t substeps) {
-            for (uint32_t done = 0; done < substeps;) {
-                const uint32_t stride = std::min(kRigidStride, substeps - done);
-                gather(backend, step, stride, done > 0);
+        GraphKey key = keyOf(step);
+        key.push_back(n);
+        graphs_.run(backend, key, [&] {
+            for (uint32_t done = 0; done < n;) {
+                const uint32_t stride = std::min(kRigidStride, n - done);
+                gather(backend, step, stride, follows || done > 0);
                 move(backend, step, stride, false);
                 done += stride;
             }
-        };
-        n -= startSingly(backend, n, steps);
-        if (n == 0) return;
-        GraphKey key = keyOf(step);
-        key.push_back(n);
-        graphs_.run(backend, key, [&] { steps(n); });
+        });
     }
-    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph: while things
-    /// break few sequences come again, and the shorter ones sooner.
+    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph. `carries`: as
+    /// the steps do.
     template <class Runner, class Steps>
-    void repeat(CudaBackend& backend, const Step& step, const Runner& runner, uint32_t n,
+    void repeat(CudaBackend& backend, const Step& step, const Runner& runner, bool carries, uint32_t n,
                 const Steps& steps) {
         static_assert(kRigidStride % 2 == 0, "a graph must end on the state it started from");
         makeRoom(backend, step.work);
-        n -= startSingly(backend, n, steps);
         if (n >= kRigidStride) {
             GraphKey key = keyOf(step);
             const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
             key.insert(key.end(), substep.begin(), substep.end());
+            key.push_back(carries ? 1 : 0);
             for (; n >= kRigidStride; n -= kRigidStride)
                 graphs_.run(backend, key, [&] { steps(kRigidStride); });
         }
         if (n > 0) steps(n);
     }
     void gather(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
-        step.ledger ? gatherWith<true>(backend, step, stride, follows)
-                    : gatherWith<false>(backend, step, stride, follows);
+        launchGather(backend, follows, gatherOf(step, stride), roundedUp(step.work.active_at_most),
+                     step.ledger);
+    }
+    /// gather(), and one substep of the runner, as one kernel.
+    template <class Runner>
+    void gatherBesideSubstep(CudaBackend& backend, const Step& step, Runner& runner,
+                             const StepParams<Real>& params, uint32_t stride, bool follows) {
+        runner.runOneBeside(backend, step.data, step.contacts, params, step.ledger, gatherOf(step, stride),
+                            gatherBlocks<kThreadsBeside>(roundedUp(step.work.active_at_most)), follows);
     }
     /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
-        step.ledger ? moveWith<true>(backend, step, stride, carried)
-                    : moveWith<false>(backend, step, stride, carried);
+        step.ledger ? launchMove(backend, step.template mover<true>(load_.view(), stride, carried))
+                    : launchMove(backend, step.template mover<false>(load_.view(), stride, carried));
+    }
+
+    /// The graphs that so many particles may need, so that none is recorded while things break. Runner: that
+    /// of the substeps.
+    template <class Runner>
+    void recordAhead(CudaBackend& backend, uint32_t particles, bool ledger) {
+        const auto move_nothing = [&] {
+            ledger ? launchMove(backend, StepRigid<true, Real>{})
+                   : launchMove(backend, StepRigid<false, Real>{});
+        };
+        for (uint32_t active : {kFewActive, kManyActive, kManyActive + 1})
+            for (uint32_t substeps : {kRigidStretch.first, kRigidStretch.second})
+                if (active == kFewActive || active < 2 * particles)
+                    graphs_.recordAhead(backend, [&] {
+                        for (uint32_t done = 0; done < substeps; done += kRigidStride) {
+                            launchGather(backend, done > 0, {}, active, ledger);
+                            move_nothing();
+                        }
+                    });
+        forEachWidth(particles, [&](uint32_t threads) {
+            graphs_.recordAhead(backend, [&] {
+                Runner::launchBeside(backend, false, threads, {}, {}, ledger, {}, {});
+                for (uint32_t k = 1; k < kRigidStride; ++k)
+                    Runner::launchOne(backend, true, threads, {}, {}, ledger);
+                move_nothing();
+            });
+        });
     }
 
     /// What the launches of a step depend on.
@@ -70,48 +105,43 @@ class RigidRunner<CudaBackend, Real> {
 
     static constexpr uint32_t kLeastLarge = 16;
 
-    /// While the GPU waits, the first contact step by single launches, which start sooner than a graph does.
-    /// Returns the substeps done.
-    template <class Steps>
-    static uint32_t startSingly(CudaBackend& backend, uint32_t n, const Steps& steps) {
-        if (!backend.isIdle()) return 0;
-        const uint32_t first = std::min(kRigidStride, n);
-        steps(first);
-        return first;
-    }
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         if (load_.size() >= work.active_at_most) return;
         backend.synchronize();  // what was started before may still use it
         load_ = backend.allocate<RigidLoad<Real>>(work.active_at_most + work.active_at_most / 2);
     }
 
+    static void launchGather(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
+                             uint32_t active, bool ledger) {
+        ledger ? launchGatherWith<true>(backend, follows, gather, active)
+               : launchGatherWith<false>(backend, follows, gather, active);
+    }
     template <bool kLedger>
-    void gatherWith(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
-        const uint32_t active = roundedUp(step.work.active_at_most);
+    static void launchGatherWith(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
+                                 uint32_t active) {
         if (active <= kFewActive)
-            launchGather<16, kLedger>(backend, step, stride, active, follows);
+            launchGatherT<16, kLedger>(backend, follows, gather, active);
         else if (active <= kManyActive)
-            launchGather<8, kLedger>(backend, step, stride, active, follows);
+            launchGatherT<8, kLedger>(backend, follows, gather, active);
         else
-            launchGather<4, kLedger>(backend, step, stride, active, follows);
+            launchGatherT<4, kLedger>(backend, follows, gather, active);
     }
     template <uint32_t T, bool kLedger>
-    void launchGather(CudaBackend& backend, const Step& step, uint32_t stride, uint32_t active,
-                      bool follows) {
-        constexpr uint32_t kParticles = kSubstepBlock / T;
-        launchChained(backend.stream(), follows, rigidLoadKernel<T, kLedger, Real>,
-                      (active + kParticles - 1) / kParticles, kSubstepBlock,
-                      "gathering loads of rigid fragments", step.arrays(), rigidParams(step.params, stride),
-                      step.work, load_.span());
+    static void launchGatherT(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
+                              uint32_t active) {
+        backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, gatherBlocks<T>(active), kSubstepBlock,
+                       "gathering loads of rigid fragments", gather);
+    }
+    RigidGather<Real> gatherOf(const Step& step, uint32_t stride) {
+        return {step.arrays(), rigidParams(step.params, stride), step.work, load_.span()};
     }
     template <bool kLedger>
-    void moveWith(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
+    static void launchMove(CudaBackend& backend, const StepRigid<kLedger, Real>& step) {
         constexpr uint32_t kWarps = kRigidLanes / kWarp;
         const uint32_t large = roundedUp(step.work.large_at_most, kLeastLarge);
         const uint32_t small = (roundedUp(step.work.fragments_at_most) + kWarps - 1) / kWarps;
-        launchChained(backend.stream(), true, rigidStepKernel<kLedger, Real>, large + small, kRigidLanes,
-                      "moving rigid fragments", step.template mover<kLedger>(load_.view(), stride, carried),
-                      large);
+        backend.launch(true, rigidStepKernel<kLedger, Real>, large + small, kRigidLanes,
+                       "moving rigid fragments", step, large);
     }
 
     CudaBackend::Buffer<RigidLoad<Real>> load_;

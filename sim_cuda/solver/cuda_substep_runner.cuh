@@ -1,11 +1,11 @@
 // Runs substeps on the GPU: kSubstepsTogether of them as one CUDA graph, single launches for what is left
-// over.
+// over and where lists are new.
 #pragma once
 #include <algorithm>
 #include <bit>
 #include <cstdlib>
 
-#include "sim_cuda/kernels/substep_cuda.cuh"
+#include "sim_cuda/kernels/rigid_load_cuda.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
@@ -22,28 +22,49 @@ inline uint32_t threadsPerParticle(uint32_t particles) {
     if (particles < 4'000) return 16;
     return particles < 16'000 ? 8 : 4;
 }
+/// visit(threads a particle) for all that are chosen for up to so many particles.
+template <class Visit>
+void forEachWidth(uint32_t particles, const Visit& visit) {
+    uint32_t last = 0;
+    for (uint32_t some : {1u, 4'000u, 16'000u})
+        if (const uint32_t threads = threadsPerParticle(some); some <= particles && threads != last)
+            visit(last = threads);
+}
 
 template <class Real>
 class SubstepRunner<CudaBackend, Real> {
   public:
     explicit SubstepRunner(CudaBackend&) {}
-    /// n substeps from data.current on, which turns with each of them. Does not wait.
+    /// n substeps from data.current on, which turns with each of them. `follows` as for runOne(). Does not
+    /// wait.
     void run(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
              ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
-             uint32_t n) {
-        if (backend.isIdle())
-            n -= runSingly(backend, data, contacts, params, ledger, std::min(n, kSubstepsTogether));
-        for (; n >= kSubstepsTogether; n -= kSubstepsTogether)
-            runInterval(backend, data, contacts, params, ledger);
-        runSingly(backend, data, contacts, params, ledger, n);
+             uint32_t n, bool follows = false) {
+        const auto steps = [&](uint32_t substeps) {
+            for (uint32_t k = 0; k < substeps; ++k)
+                runOne(backend, data, contacts, params, ledger, follows || k > 0);
+        };
+        for (; n >= kSubstepsTogether; n -= kSubstepsTogether) {
+            static_assert(kSubstepsTogether % 2 == 0, "a graph must end on the state it started from");
+            graphs_.run(backend, keyOf(data, contacts, params, ledger), [&] { steps(kSubstepsTogether); });
+        }
+        steps(n);
     }
     /// `follows`: right after another step of the same work lists, whose end it need not wait for to start.
     void runOne(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                 ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
                 bool follows = false) {
         const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
-        const Launch launch{backend.stream(), follows};
-        ledger ? launchWith<true>(launch, arrays, params) : launchWith<false>(launch, arrays, params);
+        launchOne(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger);
+        data.current = 1 - data.current;
+    }
+    /// The same and, in the same kernel, loads of rigid fragments by so many blocks.
+    void runOneBeside(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
+                      ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
+                      const RigidGather<Real>& gather, uint32_t gather_blocks, bool follows) {
+        const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
+        launchBeside(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger, gather,
+                     gather_blocks);
         data.current = 1 - data.current;
     }
     /// n more right after one. Does not wait.
@@ -58,16 +79,32 @@ class SubstepRunner<CudaBackend, Real> {
         return keyOf(data.arraysInSubsteps(contacts), params, ledger);
     }
 
-  private:
-    /// As single launches, which start sooner than a graph does. Returns n.
-    uint32_t runSingly(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
-                       ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
-                       bool ledger, uint32_t n) {
-        for (uint32_t k = 0; k < n; ++k) runOne(backend, data, contacts, params, ledger, k > 0);
-        return n;
+    /// The graphs that so many particles may need, so that none is recorded while things break.
+    void recordAhead(CudaBackend& backend, uint32_t particles, bool ledger) {
+        forEachWidth(particles, [&](uint32_t threads) {
+            graphs_.recordAhead(backend, [&] {
+                for (uint32_t k = 0; k < kSubstepsTogether; ++k)
+                    launchOne(backend, k > 0, threads, {}, {}, ledger);
+            });
+        });
     }
+    /// One substep by so many threads a particle.
+    static void launchOne(CudaBackend& backend, bool follows, uint32_t threads,
+                          const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
+        ledger ? launchWith<true>({backend, follows}, threads, arrays, params)
+               : launchWith<false>({backend, follows}, threads, arrays, params);
+    }
+    /// The same beside loads of rigid fragments, by so many blocks.
+    static void launchBeside(CudaBackend& backend, bool follows, uint32_t threads,
+                             const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger,
+                             const RigidGather<Real>& gather, uint32_t gather_blocks) {
+        ledger ? launchBesideWith<true>({backend, follows}, threads, arrays, params, gather, gather_blocks)
+               : launchBesideWith<false>({backend, follows}, threads, arrays, params, gather, gather_blocks);
+    }
+
+  private:
     struct Launch {
-        cudaStream_t stream = nullptr;
+        CudaBackend& backend;
         bool follows = false;
     };
     static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
@@ -88,20 +125,10 @@ class SubstepRunner<CudaBackend, Real> {
         return threadsPerParticle(work.all() ? params.in_bodies : work.at_most);
     }
 
-    void runInterval(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
-                     ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params,
-                     bool ledger) {
-        static_assert(kSubstepsTogether % 2 == 0, "a graph must end on the state it started from");
-        graphs_.run(backend, keyOf(data, contacts, params, ledger), [&] {
-            for (uint32_t k = 0; k < kSubstepsTogether; ++k)
-                runOne(backend, data, contacts, params, ledger, k > 0);
-        });
-    }
-
     template <bool kLedger>
-    static void launchWith(const Launch& launch, const SubstepArrays<Real>& arrays,
+    static void launchWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
-        switch (threadsFor(arrays.work, params)) {
+        switch (threads) {
             case 1:
                 return launchT<1, kLedger>(launch, arrays, params);
             case 2:
@@ -118,11 +145,33 @@ class SubstepRunner<CudaBackend, Real> {
     template <uint32_t T, bool kLedger>
     static void launchT(const Launch& launch, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
-        constexpr uint32_t kParticles = kSubstepBlock / T;
-        const uint32_t particles = launchedParticles(arrays.work, params);
-        const uint32_t blocks = (particles + kParticles - 1) / kParticles + kMaxProjectiles;
-        launchChained(launch.stream, launch.follows, substepKernel<T, kLedger, Real>, blocks, kSubstepBlock,
-                      "starting a substep", arrays, params);
+        launch.backend.launch(launch.follows, substepKernel<T, kLedger, Real>,
+                              blocksFor(arrays.work, params, T), kSubstepBlock, "starting a substep", arrays,
+                              params);
+    }
+    template <bool kLedger>
+    static void launchBesideWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
+                                 const StepParams<Real>& params, const RigidGather<Real>& gather,
+                                 uint32_t gather_blocks) {
+        if (threads >= 16)
+            launchBesideT<16, kLedger>(launch, arrays, params, gather, gather_blocks);
+        else if (threads >= 8)
+            launchBesideT<8, kLedger>(launch, arrays, params, gather, gather_blocks);
+        else
+            launchBesideT<4, kLedger>(launch, arrays, params, gather, gather_blocks);
+    }
+    template <uint32_t T, bool kLedger>
+    static void launchBesideT(const Launch& launch, const SubstepArrays<Real>& arrays,
+                              const StepParams<Real>& params, const RigidGather<Real>& gather,
+                              uint32_t gather_blocks) {
+        launch.backend.launch(launch.follows, substepBesideLoadsKernel<T, kLedger, Real>,
+                              blocksFor(arrays.work, params, T) + gather_blocks, kSubstepBlock,
+                              "starting a substep beside rigid fragments", arrays, params, gather,
+                              gather_blocks);
+    }
+    static uint32_t blocksFor(const BondedWork& work, const StepParams<Real>& params, uint32_t threads) {
+        const uint32_t particles = kSubstepBlock / threads;
+        return (launchedParticles(work, params) + particles - 1) / particles + kMaxProjectiles;
     }
 
     CudaGraphCache graphs_;

@@ -55,7 +55,7 @@ class DeviceSolver final : public Solver {
     StepStatus runSubsteps(uint32_t n);
     StepStatus runChunk(uint32_t n);
     void runAwake(uint32_t n);
-    void runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n);
+    void runBoth(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     Stretch stretch() const;
     void placeRigid();
@@ -136,6 +136,8 @@ class DeviceSolver final : public Solver {
     StepParams<Real> params_;
     std::vector<Projectile> projectiles_;  ///< in their slots
     Progress progress_;
+    bool lists_stand_ =
+        false;  ///< since the last step nothing that steps read has been written but the state
     bool place_rigid_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
     FrameStats stats_;
 };

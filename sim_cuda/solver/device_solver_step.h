@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/kernels/book_softening.h"
@@ -81,6 +82,12 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     stats_.particles = tables_.counts.in_bodies;
     stats_.bonds = data_.bonds.count;
     stats_.mass = tables_.mass_in_bodies;
+    if constexpr (Backend::kOnGpu) {
+        runner_.recordAhead(backend_, stats_.particles, setup.params.ledger);
+        if (regimes_.on())
+            rigid_runner_.template recordAhead<decltype(runner_)>(backend_, stats_.particles,
+                                                                  setup.params.ledger);
+    }
     if (setup.params.settle_time > 0) settle(setup.params.settle_time, progress);
     progress_.projectiles = static_cast<uint32_t>(projectiles_.size());
     startProjectiles();
@@ -108,6 +115,7 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
     if (staysQuiet(n)) return passQuietly(n);
     const Progress before = progress_;
     const uint64_t builds = lists_.builds();
+    lists_stand_ = false;
     frame_start_.keep(backend_, data_, lists_, regimes_);
     startProjectiles();
     if (regimes_.on()) {
@@ -197,35 +205,35 @@ bool DeviceSolver<Backend, Real>::mustReassign(uint32_t remaining) {
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
     auto& contacts = lists_.contacts();
-    const bool ledger = setup_.params.ledger, on = regimes_.on();
+    const bool ledger = setup_.params.ledger, on = regimes_.on(), follows = std::exchange(lists_stand_, true);
     if (on && regimes_.movesRigid()) {
         const RigidConstants<Real> constants = regimes_.rigidConstants();
         const RigidStepOf<Backend, Real> step{data_, contacts, params_, regimes_.rigid(), constants, ledger};
-        regimes_.carries() ? runCarrying(step, n) : rigid_runner_.run(backend_, step, n);
+        regimes_.movesBonds() ? runBoth(step, n, follows) : rigid_runner_.run(backend_, step, n, follows);
+    } else if (!on || regimes_.movesBonds()) {
+        runner_.run(backend_, data_, contacts, params_, ledger, n, follows);
     }
-    if (!on || (regimes_.movesBonds() && !regimes_.carries()))
-        runner_.run(backend_, data_, contacts, params_, ledger, n);
     if (on && regimes_.movesRigid()) place_rigid_ = true;
     progress_.since_build += n;
     progress_.substeps += n;
 }
 
-/// Contact steps with the substeps between their halves: the rigid body answers to the sum of what its
-/// carried particles have felt meanwhile, so that no momentum is lost between the two kinds of step. The
-/// force of a contact step is that of its start; so that what the substeps add up belongs to the same moment,
-/// they see carried particles from half a step before it to half a step after it (each but the first, which
-/// makes the mean exact). Else contacts would lose energy that nobody books.
+/// Contact steps with the substeps between their halves: a rigid body answers to the sum of what its carried
+/// particles have felt meanwhile, so that no momentum is lost between the two kinds of step. The force of a
+/// contact step is that of its start; so that what the substeps add up belongs to the same moment, they see
+/// carried particles from half a step before it to half a step after it (each but the first, which makes the
+/// mean exact). Else contacts would lose energy that nobody books.
 template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::runCarrying(const RigidStepOf<Backend, Real>& step, uint32_t n) {
-    rigid_runner_.repeat(backend_, step, runner_, n, [&](uint32_t substeps) {
+void DeviceSolver<Backend, Real>::runBoth(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows) {
+    const bool carries = regimes_.carries();
+    rigid_runner_.repeat(backend_, step, runner_, carries, n, [&](uint32_t substeps) {
         for (uint32_t done = 0; done < substeps;) {
             const uint32_t stride = std::min(kRigidStride, substeps - done);
             StepParams<Real> params = params_;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
-            rigid_runner_.gather(backend_, step, stride, done > 0);
-            runner_.runOne(backend_, data_, step.contacts, params, step.ledger, true);
+            rigid_runner_.gatherBesideSubstep(backend_, step, runner_, params, stride, follows || done > 0);
             runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
-            rigid_runner_.move(backend_, step, stride, true);
+            rigid_runner_.move(backend_, step, stride, carries);
             done += stride;
         }
     });
@@ -281,6 +289,7 @@ void DeviceSolver<Backend, Real>::look(uint32_t lookahead) {
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::buildLists() {
     placeRigid();
+    lists_stand_ = false;
     NeighbourSettings settings = progress_.moves_rigid != 0 ? kRigidNeighbours : NeighbourSettings{};
     if (progress_.shot_started == 0)
         progress_.lists_last = std::max(progress_.since_build, progress_.lists_last / 2);
@@ -304,6 +313,7 @@ double DeviceSolver<Backend, Real>::untilNextDecision(uint32_t remaining) const 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::assignRegimes(bool frame_starts, uint32_t remaining) {
     placeRigid();
+    lists_stand_ = false;
     regimes_.assign(data_, lists_, clusters_, motion_, params_, frame_starts, progress_.last_frame,
                     untilNextDecision(remaining));
     if (setup_.params.ledger && regimes_.movesRigid()) bookSoftening();

@@ -13,6 +13,7 @@ namespace demolish {
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
     placeRigid();
+    lists_stand_ = false;
     const double elapsed = progress_.since_build * tables_.time_step, stretch = next * tables_.time_step;
     auto& contacts = lists_.contacts();
     const PathsNow<Real> paths{data_.particles.in(data_.current), contacts.paths(),

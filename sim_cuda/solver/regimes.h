@@ -340,8 +340,7 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                                 in_substeps_.span()};
     backend_.forEach(total, write, "write work");
     reader_.start(backend_, words_.view());
-    const std::vector<uint32_t>& told = reader_.wait();
-    std::copy(told.begin(), told.end(), counts_);
+    std::copy_n(reader_.wait().begin(), kWorkWords, counts_);
     if (frame_starts) {
         memory_.awake = counts_[kAwakeCount];
         memory_.must_bond = counts_[kMustBondCount];
@@ -351,6 +350,7 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
               large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
               arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
               counts_[kLargeCount]};
+    rigid_.carried_sums = marks_.view().part(3 * size_t{total}, total + 1);
     data.work = BondedWork{};
     if (counts_[kBondedCount] != counts_of_.in_bodies) {
         data.work.ids = bonded_.view();

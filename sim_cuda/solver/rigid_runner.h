@@ -59,7 +59,7 @@ class RigidRunner<CpuBackend, Real> {
     using Step = RigidStepOf<CpuBackend, Real>;
 
     /// n substeps' time, in contact steps of kRigidStride substeps and a shorter last one.
-    void run(CpuBackend& backend, const Step& step, uint32_t n) {
+    void run(CpuBackend& backend, const Step& step, uint32_t n, bool) {
         for (uint32_t done = 0; done < n;) {
             const uint32_t stride = std::min(kRigidStride, n - done);
             gather(backend, step, stride, done > 0);
@@ -69,7 +69,7 @@ class RigidRunner<CpuBackend, Real> {
     }
     /// steps(n), which starts n substeps of the runner too.
     template <class Runner, class Steps>
-    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t n, const Steps& steps) {
+    void repeat(CpuBackend&, const Step&, const Runner&, bool, uint32_t n, const Steps& steps) {
         steps(n);
     }
     /// The two halves of one contact step; substeps that carry particles stand between them. On the GPU the
@@ -79,6 +79,13 @@ class RigidRunner<CpuBackend, Real> {
             load_ =
                 backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
         step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
+    }
+    /// gather(), and one substep of the runner.
+    template <class Runner>
+    void gatherBesideSubstep(CpuBackend& backend, const Step& step, Runner& runner,
+                             const StepParams<Real>& params, uint32_t stride, bool follows) {
+        gather(backend, step, stride, follows);
+        runner.runOne(backend, step.data, step.contacts, params, step.ledger);
     }
     void move(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
         step.ledger ? moveWith<true>(backend, step, stride, carried)

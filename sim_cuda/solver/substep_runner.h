@@ -4,8 +4,9 @@
 
 namespace demolish {
 
-/// run(backend, data, contacts, params, ledger, n): n substeps from data.current on, which turns with each of
-/// them. runOne: one; runOn: n more right after it.
+/// run(backend, data, contacts, params, ledger, n, follows): n substeps from data.current on, which turns
+/// with each of them; `follows`: since the step before nothing that steps read has been written but the
+/// state. runOne: one; runOn: n more right after it.
 template <class Backend, class Real>
 class SubstepRunner;
 
