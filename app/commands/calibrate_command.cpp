@@ -65,7 +65,10 @@ void printFound(const Calibration& found) {
                 found.particles, 1000 * found.particle_size, critical);
     if (found.shot.break_at)
         std::printf("  %-12s %.3g m/s%s\n", "to break at", *found.shot.break_at,
-                    found.meetsBreakAt() ? "" : "; no strength does it within 10 %, this is the nearest");
+                    found.meetsBreakAt()
+                        ? ""
+                        : "; no strength does it within 10 %, this is the nearest: at some "
+                          "speeds above its threshold this packing holds, try another --seed");
     std::printf("  %-12s %.3g m/s, between %.3g and %.3g", "threshold", found.velocity(), low, high);
     if (found.measured.packings > 1)
         std::printf("; mean of %u packings, %.3g to %.3g", found.measured.packings,

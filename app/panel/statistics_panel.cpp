@@ -28,7 +28,7 @@ void drawLegend(ImDrawList& list, ImVec2 low, ImVec2 high, double top) {
         x += ImGui::CalcTextSize(text).x + 8;
     };
     word("sim", kSimColour);
-    word("export", kTransferColour);
+    word("transfer", kTransferColour);
     word("draw", kDrawColour);
     word("rest", kRestTextColour);
     char scale[32];
@@ -77,10 +77,10 @@ void drawGraph(PanelContext& context, std::span<const FrameSample> samples) {
 void showSpeed(const FrameSummary& summary, size_t bodies) {
     valueRow("FPS", "%.1f (p1 %.1f)", summary.fps_median, summary.fps_p1);
     valueRow("Frame p99, worst", "%.1f, %.1f ms", summary.frame_ms_p99, summary.frame_ms_worst);
-    valueRow("Sim, export, draw", "%.2f, %.2f, %.2f ms", summary.sim_ms, summary.transfer_ms,
+    valueRow("Sim, transfer, draw", "%.2f, %.2f, %.2f ms", summary.sim_ms, summary.transfer_ms,
              summary.draw_ms);
     tooltipOnHover(
-        "Medians of the frames in the graph that were simulated. Export: writing the frame and bringing it "
+        "Medians of the frames in the graph that were simulated. Transfer: writing the frame and bringing it "
         "to the renderer.");
     valueRow("Awake", "%.0f particles, %.0f/%zu bodies", summary.awake_particles, summary.awake_bodies,
              bodies);

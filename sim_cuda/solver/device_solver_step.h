@@ -359,7 +359,9 @@ void DeviceSolver<Backend, Real>::settle(double seconds, const ProgressCallback&
         params_.gravity = static_cast<Real>(std::min(1.0, share / kSettleRampShare)) * free_params.gravity;
         for (int chunk = 0; chunk < 5; ++chunk)
             if (runChunk(kBondedStretch.length()) != StepStatus::kOk)
-                throw NumericalError("The body blew up while settling; raise --substeps.");
+                throw NumericalError(
+                    "The bodies blew up while settling: see that none stands in another, or raise "
+                    "--substeps.");
         if (progress && !progress(share, "Settling")) throw Cancelled();
     }
     params_ = free_params;
