@@ -13,9 +13,6 @@ namespace demolish {
 namespace {
 
 constexpr const char* kDefaultScene = "bunny";
-// A ball of a sixth of the height must be this many times faster than the material's critical velocity to
-// break the body well (the rabbit's threshold is 3.5, models.md E.2).
-constexpr double kModelImpactFactor = 6;
 constexpr Range kPiecesRange{0, 100000};
 constexpr Range kSeedRange{0, 4294967295.0};  // as in scene files; packings take 32 bits of it
 
@@ -37,6 +34,7 @@ Shot baseShot(const ShotOptions& options) {
     if (options.model.empty()) return loadScene(options.scene.empty() ? kDefaultScene : options.scene);
     Shot shot;
     shot.model = options.model;
+    shot.impact.times_threshold = kModelTimesThreshold;
     applyMaterial(shot, shot.material_name);
     return shot;
 }
@@ -45,6 +43,7 @@ void applyImpact(const ShotOptions& options, Shot& shot) {
     if (options.drop && options.impact_velocity)
         throw UsageError(
             "--drop and --impact-velocity exclude each other: a dropped body is hit by the floor");
+    if (options.drop || options.impact_velocity) shot.impact.times_threshold.reset();
     if (options.impact_velocity)
         shot.impact.velocity = inRange("--impact-velocity", *options.impact_velocity, kVelocityRange, "m/s");
     if (options.drop) {
@@ -162,7 +161,6 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
             static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
     shot.hand_over = !options.no_hand_over;
     shot.sleeping = !options.no_sleep;
-    if (!options.model.empty()) shot.impact.velocity = kModelImpactFactor * shot.material.critical_velocity;
     applyImpact(options, shot);
     applyFineness(options, shot);
     if (options.fps) shot.fps = inRange("--fps", *options.fps, kFpsRange, "frames/s");

@@ -16,6 +16,7 @@
 #include "app/session/data_folder.h"
 #include "app/session/output_file.h"
 #include "engine/platform/window.h"
+#include "engine/render/colour_ramp.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -145,6 +146,8 @@ void runView(const ViewOptions& options) {
     engine::Renderer renderer(dataFolder() / "shaders");
     Session session(std::move(built), {.draw = true, .record = true});
     ViewDesk desk(session, shot);
+    const engine::ColourRamp colour_ramp(dataFolder() / "shaders");
+    desk.colour_ramp = colour_ramp.texture().id();
     desk.gl_renderer = window.info().renderer;
     desk.view.quality = renderQuality(options.shot, window.info().software);
     if (window.info().software) desk.view.samples = 2;

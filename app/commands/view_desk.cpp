@@ -2,6 +2,7 @@
 #include "app/commands/view_desk.h"
 
 #include <cmath>
+#include <utility>
 
 #include "app/session/data_folder.h"
 #include "app/session/picture.h"
@@ -18,7 +19,11 @@ ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
 void ViewDesk::adoptBody(const Session& session, bool move_camera) {
     const BreakableBody& body = *session.built().body;
     const Shot& shot = session.built().shot;
-    if (sameSubject(preset, shot)) built_preset_ = preset;
+    if (sameSubject(preset, shot)) {
+        if (std::exchange(preset.impact.times_threshold, std::nullopt))
+            preset.impact.velocity = shot.impact.velocity;
+        built_preset_ = preset;
+    }
     const SceneBox box = sceneBox(shot, body);
     home.shot_camera = shot.camera ? *shot.camera : framedCamera(box);
     const glm::vec3 low(box.low.x, box.low.y, box.low.z), high(box.high.x, box.high.y, box.high.z);
@@ -36,7 +41,7 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
             shot.model = model;
             shot.height = present.height;
             applyMaterial(shot, present.material_name);
-            shot.impact.velocity = present.impact.velocity;
+            shot.impact.times_threshold = kModelTimesThreshold;
         }
         shot.device = present.device;
         preset = shot;
@@ -92,6 +97,7 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
     context.threshold = threshold;
+    context.colour_ramp = colour_ramp;
     if (measured && context.shot.break_at && context.shot.break_at == measured->shot.break_at) {
         context.shot.material.critical_velocity = measured->shot.material.critical_velocity;
         context.changed = true;

@@ -22,7 +22,8 @@ struct ViewDesk {
     CameraHome home;
     std::vector<std::string> scenes, materials;
     std::string gl_renderer;
-    std::string message;  ///< what a load said; "" if it went well
+    unsigned colour_ramp = 0;  ///< GL texture, as PanelContext
+    std::string message;       ///< what a load said; "" if it went well
     PictureArea picture;
     ThresholdView threshold;
 

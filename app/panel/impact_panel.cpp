@@ -73,12 +73,14 @@ void showImpactPanel(PanelContext& context) {
     const Impact& preset = context.preset.impact;
     showKind(context);
     const double fastest = impact.velocity > 60 ? kVelocityRange.most : 60;
-    context.changed |=
-        slider(context,
+    if (slider(context,
                {"impact.velocity", "Impact velocity", "%.1f m/s",
                 "Speed at the moment of impact. Acts at once on a ball that has not hit yet, and on every "
                 "ball fired later. 0: nothing hits the body."},
-               impact.velocity, {0, fastest}, preset.velocity);
+               impact.velocity, {0, fastest}, preset.velocity)) {
+        impact.times_threshold.reset();
+        context.changed = true;
+    }
     showThreshold(context);
     const bool ball = impact.kind == ImpactKind::kBall;
     if (button(context, "impact.fire", "Fire",

@@ -54,6 +54,7 @@ struct PanelContext {
     std::string load_scene;  ///< scene to load instead, by name
     std::string load_model;  ///< mesh file to load instead
     ThresholdView threshold{};
+    unsigned colour_ramp = 0;  ///< GL texture, the scale of the particle colours
     bool measure_threshold = false, cancel_measuring = false;  ///< pressed
 };
 

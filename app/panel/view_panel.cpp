@@ -1,6 +1,9 @@
 // How the picture is shown.
 #include <imgui.h>
 
+#include <cstdint>
+#include <cstdio>
+
 #include "app/panel/widgets.h"
 
 namespace demolish {
@@ -8,6 +11,31 @@ namespace {
 
 const std::vector<std::string> kModes = {"Surface", "Particles"};
 const std::vector<std::string> kColours = {"Fragment", "Damage", "Stress", "Speed"};
+
+/// What the two ends of the colours mean.
+void showColourScale(PanelContext& context) {
+    char most[32];
+    switch (context.view.colour_map) {
+        case engine::ColourMap::kFragment:
+            return;
+        case engine::ColourMap::kDamage:
+            std::snprintf(most, sizeof most, "all bonds broken");
+            break;
+        case engine::ColourMap::kStress:
+            std::snprintf(most, sizeof most, "strength");
+            break;
+        case engine::ColourMap::kSpeed:
+            std::snprintf(most, sizeof most, "%.3g m/s", context.status.full_colour_speed);
+            break;
+    }
+    const float width = ImGui::GetContentRegionAvail().x;
+    ImGui::Image(ImTextureID(static_cast<uintptr_t>(context.colour_ramp)),
+                 ImVec2(width, 0.5f * ImGui::GetTextLineHeight()));
+    noteItem(context, "view.scale");
+    ImGui::TextUnformatted("0");
+    ImGui::SameLine(width - ImGui::CalcTextSize(most).x + ImGui::GetStyle().WindowPadding.x);
+    ImGui::TextUnformatted(most);
+}
 
 }  // namespace
 
@@ -22,6 +50,7 @@ void showViewPanel(PanelContext& context) {
                                  kColours[static_cast<size_t>(view.colour_map)],
                                  "Fragment, share of broken bonds, highest stress, or speed");
         if (colour >= 0) view.colour_map = static_cast<engine::ColourMap>(colour);
+        showColourScale(context);
     }
     checkbox(context, "view.cracks", "Cracks", view.show_cracks,
              "Dark hairlines where bonds are broken inside one fragment");

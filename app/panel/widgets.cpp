@@ -114,7 +114,7 @@ int combo(PanelContext& context, const char* id, const char* label, const std::v
 
 void valueRow(const char* label, const char* format, ...) {
     ImGui::TextDisabled("%s", label);
-    ImGui::SameLine(ImGui::GetFontSize() * 9);
+    ImGui::SameLine(ImGui::GetFontSize() * 9.3f);
     va_list arguments;
     va_start(arguments, format);
     ImGui::PushTextWrapPos(0);

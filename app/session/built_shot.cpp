@@ -1,7 +1,10 @@
 // Mesh, cells, solver: one after the other, each part reused when nothing it depends on has changed.
 #include "app/session/built_shot.h"
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <utility>
 
 #include "app/session/shot_setup.h"
 #include "app/session/threshold.h"
@@ -31,6 +34,12 @@ std::vector<std::shared_ptr<const BreakableBody>> fillVariants(const Shot& shot,
     return variants;
 }
 
+/// Two digits, so that it reads well and is the same on every machine, whatever its pow() gives.
+double twoDigits(double value) {
+    const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+    return unit * std::round(value / unit);
+}
+
 bool sameMesh(const Shot& a, const Shot& b) {
     return a.model == b.model && a.height == b.height;
 }
@@ -45,6 +54,14 @@ bool choosesCuda(const Shot& shot) {
     throw DeviceError("--device cuda, but " +
                       (device.problem.empty() ? "there is no usable GPU" : device.problem) +
                       "; use --device cpu or auto");
+}
+
+void chooseVelocity(Shot& shot, const BreakableBody& body) {
+    const auto times = std::exchange(shot.impact.times_threshold, std::nullopt);
+    const auto threshold = times ? thresholdOf(shot, body) : std::nullopt;
+    if (!threshold) return;
+    const double velocity = *times * shot.break_at.value_or(threshold->predicted);
+    shot.impact.velocity = std::clamp(twoDigits(velocity), kVelocityRange.least, kVelocityRange.most);
 }
 
 uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
@@ -77,6 +94,7 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
     built.body = built.variants[0];
     if (shot.break_at)
         built.shot.material.critical_velocity = criticalVelocityFor(shot, *built.body, *shot.break_at);
+    chooseVelocity(built.shot, *built.body);
     built.setup = makeSetup(built.shot, built.variants);
     built.setup.params.ledger = options.ledger;
     const ProgressCallback last_part = part(progress, 0.75, 1);

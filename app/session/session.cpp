@@ -6,6 +6,7 @@
 
 #include "app/session/ball_flight.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/particle_colour.h"
 
 namespace demolish {
 namespace {
@@ -68,7 +69,8 @@ Session::Session(BuiltShot built, const SessionOptions& options)
 void Session::adopt(BuiltShot built) {
     output_.reset();  // before its solver: it may hold registered buffers
     built_ = std::move(built);
-    // The strength follows from the velocity to break at only when the body is there.
+    // What follows from the body's threshold is known only when the body is there.
+    if (sameSubject(wanted_, built_.shot)) chooseVelocity(wanted_, *built_.body);
     if (wanted_.break_at && wanted_.break_at == built_.shot.break_at)
         wanted_.material.critical_velocity = built_.shot.material.critical_velocity;
     if (options_.draw) output_ = std::make_unique<FrameOutput>(built_);
@@ -246,6 +248,7 @@ void Session::change(const Shot& shot, double now) {
     }
     debounce_.clear();
     worker_.cancel();
+    chooseVelocity(wanted_, *built_.body);
     if (since_wanted >= Change::kLive) restartIfNotHit();
 }
 
@@ -297,6 +300,7 @@ SessionStatus Session::status() const {
     status.bodies = built_.setup.bodies.size();
     status.particle_size = built_.body->spacing;
     status.body_volume = built_.body->mesh_volume;
+    status.full_colour_speed = speedOfFullColour(built_.setup);
     status.build_seconds = built_.build_seconds;
     status.waiting = debounce_.waiting();
     status.rebuilding = worker_.busy();

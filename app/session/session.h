@@ -32,8 +32,9 @@ struct SessionStatus {
     size_t cursor = 0, recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
     uint32_t substeps_per_frame = 0;
     size_t bodies = 1;
-    double particle_size = 0;  ///< m, h
-    double body_volume = 0;    ///< m^3
+    double particle_size = 0;      ///< m, h
+    double body_volume = 0;        ///< m^3
+    double full_colour_speed = 0;  ///< m/s, at the end of the speed colours
     double build_seconds = 0;
     bool measuring = false;               ///< energies, after every simulated frame
     std::optional<EnergyBalance> energy;  ///< while measuring; none for a replayed frame

@@ -19,7 +19,10 @@ enum class ImpactKind { kNone, kBall, kDrop };
 
 struct Impact {
     ImpactKind kind = ImpactKind::kBall;
-    double velocity = 10;          ///< m/s at the moment of impact; 0 = nothing hits the body
+    double velocity = 10;  ///< m/s at the moment of impact; 0 = nothing hits the body
+    /// Set: the velocity is to be so many times the one from which the body is predicted to break;
+    /// chooseVelocity() puts it in and clears this.
+    std::optional<double> times_threshold;
     double ball_radius = 0;        ///< m; 0 = a twelfth of the body's height (a sixth across)
     Double3 direction{0, 0, 0};    ///< the way the ball flies, any length; 0 = across the body's longer side
     double height_fraction = 0.5;  ///< of the body's height, where the ball hits
@@ -33,6 +36,9 @@ struct Fineness {
     std::optional<double> particle_size;  ///< m, h = (V / N)^(1/3)
     uint32_t full = 10000, draft = 1200;  ///< N for the GPU and for the CPU
 };
+
+/// Of a bare model: it breaks well, also where the prediction is too low by its scatter.
+inline constexpr double kModelTimesThreshold = 2;
 
 enum class DeviceChoice { kAuto, kCpu, kCuda };
 

@@ -1,4 +1,5 @@
 // From light to display: a film-like curve and the sRGB encoding.
+#include "common/srgb.glsl"
 // Bright saturated colours lean to white, as film does: primaries are mixed a little before the curve and unmixed after.
 const float kMix = 0.09;
 
@@ -11,8 +12,4 @@ vec3 toneMap(vec3 c, vec4 curve) {
     c = exp2(x) / (exp2(curve.y * x) * curve.z + curve.w);
     mean = (c.r + c.g + c.b) / 3.0;
     return clamp(mean + (c - mean) / (1.0 - 0.75 * kMix), 0.0, 1.0);
-}
-
-vec3 encodeSrgb(vec3 c) {
-    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }

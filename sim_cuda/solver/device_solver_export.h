@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 
+#include "sim_cuda/api/particle_colour.h"
 #include "sim_cuda/kernels/write_particles.h"
 #include "sim_cuda/solver/device_solver.h"
 
@@ -67,7 +68,7 @@ void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams& streams, bool
     if (streams.particles.data != nullptr || streams.projectiles.data != nullptr) showProjectiles();
     const auto writeParticles = [&](const Stream<ParticleInstance>& stream, uint32_t first) {
         if (stream.data == nullptr) return;
-        const double speed = 2 * setup_.bodies[0].material.critical_velocity;
+        const double speed = speedOfFullColour(setup_);
         backend_.forEach(total - first,
                          WriteParticles<Real>{data_.arrays(lists_.contacts()), clusters_.fragment(),
                                               shown_projectiles_.view(), Span(stream.data, stream.capacity),

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/image/compare.h"
+#include "engine/render/colour_ramp.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -172,6 +173,21 @@ TEST_F(Facts, NothingIsLeftOfThePictureBefore) {
     drawPicture(renderer(), broken);
     drawPicture(renderer(), draft);
     EXPECT_EQ(drawPicture(renderer(), whole).pixels, expected.pixels);
+}
+
+TEST_F(Facts, TheColourScaleGetsLighterFromEndToEnd) {
+    const ColourRamp ramp(shaderFolder());
+    const GLsizei width = ramp.texture().width();
+    std::vector<uint8_t> texels(4 * static_cast<size_t>(width));
+    glGetTextureImage(ramp.texture().id(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(texels.size()),
+                      texels.data());
+    const auto luminance = [&](int x) {
+        const uint8_t* t = &texels[4 * static_cast<size_t>(x)];
+        return 0.2126 * t[0] + 0.7152 * t[1] + 0.0722 * t[2];
+    };
+    for (int x = 16; x < width; x += 16) EXPECT_GT(luminance(x), luminance(x - 16)) << x;
+    EXPECT_GT(texels[2], texels[0]) << "blue";
+    EXPECT_GT(texels[texels.size() - 4], texels[texels.size() - 2]) << "yellow";
 }
 
 TEST_F(Facts, MeshThatWasNeverWrittenStandsWhole) {

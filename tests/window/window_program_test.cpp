@@ -327,6 +327,10 @@ until rebuilt
 wait 2
 state glass
 screenshot 12_particles
+click view.colour
+click view.colour.Stress
+wait 2
+click view.scale
 )");
     if (HasFatalFailure()) return;
     EXPECT_EQ(read("glass")["material"], "glass");

@@ -8,6 +8,7 @@
 
 #include "app/session/scene_file.h"
 #include "app/session/session.h"
+#include "app/session/threshold.h"
 
 namespace demolish {
 namespace {
@@ -90,6 +91,27 @@ TEST_F(SessionTest, AModelThatComesBringsItsOwnImpact) {
     session_.apply(command::ChangeShot{third}, 0);
     waitForRebuild(session_);
     EXPECT_EQ(session_.shot().impact.ball_radius, 0) << "that of the model on screen";
+}
+
+TEST_F(SessionTest, AModelIsHitWithAMultipleOfItsPredictedThreshold) {
+    Shot other = smallBlock();
+    other.scene = "model";
+    other.impact.times_threshold = 2;
+    session_.apply(command::ChangeShot{other}, 0);
+    waitForRebuild(session_);
+    const Shot& shot = session_.shot();
+    const double predicted = thresholdOf(shot, *session_.built().body)->predicted;
+    EXPECT_NEAR(shot.impact.velocity, 2 * predicted, 0.05 * 2 * predicted) << "two digits of it";
+    EXPECT_FALSE(shot.impact.times_threshold);
+    EXPECT_LE(changeBetween(shot, session_.built().shot), Change::kLive) << "nothing to build for it";
+
+    Shot asked = shot;
+    asked.break_at = 6;
+    asked.impact.times_threshold = 1.5;
+    EXPECT_DOUBLE_EQ(buildShot(asked, {}, {}).shot.impact.velocity, 9);
+    asked.impact.kind = ImpactKind::kNone;
+    asked.break_at.reset();
+    EXPECT_EQ(buildShot(asked, {}, {}).shot.impact.velocity, shot.impact.velocity) << "nothing hits it";
 }
 
 TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
