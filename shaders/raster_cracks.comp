@@ -1,5 +1,6 @@
 #version 450 core
-// Hairlines over what is seen (common/crack.glsl): one thread an edge of the outside.
+// Hairlines over what is seen (common/crack.glsl): kLanes threads an edge of the outside, since what each pixel costs is
+// mostly waiting for memory.
 layout(local_size_x = 128) in;
 #include "common/frame.glsl"
 #include "common/gbuffer.glsl"
@@ -10,6 +11,7 @@ layout(local_size_x = 128) in;
 #include "common/crack.glsl"
 #include "common/crack_cover.glsl"
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
+const uint kLanes = 4u;
 
 // One end of the ribbon.
 struct End {
@@ -58,7 +60,8 @@ void paintPixel(Ribbon r, ivec2 pixel) {
         vec2 place = placeOf(r, vec2(pixel) + sample_position[i]);
         if (!isInside(r, place)) continue;
         float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.extent);
-        if (depth >= uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)])) covered |= 1u << i;
+        uint seen = visible[sampleIndex(pixel, SAMPLES, i)];
+        if (seen != 0u && depth >= uintBitsToFloat(seen)) covered |= 1u << i;
     }
     if (covered == 0u) return;
     vec2 place = placeOf(r, vec2(pixel) + 0.5);
@@ -76,15 +79,15 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     }
 }
 
-// Goes along the axis on which the ribbon is longer.
-void paint(Ribbon r) {
+// Goes along the axis on which the ribbon is longer; of its columns every kLanes'th, from number `lane` on.
+void paint(Ribbon r, uint lane) {
     int axis = abs(r.along.x) >= abs(r.along.y) ? 0 : 1, other = 1 - axis;
     vec2 size = frame.viewport.xy;
     vec2 start = r.ends[0].window, end = r.ends[1].window;
     float wide = max(r.ends[0].half_width, r.ends[1].half_width) + 1.0;
     float first = min(start[axis], end[axis]) - wide, last = max(start[axis], end[axis]) + wide;
     float slope = r.along[other] / r.along[axis], reach = 1.5 * wide + 1.0;
-    for (int u = max(int(floor(first)), 0); u <= min(int(last), int(size[axis]) - 1); ++u) {
+    for (int u = max(int(floor(first)), 0) + int(lane); u <= min(int(last), int(size[axis]) - 1); u += int(kLanes)) {
         float middle = clamp(start[other] + slope * (float(u) + 0.5 - start[axis]), min(start[other], end[other]) - wide,
                              max(start[other], end[other]) + wide);
         int low = max(int(floor(middle - reach)), 0), high = min(int(middle + reach), int(size[other]) - 1);
@@ -92,7 +95,7 @@ void paint(Ribbon r) {
     }
 }
 
-void drawEdge(CrackEdge edge) {
+void drawEdge(CrackEdge edge, uint lane) {
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     Ribbon r;
@@ -104,10 +107,11 @@ void drawEdge(CrackEdge edge) {
     r.extent = max(length(way), 1e-3);
     r.along = length(way) > 1e-4 ? way / length(way) : vec2(1.0, 0.0);
     r.across = vec2(-r.along.y, r.along.x);
-    paint(r);
+    paint(r, lane);
 }
 
 void main() {
-    uint count = commands[kCrackCommand].instance_count, lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    for (uint k = gl_GlobalInvocationID.x; k < count; k += lanes) drawEdge(crack_edges[crack_list[k]]);
+    uint count = commands[kCrackCommand].instance_count, edges = gl_NumWorkGroups.x * gl_WorkGroupSize.x / kLanes;
+    for (uint k = gl_GlobalInvocationID.x / kLanes; k < count; k += edges)
+        drawEdge(crack_edges[crack_list[k]], gl_GlobalInvocationID.x % kLanes);
 }

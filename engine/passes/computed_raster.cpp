@@ -18,7 +18,7 @@ constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kSetupGroups = 2048, kLargeGroups = 1024,
-                 kCrackGroups = 1024, kBallGroups = 64, kClearGroups = 2048;
+                 kCrackGroups = 4096, kBallGroups = 64, kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
 constexpr int kMostLanePixels = 24;
 constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 16, kLargeBytes = 88;
@@ -98,6 +98,7 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
     if (visible_.size() != visible) {
         visible_ = {};  // both at once might not fit into a small GPU
         visible_ = gl::Buffer::immutable(visible);
+        visible_is_empty_ = false;
     }
     const size_t found = foundBytes(mesh, targets.width, targets.height);
     if (found_.size() < found) found_ = gl::Buffer::immutable(found);
@@ -127,7 +128,8 @@ void ComputedRaster::bind(const FractureMesh& mesh, const SpherePass& balls) con
 }
 
 void ComputedRaster::clear(int shadow_texels) {
-    clear_.set(kFours, static_cast<uint32_t>(visible_.size() / 16));
+    clear_.set(kFours, static_cast<uint32_t>(visible_is_empty_ ? 0 : visible_.size() / 16));
+    visible_is_empty_ = false;
     clear_.set(kShadowTexels, shadow_texels);
     clear_.use();
     glDispatchCompute(kClearGroups, 1, 1);
@@ -170,6 +172,7 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     clock.mark("clear");
     rasterise(programs, balls, false, with_shadows);
     clock.mark("depths");
+    glFlush();  // the GPU begins while it is told the rest
     rasterise(programs, balls, true, false);
     clock.mark("names");
     if (with_shadows) makeCoarseShadows();

@@ -33,6 +33,9 @@ class ComputedRaster {
              const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
     void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
+    /// The light pass has emptied what run() and addCracks() have put into the picture's samples, so that the
+    /// next frame need not: clearing all of them took a tenth of a frame's drawing.
+    void leftEmpty() { visible_is_empty_ = true; }
     /// To units 1 and 7, as shaders/common/shadow.glsl has it.
     void bindShadowMap() const;
 
@@ -57,6 +60,7 @@ class ComputedRaster {
     gl::Texture shadow_coarse_;               ///< least depth of squares of it
     std::optional<ShadowScene> shadow_scene_;
     size_t task_room_;
+    bool visible_is_empty_ = false;
 };
 
 }  // namespace demolish::engine

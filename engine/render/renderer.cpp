@@ -185,6 +185,7 @@ void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, b
     if (found) {
         computed->bindShadowMap();
         light.computeFound(*targets, visibility, view.look, picture);
+        computed->leftEmpty();
     } else {
         shadow.bindMap();
         light.compute(*targets, visibility, picture);

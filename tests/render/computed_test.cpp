@@ -91,6 +91,20 @@ TEST_F(Computed, TheSameFrameIsTheSamePicture) {
     EXPECT_TRUE(first.pixels == drawPicture(renderer(), scene).pixels);
 }
 
+/// Light empties what it has read, cracks at the silhouette among it.
+TEST_F(Computed, NothingIsLeftOfThePictureBefore) {
+    Scene cracked = small("cracked_block"), broken = small("broken_ball");
+    cracked.view.rasteriser = broken.view.rasteriser = Rasteriser::kCompute;
+    turn(cracked.view.camera, 0.7f);
+    Renderer fresh(shaderFolder());
+    const Image expected = drawPicture(fresh, broken);
+    EXPECT_FALSE(drawPicture(renderer(), cracked).pixels == expected.pixels);
+    EXPECT_TRUE(drawPicture(renderer(), broken).pixels == expected.pixels);
+    cracked.view.width = 192;
+    drawPicture(renderer(), cracked);
+    EXPECT_TRUE(drawPicture(renderer(), broken).pixels == expected.pixels) << "after another size";
+}
+
 TEST_F(Computed, DraftsAreDrawn) {
     Scene scene = small("broken_block_draft");
     scene.view.rasteriser = Rasteriser::kDraw;
