@@ -31,6 +31,8 @@ constexpr double kNearest = 1.02;
 /// Around the place where too weak and too strong meet: so many strengths to each side, that far apart.
 constexpr int kAround = 6;
 constexpr double kAroundStep = 1.025;
+/// Strengths that are tried where only the threshold can be met.
+constexpr int kCorrections = 4;
 /// Trials after which the progress bar has gone two thirds of its way; a search has no known end.
 constexpr double kUsualTrials = 12;
 
@@ -52,11 +54,11 @@ class Search {
             found.met = lookAround(found.critical);
             found.bracket = {kBelow * velocity_, kAbove * velocity_, 0};
         }
-        const auto at_found = [&](double speed) { return breaksAt(found.critical, speed); };
         if (found.met)
-            halveBracket(at_found, found.bracket, tolerance);
+            halveBracket([&](double speed) { return breaksAt(found.critical, speed); }, found.bracket,
+                         tolerance);
         else
-            found.bracket = searchThreshold(at_found, velocity_, tolerance);
+            bringThresholdNear(found, tolerance);
         found.bracket.trials = trials_;
         return found;
     }
@@ -142,6 +144,29 @@ class Search {
             best = critical;
         }
         return farthest >= kPromised;
+    }
+
+    /// Threshold over the velocity asked for, as everywhere: the speed from which on the body breaks.
+    double measureShare(StrengthFound& at, double tolerance) {
+        at.bracket =
+            searchThreshold([&](double speed) { return breaksAt(at.critical, speed); }, velocity_, tolerance);
+        return at.bracket.threshold() / velocity_;
+    }
+
+    /// The promise cannot be kept; the threshold may still be the one asked for. In proportion, then halved
+    /// between a strength that is too weak and one too strong; the nearest.
+    void bringThresholdNear(StrengthFound& found, double tolerance) {
+        StrengthFound tried = found;
+        double share = measureShare(tried, tolerance), nearest = share, weak = 0, strong = 0;
+        found = tried;
+        for (int k = 0; k < kCorrections && std::abs(nearest - 1) > 0.5 * kBreakAtMargin; ++k) {
+            (share < 1 ? weak : strong) = tried.critical;
+            tried.critical = weak > 0 && strong > 0 ? std::sqrt(weak * strong) : tried.critical / share;
+            share = measureShare(tried, tolerance);
+            if (std::abs(share - 1) >= std::abs(nearest - 1)) continue;
+            nearest = share;
+            found = tried;
+        }
     }
 
     const std::function<bool(double, double)>& breaks_;

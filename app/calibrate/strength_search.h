@@ -23,10 +23,11 @@ struct StrengthFound {
 /// between them does it, and one speed alone says little: too strong is what holds at two of the first three
 /// above, too weak what breaks at two of the three below. Walks from `guess` (m/s, v_c) until one strength is
 /// too weak and one too strong, halves between them to 2 %, then looks around by 2.5 %, to 16 %. Where none
-/// kept the promise, the one that came farthest through those speeds, with its threshold as searchThreshold()
-/// measures it. `breaks`: at this strength and speed, m/s both. `tolerance`: of the bracket. Throws
-/// NumericalError when the strengths tried, 1/200 to 200 times the guess at most, are all too weak or all too
-/// strong; UsageError on a velocity below 0.0143 or above 181 m/s; as searchThreshold().
+/// kept the promise, the one that came farthest through those speeds, or one with a threshold nearer to what
+/// is asked for, as searchThreshold() measures it. `breaks`: at this strength and speed, m/s both.
+/// `tolerance`: of the bracket. Throws NumericalError when the strengths tried, 1/200 to 200 times the guess
+/// at most, are all too weak or all too strong; UsageError on a velocity below 0.0143 or above 181 m/s; as
+/// searchThreshold().
 StrengthFound searchStrength(const std::function<bool(double critical, double speed)>& breaks,
                              double velocity, double guess, double tolerance);
 

@@ -23,9 +23,10 @@ BenchRun stepAndDraw(const BenchPlan& plan, Session& session, BenchStage* stage)
         const StopWatch watch;
         run.status = session.advance();
         if (run.status != StepStatus::kOk) return;
-        const double draw_ms = stage != nullptr ? stage->draw(session) : 0;
+        if (stage != nullptr) stage->draw(session);
         const double frame_ms = watch.milliseconds();
         if (!timed) return;
+        const double draw_ms = stage != nullptr ? stage->lastDrawMs() : 0;
         run.samples.push_back(sampleOf(session, triangles, frame_ms, draw_ms));
         if (stage != nullptr) stage->addPasses(run.passes);
     };
@@ -56,8 +57,9 @@ BenchRun drawRecorded(const BenchPlan& plan, Session& session, BenchStage& stage
         session.apply(command::Scrub{k}, 0);
         stage.wait();
         const StopWatch watch;
-        const double draw_ms = stage.draw(session);
-        run.samples.push_back(sampleOf(session, triangles, watch.milliseconds(), draw_ms));
+        stage.draw(session);
+        const double frame_ms = watch.milliseconds();
+        run.samples.push_back(sampleOf(session, triangles, frame_ms, stage.lastDrawMs()));
         stage.addPasses(run.passes);
         bar.show(static_cast<double>(k) / static_cast<double>(recorded - 1), "drawing");
     }
@@ -84,10 +86,13 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
                           renderQuality(options, headless_.info().software))),
       target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {}
 
-double BenchStage::draw(const Session& session) {
+void BenchStage::draw(const Session& session) {
     headless_.renderer().draw(session.mesh(), session.spheres(), view_, target_.framebuffer());
     tellRefusal(headless_.renderer());
     wait();
+}
+
+double BenchStage::lastDrawMs() {
     return headless_.renderer().lastDrawMs();
 }
 

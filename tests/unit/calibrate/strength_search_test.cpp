@@ -99,6 +99,21 @@ TEST(StrengthSearch, OfAThresholdThatJumpsAcrossTheMarginItBringsTheNearest) {
     EXPECT_NEAR(found.bracket.threshold(), 0.4 * found.critical, 0.07);
 }
 
+/// As a dropped wolf's: at a strength of 10 its threshold jumps from 0.8 to 1.2 of what is asked for, and
+/// only farther from there than is looked around it comes back.
+TEST(StrengthSearch, WhereThePromiseCannotBeKeptTheThresholdIs) {
+    const double velocity = 5;
+    const Answer breaks = [&](double critical, double speed) {
+        const double share = critical < 10 ? 0.08 * critical : critical < 12 ? 1.2 : 0.96;
+        return speed >= share * velocity;
+    };
+    for (const double guess : {6.0, 9.0, 10.5}) {
+        const StrengthFound found = searchStrength(breaks, velocity, guess, 0.03);
+        EXPECT_NEAR(found.bracket.threshold() / velocity, 0.96, 0.02) << guess;
+        EXPECT_GE(found.critical, 12);
+    }
+}
+
 TEST(StrengthSearch, SaysWhenNoStrengthDoesIt) {
     EXPECT_THROW(searchStrength([](double, double) { return true; }, 5, 5, 0.05), NumericalError);
     EXPECT_THROW(searchStrength([](double, double) { return false; }, 5, 5, 0.05), NumericalError);
