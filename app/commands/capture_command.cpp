@@ -9,6 +9,7 @@
 #include "app/commands/frame_files.h"
 #include "app/commands/headless_stage.h"
 #include "app/commands/help_text.h"
+#include "app/commands/interrupt.h"
 #include "app/commands/run_report.h"
 #include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
@@ -77,7 +78,8 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double
     return view;
 }
 
-/// Draws and simulates all frames; stops at the first bad status with what was drawn so far.
+/// Draws and simulates all frames; stops at the first bad status, or when asked to, with what was drawn so
+/// far. Frame 0 is always drawn.
 void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
     std::vector<engine::FrameView> views;
     for (const double yaw : capture.options.camera_yaw)
@@ -92,7 +94,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
         if (frame > 0) capture.status = session.advance();
-        if (capture.status != StepStatus::kOk) break;
+        if (capture.status != StepStatus::kOk || (frame > 0 && InterruptWatch::asked())) break;
         if (frame == capture.moments[drawn]) {
             for (size_t camera = 0; camera < views.size(); ++camera) {
                 stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());
@@ -124,6 +126,7 @@ void runCapture(const CaptureOptions& options) {
                     momentsOf(options, shot)};
     FrameFiles files(filesFor(capture, shot));  // makes the folder that the report may lie in
     if (!options.report.empty()) requireWritable(options.report);
+    const InterruptWatch interrupts;
     const StopWatch watch;
     BuiltShot built = buildWithBar(shot, {});
     announce(built);
@@ -149,6 +152,10 @@ void runCapture(const CaptureOptions& options) {
     if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
     requireOk(capture.status);
+    const uint64_t wanted = capture.moments.back() + 1;
+    if (report.frames < wanted)
+        throw Interrupted("interrupted after frame " + std::to_string(report.frames) + " of " +
+                          std::to_string(wanted) + "; what was made until then is whole");
 }
 
 }  // namespace

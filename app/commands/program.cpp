@@ -14,6 +14,7 @@
 #include "app/commands/capture_command.h"
 #include "app/commands/help_text.h"
 #include "app/commands/info_command.h"
+#include "app/commands/interrupt.h"
 #include "app/commands/view_command.h"
 #include "engine/gl/error.h"
 #include "engine/image/png.h"
@@ -79,6 +80,9 @@ int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
         return fail(ExitCode::kUsage, complaint(app, error, argument_count, arguments));
     } catch (const Error& error) {
         return fail(error.code(), error.what());
+    } catch (const Interrupted& interrupted) {
+        std::fprintf(stderr, "demolish: %s\n", interrupted.what());
+        return kInterruptedCode;
     } catch (const engine::gl::GlError& error) {
         return fail(ExitCode::kDevice, error.what());
     } catch (const engine::ImageError& error) {

@@ -3,6 +3,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include "app/commands/interrupt.h"
 #include "app/commands/machine_facts.h"
 #include "sim_cuda/api/errors.h"
 
@@ -11,6 +12,8 @@ namespace demolish {
 BuiltShot buildWithBar(const Shot& shot, const BuildOptions& options) {
     ProgressBar bar;
     const auto progress = [&bar](double fraction, const char*) {
+        if (InterruptWatch::asked())
+            throw Interrupted("interrupted before the first frame; nothing was made");
         bar.show(fraction, "making cells and bonds");
         return true;
     };

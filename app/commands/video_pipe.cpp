@@ -88,7 +88,12 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, d
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    const int error = posix_spawnp(&process_, "ffmpeg", &actions, nullptr, pointers.data(), environ);
+    // A group of its own: Ctrl-C is for us, and ffmpeg ends when the pipe does.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
+    const int error = posix_spawnp(&process_, "ffmpeg", &actions, &attributes, pointers.data(), environ);
+    posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
     close(ends[0]);
     pipe_ = ends[1];

@@ -47,6 +47,37 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
 }
 
+TEST(Capture, InterruptedItKeepsWhatWasMade) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "frames";
+    const bool has_ffmpeg = std::system("ffmpeg -version > /dev/null 2>&1") == 0;
+    std::vector<std::string> words = {"capture",  "block", "--particles", "100",
+                                      "--frames", "90000", "--size",      "96x54",
+                                      "--out",    out,     "--report",    folder.path() / "report.json"};
+    if (has_ffmpeg) words.insert(words.end(), {"--video", folder.path() / "film.mp4"});
+    const std::string third = (out / "frame_0002.png").string();
+    const ProgramRun run = runProgram(words, {},
+                                      {"bash", "-c",
+                                       "\"$@\" & while kill -0 $! && ! [ -e '" + third +
+                                           "' ]; do sleep 0.05; done; "
+                                           "kill -TERM $!; wait $!",
+                                       "bash"});
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_THAT(run.err, testing::HasSubstr("of 90000; what was made until then is whole"));
+    EXPECT_TRUE(std::filesystem::exists(out / "contact_sheet.png"));
+    const auto report = nlohmann::json::parse(readText(folder.path() / "report.json"));
+    const auto frames = report["frames"].get<uint64_t>();
+    EXPECT_GE(frames, 3u);
+    char last[32];
+    std::snprintf(last, sizeof last, "frame_%04u.png", static_cast<unsigned>(frames - 1));
+    EXPECT_EQ(engine::readPng(out / last).width, 96);
+    if (has_ffmpeg) {
+        EXPECT_GT(std::filesystem::file_size(folder.path() / "film.mp4"), 500u);
+        EXPECT_FALSE(std::filesystem::exists(folder.path() / "film.unfinished.mp4"));
+    }
+}
+
 TEST(Capture, AFilmThatDoesNotFitOnTheDiskIsCodeSix) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";

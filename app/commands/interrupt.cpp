@@ -1,0 +1,35 @@
+// A flag, all that a signal handler may touch.
+#include "app/commands/interrupt.h"
+
+namespace demolish {
+namespace {
+
+volatile std::sig_atomic_t end_asked = 0;
+
+void ask(int) {
+    end_asked = 1;
+}
+
+}  // namespace
+
+InterruptWatch::InterruptWatch() {
+    end_asked = 0;
+    struct sigaction action {};
+    action.sa_handler = ask;
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigemptyset(&action.sa_mask);
+    for (size_t k = 0; k < kSignals.size(); ++k) {
+        sigaction(kSignals[k], nullptr, &before_[k]);
+        if (before_[k].sa_handler != SIG_IGN) sigaction(kSignals[k], &action, nullptr);
+    }
+}
+
+InterruptWatch::~InterruptWatch() {
+    for (size_t k = 0; k < kSignals.size(); ++k) sigaction(kSignals[k], &before_[k], nullptr);
+}
+
+bool InterruptWatch::asked() {
+    return end_asked != 0;
+}
+
+}  // namespace demolish
