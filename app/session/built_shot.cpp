@@ -60,7 +60,8 @@ void chooseVelocity(Shot& shot, const BreakableBody& body) {
     const auto times = std::exchange(shot.impact.times_threshold, std::nullopt);
     const auto threshold = times ? thresholdOf(shot, body) : std::nullopt;
     if (!threshold) return;
-    const double velocity = *times * shot.break_at.value_or(threshold->predicted);
+    const double breaks_from = shot.break_at.value_or(threshold->predicted),
+                 velocity = *times * std::max(breaks_from, shot.material.critical_velocity);
     shot.impact.velocity = std::clamp(twoDigits(velocity), kVelocityRange.least, kVelocityRange.most);
 }
 

@@ -33,8 +33,10 @@ struct BuildOptions {
 /// True if the shot is to run on the GPU; throws DeviceError when it was asked for and there is none.
 bool choosesCuda(const Shot& shot);
 
-/// Puts in the velocity that Impact::times_threshold asks for, from what the shot is to break at, else from
-/// the table's prediction, and clears it; as it is where nothing hits. Throws InputFileError (the table).
+/// Puts in the velocity that Impact::times_threshold asks for, and clears it: from what the shot is to break
+/// at, else from the table's prediction, or from the material's critical velocity where that is more, since
+/// a slower ball only punches holes into thin walls. As it is where nothing hits. Throws InputFileError (the
+/// table).
 void chooseVelocity(Shot& shot, const BreakableBody& body);
 
 /// Particles of each body: as chosen, else by device. Throws UsageError when a size gives too few or too
