@@ -64,6 +64,16 @@ TEST(WholeScenes, TheWolfsFirstHitCracksAtDraftSizeToo) {
     EXPECT_EQ(run.stats().fragments, 1u) << "nothing separates";
 }
 
+/// Three seconds after the heavy ball (models E.5).
+TEST(WholeScenes, TheWolfComesToRest) {
+    Shot shot = loadScene("wolf");
+    shot.device = DeviceChoice::kCpu;
+    SceneRun run(shot);
+    run.runTo(shot.balls.back().arrival_time + 3);
+    EXPECT_GE(run.stats().fragments, 20u);
+    EXPECT_LT(run.movingShare(0.02), 0.02);
+}
+
 class WholeScene : public testing::TestWithParam<const char*> {};
 
 /// Twenty bodies: all whole, then some, then none.
