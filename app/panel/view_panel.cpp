@@ -29,6 +29,7 @@ void showColourScale(PanelContext& context) {
             break;
     }
     const float width = ImGui::GetContentRegionAvail().x;
+    // ImGui has a texture's number in place of a pointer. NOLINTNEXTLINE(performance-no-int-to-ptr)
     ImGui::Image(ImTextureID(static_cast<uintptr_t>(context.colour_ramp)),
                  ImVec2(width, 0.5f * ImGui::GetTextLineHeight()));
     noteItem(context, "view.scale");
