@@ -3,6 +3,7 @@
 
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace demolish {
@@ -31,6 +32,12 @@ bool inside(const ImGuiIO& io, const PictureArea& area) {
            y < static_cast<float>(area.height);
 }
 
+/// Of the picture, in the units of the mouse: what is dragged stays under the cursor.
+float shorterSide(const ImGuiIO& io, const PictureArea& area) {
+    return std::max(1.0f,
+                    static_cast<float>(std::min(area.width, area.height)) / io.DisplayFramebufferScale.y);
+}
+
 bool anyButton(const bool (&buttons)[5]) {
     return buttons[0] || buttons[1] || buttons[2];
 }
@@ -57,13 +64,13 @@ std::optional<PicturePoint> CameraControl::update(engine::Camera& camera, const 
             moved_ = true;
     if (!moved_) return click;
     const ImVec2 delta = io.MouseDelta;
-    const float height = io.DisplaySize.y > 0 ? io.DisplaySize.y : 1;
+    const float side = shorterSide(io, area);
     switch (dragOf(io)) {
         case Drag::kOrbit:
             camera.orbit(-kOrbitPerPixel * delta.x, kOrbitPerPixel * delta.y);
             break;
         case Drag::kPan:
-            camera.pan(-delta.x / height, delta.y / height);
+            camera.pan(-delta.x / side, delta.y / side);
             break;
         case Drag::kDolly:
             camera.dolly(std::exp(kDollyPerPixel * (delta.y - delta.x)));

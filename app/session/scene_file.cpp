@@ -51,9 +51,9 @@ void readPicture(TomlReader& reader, Shot& shot) {
         engine::Camera camera;
         reader.readVector("camera.eye_m", camera.eye);
         reader.readVector("camera.target_m", camera.target);
-        double degrees = camera.fov_y / kDegree;
+        double degrees = camera.field_of_view / kDegree;
         reader.read("camera.field_of_view_deg", degrees, {5, 120});
-        camera.fov_y = static_cast<float>(degrees * kDegree);
+        camera.field_of_view = static_cast<float>(degrees * kDegree);
         shot.camera = camera;
     }
     reader.readVector("light.sun_direction", shot.lighting.sun_direction);

@@ -73,7 +73,7 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     const float aspect = static_cast<float>(view.width) / static_cast<float>(view.height);
     const glm::vec3 centre(view.scene_centre[0], view.scene_centre[1], view.scene_centre[2]);
     const glm::vec3 to_sun = -glm::normalize(light.sun_direction);
-    const float slope = std::tan(0.5f * camera.fov_y);
+    const float slope = camera.halfHeight(aspect);
 
     FrameUniforms frame;
     frame.view = camera.view();

@@ -22,7 +22,7 @@ glm::mat4 Camera::view() const {
 }
 
 glm::mat4 Camera::projection(float aspect) const {
-    const float f = 1.0f / std::tan(0.5f * fov_y);
+    const float f = 1.0f / halfHeight(aspect);
     const float range = far_plane - near_plane;
     glm::mat4 m(0.0f);
     m[0][0] = f / aspect;
@@ -31,6 +31,10 @@ glm::mat4 Camera::projection(float aspect) const {
     m[2][3] = -1.0f;
     m[3][2] = near_plane * far_plane / range;
     return m;
+}
+
+float Camera::halfHeight(float aspect) const {
+    return std::tan(0.5f * field_of_view) / std::min(aspect, 1.0f);
 }
 
 void Camera::orbit(float yaw, float pitch) {
@@ -47,8 +51,8 @@ void Camera::pan(float right, float up) {
     const glm::mat4 v = view();
     const glm::vec3 right_axis(v[0][0], v[1][0], v[2][0]);
     const glm::vec3 up_axis(v[0][1], v[1][1], v[2][1]);
-    const float height = 2.0f * glm::length(target - eye) * std::tan(0.5f * fov_y);
-    const glm::vec3 move = height * (right * right_axis + up * up_axis);
+    const float side = 2.0f * glm::length(target - eye) * std::tan(0.5f * field_of_view);
+    const glm::vec3 move = side * (right * right_axis + up * up_axis);
     eye += move;
     target += move;
 }
@@ -67,13 +71,13 @@ void Camera::frame(glm::vec3 centre, float radius) {
     const float length = glm::length(offset);
     const glm::vec3 direction = length > 0.0f ? offset / length : glm::vec3(0, 0, 1);
     target = centre;
-    eye = centre + direction * (std::max(radius, kNearestDistance) / std::sin(0.5f * fov_y));
+    eye = centre + direction * (std::max(radius, kNearestDistance) / std::sin(0.5f * field_of_view));
 }
 
 Ray pixelRay(const Camera& camera, int width, int height, float x, float y) {
     const glm::mat4 v = camera.view();
-    const float half = std::tan(0.5f * camera.fov_y);
     const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const float half = camera.halfHeight(aspect);
     const float ndc_x = 2.0f * (x + 0.5f) / static_cast<float>(width) - 1.0f;
     const float ndc_y = 1.0f - 2.0f * (y + 0.5f) / static_cast<float>(height);
     const glm::vec3 in_view(ndc_x * half * aspect, ndc_y * half, -1.0f);

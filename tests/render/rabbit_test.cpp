@@ -18,7 +18,7 @@ Scene rabbitScene(const RabbitState& state) {
     scene.mesh = std::make_unique<FractureMesh>(makeRabbitMesh(*rabbitBody(), state));
     scene.view.camera.eye = {0.62f, 0.36f, 0.86f};
     scene.view.camera.target = {-0.02f, 0.14f, 0.0f};
-    scene.view.camera.fov_y = 0.6f;
+    scene.view.camera.field_of_view = 0.6f;
     scene.view.width = 480;
     scene.view.height = 270;
     scene.view.scene_radius = 0.6f;

@@ -33,6 +33,26 @@ TEST(Camera, PixelRayMeetsThePointThatThePixelShows) {
     EXPECT_NEAR(glm::length(glm::cross(point - ray.origin, ray.direction)), 0.0f, 1e-5f);
 }
 
+TEST(Camera, AnUprightPictureShowsAsMuchAsAWideOne) {
+    Camera camera;
+    const glm::vec3 centre(0, 0.4f, 0);
+    camera.frame(centre, 0.5f);
+    for (const float aspect : {16.0f / 9, 1.0f, 9.0f / 16}) {
+        const glm::mat4 seen = camera.projection(aspect) * camera.view();
+        float most = 0;
+        for (const glm::vec3 way : {glm::vec3(1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, 0, 1)})
+            for (const float side : {-0.5f, 0.5f}) {
+                const glm::vec4 clip = seen * glm::vec4(centre + side * way, 1);
+                most = std::max({most, std::abs(clip.x / clip.w), std::abs(clip.y / clip.w)});
+            }
+        EXPECT_LE(most, 1.0f) << aspect;
+        EXPECT_GT(most, 0.6f) << aspect;
+    }
+    const Ray ray = pixelRay(camera, 90, 160, 89.5f, 79.5f);
+    EXPECT_NEAR(glm::dot(ray.direction, glm::normalize(centre - camera.eye)),
+                std::cos(0.5f * camera.field_of_view), 1e-5f);
+}
+
 TEST(Camera, OrbitKeepsDistanceAndNeverFlips) {
     Camera camera;
     const float distance = glm::distance(camera.eye, camera.target);
@@ -85,7 +105,7 @@ TEST(Camera, FrameMakesTheSphereTouchThePictureEdge) {
     const glm::vec3 centre(1, 2, 3);
     camera.frame(centre, 0.7f);
     EXPECT_EQ(camera.target, centre);
-    EXPECT_NEAR(std::asin(0.7f / glm::distance(camera.eye, centre)), 0.5f * camera.fov_y, 1e-5f);
+    EXPECT_NEAR(std::asin(0.7f / glm::distance(camera.eye, centre)), 0.5f * camera.field_of_view, 1e-5f);
 }
 
 }  // namespace
