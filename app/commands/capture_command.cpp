@@ -78,8 +78,8 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double
     return view;
 }
 
-/// Draws and simulates all frames; stops at the first bad status, or when asked to, with what was drawn so
-/// far. Frame 0 is always drawn.
+/// Draws and simulates all frames; stops at the first bad status, or between two frames when asked to, with
+/// what was drawn so far.
 void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
     std::vector<engine::FrameView> views;
     for (const double yaw : capture.options.camera_yaw)
@@ -93,8 +93,9 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     size_t drawn = 0;
     for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
+        if (frame > 0 && InterruptWatch::asked()) break;
         if (frame > 0) capture.status = session.advance();
-        if (capture.status != StepStatus::kOk || (frame > 0 && InterruptWatch::asked())) break;
+        if (capture.status != StepStatus::kOk) break;
         if (frame == capture.moments[drawn]) {
             for (size_t camera = 0; camera < views.size(); ++camera) {
                 stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());

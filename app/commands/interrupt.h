@@ -1,8 +1,7 @@
 // Ctrl-C between two frames instead of within one, so that what was made so far is whole.
 #pragma once
-#include <csignal>
-
 #include <array>
+#include <csignal>
 #include <stdexcept>
 #include <string>
 

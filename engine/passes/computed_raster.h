@@ -34,7 +34,7 @@ class ComputedRaster {
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
     void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
     /// The light pass has emptied what run() and addCracks() have put into the picture's samples, so that the
-    /// next frame need not: clearing all of them took a tenth of a frame's drawing.
+    /// next frame need not: clearing all of them took a twentieth of a frame's drawing.
     void leftEmpty() { visible_is_empty_ = true; }
     /// To units 1 and 7, as shaders/common/shadow.glsl has it.
     void bindShadowMap() const;
