@@ -138,7 +138,7 @@ void runView(const ViewOptions& options) {
     const Shot shot = makeShot(options.shot);
     const PictureSize size = pictureSize(options.shot, {1600, 900});
     requireDisplay();
-    BuiltShot built = buildWithBar(shot, {});
+    BuiltShot built = buildWithBar(shot, {.ledger = false});
     announce(built);
     engine::Window window(
         {.title = "Demolish", .width = size.width, .height = size.height, .vsync = !options.no_vsync});

@@ -1,5 +1,5 @@
-// The energy ledger of the shot. Closed by default: only while it is open are the energies of each frame
-// measured.
+// The energy ledger of the shot. Closed by default: only while it is open is energy booked in every substep, and
+// measured in every frame.
 #include <imgui.h>
 
 #include "app/panel/widgets.h"
@@ -21,9 +21,13 @@ void showLedger(const EnergyBalance& balance) {
     row("Motion", energy.kinetic);
     row("Elastic", energy.elastic);
     row("Height gained", energy.potential - balance.start.potential);
-    row("Damping", energy.damping);
-    row("Friction", energy.friction);
-    row("Fracture", energy.fracture);
+    row("Damping", energy.damping - balance.start.damping);
+    row("Friction", energy.friction - balance.start.friction);
+    row("Fracture", energy.fracture - balance.start.fracture);
+    if (balance.since > 0) {
+        ImGui::TextDisabled("Booked since %.2f s", balance.since);
+        tooltipOnHover("Energy is booked only while this is open. Reset to see the whole shot.");
+    }
     valueRow("Found again", "%.2f %%", 100 * balance.closure());
     tooltipOnHover("All of it together over what was brought in: 100 to 105 % when the step is fine enough.");
 }
@@ -33,7 +37,7 @@ void showLedger(const EnergyBalance& balance) {
 void showEnergyPanel(PanelContext& context) {
     const bool open = ImGui::CollapsingHeader("Energy");
     noteItem(context, "energy.header");
-    tooltipOnHover("Where the energy of the impact went. Measured while this is open.");
+    tooltipOnHover("Where the energy of the impact went. Booked while this is open.");
     if (open != context.status.measuring) context.commands.emplace_back(command::MeasureEnergy{open});
     if (!open) return;
     if (context.status.energy)

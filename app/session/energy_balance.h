@@ -1,12 +1,15 @@
-// The ledger of a shot between its start and a later moment: where the energy went, and whether it adds up.
+// The ledger of a shot from when its books were opened, mostly its start, to a later moment: where the energy
+// went, and whether it adds up.
 #pragma once
 #include "sim_cuda/api/stats.h"
 
 namespace demolish {
 
 struct EnergyBalance {
-    EnergyLedger start;  ///< J, when the first ball had been fired and nothing had moved
+    EnergyLedger start;  ///< J, when the books were opened: when the first ball had been fired and nothing had
+                         ///< moved, or at `since`
     EnergyLedger now;    ///< J
+    double since = 0;    ///< s, of the shot
 
     /// J that came in: motion at the start, shots fired since, height lost.
     double broughtIn() const;

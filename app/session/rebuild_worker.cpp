@@ -17,6 +17,7 @@ void RebuildWorker::start(const Shot& shot, const BuiltShot& reuse) {
     endWorkers();
     BuiltShot parts;
     parts.shot = reuse.shot;
+    parts.setup.params.ledger = reuse.setup.params.ledger;
     parts.mesh = reuse.mesh;
     parts.body = reuse.body;
     parts.variants = reuse.variants;
@@ -54,7 +55,11 @@ void RebuildWorker::run(const std::stop_token& stop, Job& job, const Shot& shot,
     std::optional<BuiltShot> built;
     std::exception_ptr error;
     try {
-        built = buildShot(shot, {.draw_geometry = reuse.has_draw_geometry, .reuse = &reuse}, report);
+        built = buildShot(shot,
+                          {.draw_geometry = reuse.has_draw_geometry,
+                           .ledger = reuse.setup.params.ledger,
+                           .reuse = &reuse},
+                          report);
     } catch (const Cancelled&) {
     } catch (...) {
         error = std::current_exception();

@@ -52,8 +52,12 @@ struct Session::Obey {
         session.wantWhatIsBuilt();
     }
     void operator()(const command::MeasureEnergy& measure) const {
+        Solver& solver = *session.built_.solver;
         session.measuring_ = measure.on;
-        if (measure.on) session.built_.solver->measure();
+        const bool booked = solver.booksEnergy();
+        solver.bookEnergy(measure.on || session.built_.setup.params.ledger);
+        if (!measure.on) return;
+        booked ? solver.measure() : session.openBooks();
     }
     void operator()(const command::Scrub& scrub) const {
         session.playing_ = false;
@@ -79,6 +83,7 @@ void Session::adopt(BuiltShot built) {
 }
 
 void Session::restart() {
+    built_.solver->bookEnergy(measuring_ || built_.setup.params.ledger);
     built_.solver->restore(built_.start);
     projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
     balls_started_.clear();
@@ -86,9 +91,14 @@ void Session::restart() {
     recording_.clear();
     message_.clear();
     startDueBalls();
+    openBooks();
+    bringFrame(true);
+}
+
+void Session::openBooks() {
     built_.solver->measure();
     start_energy_ = built_.solver->stats().energy;
-    bringFrame(true);
+    books_since_ = built_.solver->stats().time;
 }
 
 /// What is built, with the impact as it is chosen now: a change of its kind waits for the rebuild.

@@ -66,8 +66,9 @@ class Session {
     const std::vector<engine::SphereDraw>& spheres() const { return spheres_; }
     const char* transfer() const;
     SessionStatus status() const;
-    /// Since the shot's start, as of the last Solver::measure().
-    EnergyBalance energy() const { return {start_energy_, built_.solver->stats().energy}; }
+    /// Since the shot's start, or since it was asked for in a shot that is run without ledger; as of the last
+    /// Solver::measure().
+    EnergyBalance energy() const { return {start_energy_, built_.solver->stats().energy, books_since_}; }
     double lastSimMs() const { return last_sim_ms_; }
     /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
     double lastTransferMs() const { return last_transfer_ms_; }
@@ -78,6 +79,7 @@ class Session {
   private:
     struct Obey;
     void restart();
+    void openBooks();
     void restartIfNotHit();
     void wantWhatIsBuilt();
     void fire(const Projectile& ball);
@@ -103,6 +105,7 @@ class Session {
     ParticleColour colour_ = ParticleColour::kFragment;
     FrameStats shown_;
     EnergyLedger start_energy_;
+    double books_since_ = 0;  ///< s
     std::string message_;
     uint32_t projectiles_ = 0;
     std::vector<bool> balls_started_;  ///< of ballsOf(shotOfBalls()), those that need not start any more

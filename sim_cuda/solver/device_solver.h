@@ -36,6 +36,8 @@ class DeviceSolver final : public Solver {
     void exportFrame(const RenderStreams& streams, bool streams_fresh) override;
     const FrameStats& stats() const override { return stats_; }
     void measure() override;
+    void bookEnergy(bool on) override;
+    bool booksEnergy() const override { return setup_.params.ledger; }
     uint64_t stateHash() const override;
     Snapshot save() const override;
     void restore(const Snapshot& snapshot) override;
@@ -69,6 +71,7 @@ class DeviceSolver final : public Solver {
     void bookSoftening();
     void countAwake();
     void settle(double seconds, const ProgressCallback& progress);
+    void recordAhead();
     void setVelocities(bool at_rest);
 
     // projectiles

@@ -46,6 +46,14 @@ void DeviceSolver<Backend, Real>::tellFrame(uint32_t substeps) {
 }
 
 template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::bookEnergy(bool on) {
+    if (on == setup_.params.ledger) return;
+    setup_.params.ledger = on;
+    backend_.fill(data_.ledger.span(), Vec4<Real>{});
+    recordAhead();
+}
+
+template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::countAwake() {
     stats_.bonded_particles = regimes_.bondedParticles();
     stats_.awake_particles = regimes_.bondedParticles() + regimes_.activeParticles();
@@ -160,6 +168,7 @@ void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
         throw UsageError(std::string("The state cannot be restored: ") + problem.what() + ".");
     }
     data_.uploadLaws(backend_, buildLawTables(setup_, tables_, projectiles_));
+    backend_.fill(data_.ledger.span(), Vec4<Real>{});  // a run without books leaves it as it was
     stats_.status = StepStatus::kOk;
     stats_.frame = progress_.frames;
     stats_.time = static_cast<double>(progress_.substeps) * tables_.time_step;

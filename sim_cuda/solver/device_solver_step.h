@@ -82,12 +82,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     stats_.particles = tables_.counts.in_bodies;
     stats_.bonds = data_.bonds.count;
     stats_.mass = tables_.mass_in_bodies;
-    if constexpr (Backend::kOnGpu) {
-        runner_.recordAhead(backend_, stats_.particles, setup.params.ledger);
-        if (regimes_.on())
-            rigid_runner_.template recordAhead<decltype(runner_)>(backend_, stats_.particles,
-                                                                  setup.params.ledger);
-    }
+    recordAhead();
     if (setup.params.settle_time > 0) settle(setup.params.settle_time, progress);
     progress_.projectiles = static_cast<uint32_t>(projectiles_.size());
     startProjectiles();
@@ -96,6 +91,16 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     sumFragments();
     countFragments();
     if (setup.params.settle_time > 0) regimes_.markRested();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::recordAhead() {
+    if constexpr (Backend::kOnGpu) {
+        const bool ledger = setup_.params.ledger;
+        runner_.recordAhead(backend_, stats_.particles, ledger);
+        if (regimes_.on())
+            rigid_runner_.template recordAhead<decltype(runner_)>(backend_, stats_.particles, ledger);
+    }
 }
 
 template <class Backend, class Real>

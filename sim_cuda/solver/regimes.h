@@ -176,7 +176,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     rigid_constants_ = backend.template allocate<Vec4<Real>>(total);
     in_substeps_ = backend.template allocate<Vec4<Real>>(total);
     carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
-    carried_tally_ = backend.template allocate<Vec4<Real>>(setup.params.ledger ? 4 * size_t{total} : 1);
+    carried_tally_ = backend.template allocate<Vec4<Real>>(4 * size_t{total});
     marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
     bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
     words_ = backend.template allocate<uint32_t>(kWorkWords);

@@ -85,6 +85,43 @@ TEST_F(Energy, TheFirstAndTheLastStepOfAContactAreBooked) {
         }
 }
 
+/// A window opens the books when somebody wants to see them, and closes them again: the run is the same to
+/// the last bit, and from there on everything is found again.
+TEST_F(Energy, BooksThatAreOpenedDuringTheRunCloseFromThenOn) {
+    SceneSetup setup = drop(0.5, 200);
+    setup.params.hand_over = setup.params.sleeping = true;
+    auto booked = makeSolver(setup);
+    setup.params.ledger = false;
+    auto solver = makeSolver(setup);
+    const auto advance = [&](int frames) {
+        for (int frame = 0; frame < frames; ++frame) {
+            ASSERT_EQ(booked->advanceFrame(), StepStatus::kOk);
+            ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            ASSERT_EQ(solver->stateHash(), booked->stateHash());
+        }
+    };
+    solver->measure();
+    const double impact = solver->stats().energy.kinetic;
+    advance(2);
+    EXPECT_GT(booked->stats().energy.damping, 0);
+    EXPECT_EQ(solver->stats().energy.damping + solver->stats().energy.friction, 0);
+    solver->bookEnergy(true);
+    solver->measure();
+    const EnergyLedger opened = solver->stats().energy;
+    const uint32_t broken = solver->stats().bonds_broken;
+    advance(3);
+    solver->measure();
+    const EnergyLedger seen = solver->stats().energy;
+    EXPECT_GT(solver->stats().bonds_broken, broken);
+    EXPECT_GT(seen.damping, 0);
+    EXPECT_GT(seen.fracture, 0);
+    EXPECT_LT(std::abs(energySum(seen) - energySum(opened)) / impact, 0.01);
+    solver->bookEnergy(false);
+    advance(1);
+    EXPECT_EQ(solver->stats().energy.damping, seen.damping);
+    EXPECT_GT(booked->stats().energy.damping, seen.damping);
+}
+
 TEST_F(Energy, AShotFiredDuringTheRunIsExternalWork) {
     SceneSetup setup = drop(0.5, 200);
     setup.bodies[0].velocity = {};

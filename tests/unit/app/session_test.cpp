@@ -114,6 +114,27 @@ TEST_F(SessionTest, AModelIsHitWithAMultipleOfItsPredictedThreshold) {
     EXPECT_EQ(buildShot(asked, {}, {}).shot.impact.velocity, shot.impact.velocity) << "nothing hits it";
 }
 
+TEST_F(SessionTest, EnergyIsBookedOnlyWhileItIsAskedForWhereNoReportNeedsIt) {
+    Session session(buildShot(smallBlock(), {.ledger = false}, {}), {.draw = false});
+    const auto advance = [&](int frames) {
+        for (int frame = 0; frame < frames; ++frame) ASSERT_EQ(session.advance(), StepStatus::kOk);
+    };
+    advance(2);
+    EXPECT_FALSE(session.solver().booksEnergy());
+    EXPECT_FALSE(session.status().energy);
+    session.apply(command::MeasureEnergy{true}, 0);
+    EXPECT_TRUE(session.solver().booksEnergy());
+    advance(2);
+    ASSERT_TRUE(session.status().energy);
+    EXPECT_GT(session.status().energy->since, 0);
+    session.apply(command::Reset{}, 0);
+    advance(2);
+    ASSERT_TRUE(session.status().energy);
+    EXPECT_EQ(session.status().energy->since, 0);
+    session.apply(command::MeasureEnergy{false}, 0);
+    EXPECT_FALSE(session.solver().booksEnergy());
+}
+
 TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
     const command::ShootAt click{{0, 1, 3}, {0, 0.5, 0}};
     chosen_.impact.velocity = 0;
