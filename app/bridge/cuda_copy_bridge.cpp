@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/bridge/cuda_check.h"
-#include "app/bridge/host_bridge.h"
 
 namespace demolish {
 using engine::StreamId;
@@ -12,30 +11,18 @@ using engine::StreamId;
 struct CudaCopyBridge::Memory {
     std::array<size_t, kStreamCount> bytes{};
     std::array<void*, kStreamCount> device{};
-    std::array<void*, kStreamCount> pinned{};
-    std::array<size_t, kStreamCount> pinned_bytes{};
+    std::array<PinnedMemory, kStreamCount> pinned;
 
     explicit Memory(const std::array<size_t, kStreamCount>& sizes) : bytes(sizes) {}
     Memory(const Memory&) = delete;
     Memory& operator=(const Memory&) = delete;
     ~Memory() {
         for (auto* block : device) cudaFree(block);
-        for (auto* block : pinned) cudaFreeHost(block);
     }
 
     void allocate() {
         for (size_t i = 0; i < kStreamCount; ++i)
             checkCuda(cudaMalloc(&device[i], bytes[i]), "allocating the copy path's memory");
-    }
-
-    std::byte* pinnedFor(size_t stream, size_t wanted) {
-        if (pinned_bytes[stream] < wanted) {
-            checkCuda(cudaFreeHost(pinned[stream]), "freeing pinned memory");
-            pinned[stream] = nullptr;
-            pinned_bytes[stream] = std::min(bytes[stream], wanted + wanted / 2);
-            checkCuda(cudaMallocHost(&pinned[stream], pinned_bytes[stream]), "allocating pinned memory");
-        }
-        return static_cast<std::byte*>(pinned[stream]);
     }
 };
 
@@ -51,26 +38,35 @@ const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements) {
     const auto index = static_cast<size_t>(id);
     const size_t wanted = std::min(elements * kStreamElementBytes[index], memory_->bytes[index]);
     if (wanted == 0) return nullptr;
-    std::byte* host = memory_->pinnedFor(index, wanted);
+    auto* host = static_cast<std::byte*>(memory_->pinned[index].atLeast(wanted));
     checkCuda(cudaMemcpy(host, memory_->device[index], wanted, cudaMemcpyDeviceToHost), "copying the frame");
     mesh_.stream(id).upload({host, wanted});
     return host;
 }
 
-void CudaCopyBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
-    const FrameChange change = history_.next(solver.stats(), colour, fresh);
+void CudaCopyBridge::transfer(Solver& solver, const FrameRequest& request) {
+    const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
     std::array<void*, kStreamCount> data{};
     if (change == FrameChange::kAll) data = memory_->device;
     if (change == FrameChange::kMotion)
         for (const StreamId id : kMotionStreams)
             data[static_cast<size_t>(id)] = memory_->device[static_cast<size_t>(id)];
-    RenderStreams streams = streamsAt(data, memory_->bytes, colour);
+    RenderStreams streams = streamsAt(data, memory_->bytes, request.colour);
     streams.projectiles = projectile_block_.stream();
-    solver.exportFrame(streams, fresh);
+    const size_t tapped = request.tap && change != FrameChange::kProjectiles ? mesh_.particleCount() : 0;
+    if (tapped > 0) streams.colours = colourStreamsAt(colours_.atLeast(kColours * tapped), tapped);
+    solver.exportFrame(streams, request.fresh);
     solver.synchronize();
-    projectile_block_.read(projectiles, projectiles_);
-    if (change == FrameChange::kProjectiles) return;
+    projectile_block_.read(request.projectiles, projectiles_);
+    if (change != FrameChange::kProjectiles) bringStreams(change);
+    const auto read = [&](StreamId id, size_t size) {
+        const void* host = memory_->pinned[static_cast<size_t>(id)].data();
+        return std::span(static_cast<const std::byte*>(host), size);
+    };
+    if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
+}
 
+void CudaCopyBridge::bringStreams(FrameChange change) {
     const size_t count = mesh_.particleCount();
     for (const StreamId id : kMotionStreams) bring(id, count);
     if (change == FrameChange::kMotion) return;

@@ -16,18 +16,20 @@ class CudaCopyBridge : public FrameBridge {
     CudaCopyBridge(engine::FractureMesh& mesh, const std::string& why_not_interop);
     ~CudaCopyBridge() override;
 
-    void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) override;
+    void transfer(Solver& solver, const FrameRequest& request) override;
     Transfer kind() const override { return Transfer::kCopy; }
 
   private:
     struct Memory;
     /// Copies the first `elements` of a stream to the host and on to GL; returns the host copy.
     const std::byte* bring(engine::StreamId id, size_t elements);
+    void bringStreams(FrameChange change);
 
     engine::FractureMesh& mesh_;
     std::unique_ptr<Memory> memory_;
     ExportHistory history_;
     CudaProjectiles projectile_block_;
+    PinnedMemory colours_;
 };
 
 }  // namespace demolish

@@ -40,6 +40,9 @@ constexpr std::array<engine::StreamId, kStreamCount> kAllStreams = [] {
     return all;
 }();
 
+/// Bytes of pinned memory for a tap: it takes longer to get than to fill.
+constexpr size_t kLeastPassage = size_t{32} << 20;
+
 /// No discard flag: the draw lists keep their contents while nothing breaks.
 cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
     const cudaError_t error = cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsNone);
@@ -89,7 +92,7 @@ int CudaInteropBridge::unmap() {
 }
 
 void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::StreamId> ids,
-                                     ParticleColour colour, bool fresh) {
+                                     FrameChange change, const FrameRequest& request) {
     if (mapped_.empty()) map(ids);
     std::array<void*, kStreamCount> data{};
     std::array<size_t, kStreamCount> bytes{};
@@ -98,28 +101,38 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
         checkCuda(cudaGraphicsResourceGetMappedPointer(&data[i], &bytes[i], resources_[i]),
                   "mapping a GL buffer");
     }
-    RenderStreams streams = streamsAt(data, bytes, colour);
+    RenderStreams streams = streamsAt(data, bytes, request.colour);
     streams.projectiles = projectile_block_.stream();
-    solver.exportFrame(streams, fresh);
+    const size_t tapped = request.tap && !ids.empty() ? mesh_.particleCount() : 0;
+    if (tapped > 0) streams.colours = colourStreamsAt(colours_.atLeast(kColours * tapped), tapped);
+    solver.exportFrame(streams, request.fresh);
     solver.synchronize();  // the solver's stream is its own; unmapping orders only stream 0
+    const auto read = [&](engine::StreamId id, size_t size) {
+        auto* passage = static_cast<std::byte*>(passage_.atLeast(std::max(size, kLeastPassage)));
+        checkCuda(cudaMemcpy(passage, data[static_cast<size_t>(id)], size, cudaMemcpyDeviceToHost),
+                  "copying the frame");
+        return std::span<const std::byte>(passage, size);
+    };
+    if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
     checkCuda(static_cast<cudaError_t>(unmap()), "unmapping GL's buffers");
 }
 
-void CudaInteropBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
-    switch (history_.next(solver.stats(), colour, fresh)) {
+void CudaInteropBridge::transfer(Solver& solver, const FrameRequest& request) {
+    const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
+    switch (change) {
         case FrameChange::kAll:
-            exportMapped(solver, kAllStreams, colour, fresh);
+            exportMapped(solver, kAllStreams, change, request);
             mesh_.touch();
             break;
         case FrameChange::kMotion:
-            exportMapped(solver, kMotionStreams, colour, fresh);
+            exportMapped(solver, kMotionStreams, change, request);
             mesh_.touch();
             break;
         case FrameChange::kProjectiles:
-            exportMapped(solver, {}, colour, fresh);
+            exportMapped(solver, {}, change, request);
             break;
     }
-    projectile_block_.read(projectiles, projectiles_);
+    projectile_block_.read(request.projectiles, projectiles_);
 }
 
 bool interopWorks(std::string& why_not) {

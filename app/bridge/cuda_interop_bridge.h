@@ -21,7 +21,7 @@ class CudaInteropBridge : public FrameBridge {
     CudaInteropBridge(const CudaInteropBridge&) = delete;
     CudaInteropBridge& operator=(const CudaInteropBridge&) = delete;
 
-    void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) override;
+    void transfer(Solver& solver, const FrameRequest& request) override;
     void prepare() override;
     void release() override { unmap(); }
     Transfer kind() const override { return Transfer::kInterop; }
@@ -30,14 +30,16 @@ class CudaInteropBridge : public FrameBridge {
     explicit CudaInteropBridge(engine::FractureMesh& mesh) : mesh_(mesh) {}
     void map(std::span<const engine::StreamId> streams);
     int unmap();  ///< cudaError_t
-    /// Maps these streams unless all are mapped, lets the solver write them, and unmaps what is mapped.
-    void exportMapped(Solver& solver, std::span<const engine::StreamId> streams, ParticleColour colour,
-                      bool fresh);
+    /// Maps these streams unless all are mapped, lets the solver write them and the tap read them, and unmaps
+    /// what is mapped.
+    void exportMapped(Solver& solver, std::span<const engine::StreamId> streams, FrameChange change,
+                      const FrameRequest& request);
 
     engine::FractureMesh& mesh_;
     std::array<cudaGraphicsResource*, kStreamCount> resources_{};
     std::vector<cudaGraphicsResource*> mapped_;
     CudaProjectiles projectile_block_;
+    PinnedMemory colours_, passage_;
     ExportHistory history_;
 };
 

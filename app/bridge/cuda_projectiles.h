@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "app/bridge/cuda_pinned_memory.h"
 #include "sim_cuda/api/render_streams.h"
 
 namespace demolish {
@@ -12,16 +13,13 @@ class CudaProjectiles {
   public:
     /// Throws DeviceError when there is no kilobyte left.
     CudaProjectiles();
-    ~CudaProjectiles();
-    CudaProjectiles(const CudaProjectiles&) = delete;
-    CudaProjectiles& operator=(const CudaProjectiles&) = delete;
 
     Stream<ParticleInstance> stream() const;
     /// The first `count` of a finished export, at most kMaxProjectiles.
     void read(uint32_t count, std::vector<ParticleInstance>& projectiles) const;
 
   private:
-    void* memory_ = nullptr;
+    PinnedMemory memory_;
 };
 
 }  // namespace demolish

@@ -1,5 +1,7 @@
 // The one place where simulation and drawing meet: a solver's frame reaches the renderer's buffers.
 #pragma once
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,7 +28,7 @@ enum class FrameChange {
 class ExportHistory {
   public:
     /// What has to travel now that the solver's frame is `stats`; the caller brings it over. What falls
-    /// asleep travels once more. `fresh` as FrameBridge::transfer().
+    /// asleep travels once more. `fresh` as in FrameRequest.
     FrameChange next(const FrameStats& stats, ParticleColour colour, bool fresh);
     /// Bodies moved in the frame that was brought over last.
     bool moved() const { return !was_asleep_; }
@@ -38,15 +40,33 @@ class ExportHistory {
     ParticleColour colour_ = ParticleColour::kFragment;
 };
 
+/// The first so many bytes of a stream as it was written last, until the next one is asked for.
+using ReadStream = std::function<std::span<const std::byte>(engine::StreamId, size_t)>;
+/// As ColourStreams.
+struct ColourBytes {
+    std::span<const uint8_t> damage, stress, speed;
+};
+/// Takes copies of a frame on its way to the mesh, for a recording. GL's buffers are better not read: a
+/// driver moves what is read back into the host's memory, where the GPU then writes it a hundred times as
+/// slowly. The streams that `change` speaks of can be read, and there are colours, unless only projectiles
+/// have moved.
+using FrameTap = std::function<void(FrameChange, const ReadStream&, const ColourBytes&)>;
+
+struct FrameRequest {
+    ParticleColour colour = ParticleColour::kFragment;
+    uint32_t projectiles = 0;  ///< how many the solver has
+    /// The streams hold nothing of this solver's yet (new solver, restored snapshot, replayed frame).
+    bool fresh = false;
+    FrameTap tap{};
+};
+
 class FrameBridge {
   public:
     virtual ~FrameBridge() = default;
 
-    /// Brings the solver's present frame into the mesh's streams. `projectiles` is how many the solver has;
-    /// `fresh` says that the streams hold nothing of this solver's yet (new solver, restored snapshot,
-    /// replayed frame). What has not changed since the last call stays where it is. The GL context of the
-    /// mesh must be current. Throws DeviceError.
-    virtual void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) = 0;
+    /// Brings the solver's present frame into the mesh's streams. What has not changed since the last call
+    /// stays where it is. The GL context of the mesh must be current. Throws DeviceError.
+    virtual void transfer(Solver& solver, const FrameRequest& request) = 0;
     /// The solver is about to compute a frame that will be brought over: nothing of the mesh is drawn until
     /// transfer() or release(). A GPU that must change between computing and drawing then does so once a
     /// frame and not twice.

@@ -11,27 +11,37 @@ HostBridge::HostBridge(engine::FractureMesh& mesh) : mesh_(mesh), bytes_(streamB
         memory_[i] = std::make_unique_for_overwrite<std::byte[]>(bytes_[i]);
 }
 
-void HostBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) {
-    const FrameChange change = history_.next(solver.stats(), colour, fresh);
+void HostBridge::transfer(Solver& solver, const FrameRequest& request) {
+    const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
     std::array<void*, kStreamCount> data{};
     if (change == FrameChange::kAll)
         for (size_t i = 0; i < kStreamCount; ++i) data[i] = memory_[i].get();
     if (change == FrameChange::kMotion)
         for (const StreamId id : kMotionStreams)
             data[static_cast<size_t>(id)] = memory_[static_cast<size_t>(id)].get();
-    RenderStreams streams = streamsAt(data, bytes_, colour);
+    RenderStreams streams = streamsAt(data, bytes_, request.colour);
     projectiles_.resize(kMaxProjectiles);
     streams.projectiles = {projectiles_.data(), projectiles_.size()};
-    solver.exportFrame(streams, fresh);
-    projectiles_.resize(projectiles);
-    if (change == FrameChange::kProjectiles) return;
-
-    const size_t count = mesh_.particleCount();
-    const auto upload = [&](StreamId id, size_t elements) {
-        const auto index = static_cast<size_t>(id);
-        const size_t wanted = std::min(elements * kStreamElementBytes[index], bytes_[index]);
-        if (wanted > 0) mesh_.stream(id).upload({memory_[index].get(), wanted});
+    const size_t tapped = request.tap && change != FrameChange::kProjectiles ? mesh_.particleCount() : 0;
+    colours_.resize(std::max(colours_.size(), kColours * tapped));
+    if (tapped > 0) streams.colours = colourStreamsAt(colours_.data(), tapped);
+    solver.exportFrame(streams, request.fresh);
+    projectiles_.resize(request.projectiles);
+    if (change != FrameChange::kProjectiles) uploadStreams(streams, change);
+    const auto read = [&](StreamId id, size_t size) {
+        return std::span<const std::byte>(memory_[static_cast<size_t>(id)].get(), size);
     };
+    if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
+}
+
+void HostBridge::upload(StreamId id, size_t elements) {
+    const auto index = static_cast<size_t>(id);
+    const size_t wanted = std::min(elements * kStreamElementBytes[index], bytes_[index]);
+    if (wanted > 0) mesh_.stream(id).upload({memory_[index].get(), wanted});
+}
+
+void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change) {
+    const size_t count = mesh_.particleCount();
     for (const StreamId id : kMotionStreams) upload(id, count);
     if (change == FrameChange::kMotion) return;
     const DrawListUse use = drawListUse(*streams.commands.data,
@@ -42,16 +52,6 @@ void HostBridge::transfer(Solver& solver, ParticleColour colour, uint32_t projec
     upload(StreamId::kExteriorIndices, use.exterior_indices);
     upload(StreamId::kCrackEdges, use.crack_edges);
     upload(StreamId::kCommands, 1);
-}
-
-DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices) {
-    DrawListUse use;
-    use.interior_indices = std::min<size_t>(commands.interior.count, interior_indices.size());
-    const auto used = interior_indices.first(use.interior_indices);
-    if (!used.empty()) use.interior_vertices = *std::max_element(used.begin(), used.end()) + size_t{1};
-    use.exterior_indices = commands.exterior.count;
-    use.crack_edges = commands.cracks.instance_count;
-    return use;
 }
 
 }  // namespace demolish

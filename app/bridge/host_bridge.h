@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "app/bridge/frame_bridge.h"
 #include "app/bridge/stream_layout.h"
@@ -13,21 +14,18 @@ namespace demolish {
 class HostBridge : public FrameBridge {
   public:
     explicit HostBridge(engine::FractureMesh& mesh);
-    void transfer(Solver& solver, ParticleColour colour, uint32_t projectiles, bool fresh) override;
+    void transfer(Solver& solver, const FrameRequest& request) override;
     Transfer kind() const override { return Transfer::kHost; }
 
   private:
+    void upload(engine::StreamId id, size_t elements);
+    void uploadStreams(const RenderStreams& streams, FrameChange change);
+
     engine::FractureMesh& mesh_;
     std::array<size_t, kStreamCount> bytes_;
     std::array<std::unique_ptr<std::byte[]>, kStreamCount> memory_;  ///< untouched pages cost nothing
+    std::vector<uint8_t> colours_;
     ExportHistory history_;
 };
-
-/// How much of the draw lists is in use.
-struct DrawListUse {
-    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
-};
-/// Vertices in use follow from the highest index.
-DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices);
 
 }  // namespace demolish

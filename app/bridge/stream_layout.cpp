@@ -1,6 +1,8 @@
 // Byte counts of the streams and the solver's view of them.
 #include "app/bridge/stream_layout.h"
 
+#include <algorithm>
+
 namespace demolish {
 namespace {
 
@@ -29,10 +31,30 @@ RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
     return streams;
 }
 
+ColourStreams colourStreamsAt(void* memory, size_t particles) {
+    auto* first = static_cast<uint8_t*>(memory);
+    return {{first, particles}, {first + particles, particles}, {first + 2 * particles, particles}};
+}
+
+ColourBytes colourBytesAt(const void* memory, size_t particles) {
+    const auto* first = static_cast<const uint8_t*>(memory);
+    return {{first, particles}, {first + particles, particles}, {first + 2 * particles, particles}};
+}
+
 std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh) {
     std::array<size_t, kStreamCount> bytes{};
     for (size_t i = 0; i < kStreamCount; ++i) bytes[i] = mesh.stream(static_cast<engine::StreamId>(i)).size();
     return bytes;
+}
+
+DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices) {
+    DrawListUse use;
+    use.interior_indices = std::min<size_t>(commands.interior.count, interior_indices.size());
+    const auto used = interior_indices.first(use.interior_indices);
+    if (!used.empty()) use.interior_vertices = *std::max_element(used.begin(), used.end()) + size_t{1};
+    use.exterior_indices = commands.exterior.count;
+    use.crack_edges = commands.cracks.instance_count;
+    return use;
 }
 
 }  // namespace demolish

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 
+#include "app/bridge/frame_bridge.h"
 #include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/render_streams.h"
 
@@ -24,6 +25,18 @@ inline constexpr std::array<engine::StreamId, 2> kMotionStreams = {engine::Strea
 RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
                         const std::array<size_t, kStreamCount>& bytes, ParticleColour colour);
 
+/// kColours bytes a particle, one colour after the other, as the solver writes and a tap reads them.
+inline constexpr size_t kColours = 3;
+ColourStreams colourStreamsAt(void* memory, size_t particles);
+ColourBytes colourBytesAt(const void* memory, size_t particles);
+
 std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh);
+
+/// How much of the draw lists is in use.
+struct DrawListUse {
+    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
+};
+/// Vertices in use follow from the highest index.
+DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices);
 
 }  // namespace demolish

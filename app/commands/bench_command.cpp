@@ -30,6 +30,9 @@ constexpr size_t kRecordingLimit = size_t{4} << 30;  // bytes
 BenchPlan planFor(const BenchOptions& options, const Shot& shot) {
     if (options.no_draw && options.draw_only)
         throw UsageError("--no-draw and --draw-only exclude each other: nothing would be left to time");
+    if (options.record && (options.no_draw || options.draw_only))
+        throw UsageError(
+            "--record keeps frames that are simulated and drawn; leave --no-draw and --draw-only");
     if (options.frames) requireInRange("--frames", *options.frames, kFrameRange, "");
     requireInRange("--warmup", options.warmup, kWarmupRange, "");
     BenchPlan plan;
@@ -92,7 +95,7 @@ void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& b
 void refuseForKernel(const BenchOptions& options) {
     const ShotOptions& shot = options.shot;
     const bool of_a_shot = !shot.scene.empty() || !shot.model.empty() || options.no_draw ||
-                           options.draw_only || !options.curve.empty() || options.frames ||
+                           options.draw_only || options.record || !options.curve.empty() || options.frames ||
                            shot.particle_size;
     if (of_a_shot)
         throw UsageError(
@@ -144,9 +147,9 @@ void runBench(const BenchOptions& options) {
     announce(built);
     std::unique_ptr<BenchStage> stage;
     if (draws) stage = std::make_unique<BenchStage>(on_gpu, built, options.shot, size);
-    Session session(
-        std::move(built),
-        {.draw = draws, .record = plan.mode == BenchMode::kDrawOnly, .memory_limit = kRecordingLimit});
+    Session session(std::move(built), {.draw = draws,
+                                       .record = options.record || plan.mode == BenchMode::kDrawOnly,
+                                       .memory_limit = kRecordingLimit});
     const BenchRun run = runBenchPlan(plan, session, stage.get());
 
     session.solver().measure();
@@ -180,6 +183,8 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->type_name("FILE");
     command->add_flag("--no-draw", options.no_draw, "Simulate only; needs no OpenGL");
     command->add_flag("--draw-only", options.draw_only, "Time the drawing alone, of a recording of the shot");
+    command->add_flag("--record", options.record,
+                      "Keep every frame for scrubbing, as the window does; counts as transfer");
     command->add_flag(
         "--kernel", options.kernel,
         "Time the substep alone, of blocks of 2,000 to 1,000,000 particles, beside the machine's floors");

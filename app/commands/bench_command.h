@@ -12,7 +12,7 @@ struct BenchOptions {
     std::optional<double> frames;  ///< none: to the end of the shot's last phase
     double warmup = 10;
     std::string json, csv, curve;
-    bool no_draw = false, draw_only = false, kernel = false;
+    bool no_draw = false, draw_only = false, record = false, kernel = false;
 };
 
 void addBenchCommand(CLI::App& app, BenchOptions& options);

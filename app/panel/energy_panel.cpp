@@ -1,5 +1,5 @@
-// The energy ledger of the shot. Closed by default: only while it is open is energy booked in every substep, and
-// measured in every frame.
+// The energy ledger of the shot. Closed by default: only while it is open is energy booked in every substep,
+// and measured in every frame.
 #include <imgui.h>
 
 #include "app/panel/widgets.h"

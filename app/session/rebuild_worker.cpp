@@ -55,11 +55,10 @@ void RebuildWorker::run(const std::stop_token& stop, Job& job, const Shot& shot,
     std::optional<BuiltShot> built;
     std::exception_ptr error;
     try {
-        built = buildShot(shot,
-                          {.draw_geometry = reuse.has_draw_geometry,
-                           .ledger = reuse.setup.params.ledger,
-                           .reuse = &reuse},
-                          report);
+        built = buildShot(
+            shot,
+            {.draw_geometry = reuse.has_draw_geometry, .ledger = reuse.setup.params.ledger, .reuse = &reuse},
+            report);
     } catch (const Cancelled&) {
     } catch (...) {
         error = std::current_exception();

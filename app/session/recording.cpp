@@ -1,34 +1,32 @@
-// Read-back and replay of the streams. The draw lists are large but change only while something breaks.
+// Copies and replay of the streams. The draw lists are large but change only while something breaks.
 #include "app/session/recording.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
 #include <utility>
+
+#include "app/bridge/stream_layout.h"
 
 namespace demolish {
 using engine::StreamId;
 namespace {
 
 template <class T>
-std::vector<T> download(const engine::FractureMesh& mesh, StreamId id, size_t count) {
-    const auto& buffer = mesh.stream(id);
-    std::vector<T> values(std::min(count, buffer.size() / sizeof(T)));
-    if (!values.empty()) buffer.download(std::as_writable_bytes(std::span(values)));
-    return values;
+std::span<const T> seen(const ReadStream& read, StreamId id, size_t count) {
+    if (count == 0) return {};
+    return {reinterpret_cast<const T*>(read(id, count * sizeof(T)).data()), count};
+}
+
+template <class T>
+std::vector<T> copied(std::span<const T> values) {
+    return {values.begin(), values.end()};
 }
 
 template <class T>
 void upload(engine::FractureMesh& mesh, StreamId id, const std::vector<T>& values) {
     if (!values.empty()) mesh.stream(id).upload(std::as_bytes(std::span(values)));
-}
-
-std::vector<std::byte> bytesOf(const std::vector<uint32_t>& values) {
-    std::vector<std::byte> bytes(values.size() * sizeof(uint32_t));
-    if (!bytes.empty()) std::memcpy(bytes.data(), values.data(), bytes.size());
-    return bytes;
 }
 
 Float3 moved(const FragmentTransform& motion, const Double3& rest) {
@@ -69,34 +67,36 @@ std::span<const uint8_t> valuesOf(const RecordedFrame& frame, ParticleColour col
     return {};
 }
 
+/// A fragment's slot is its lowest particle.
+std::vector<uint32_t> slotsOf(std::span<const uint32_t> particle_fragment) {
+    std::vector<uint32_t> slots;
+    for (uint32_t i = 0; i < particle_fragment.size(); ++i)
+        if (particle_fragment[i] == i) slots.push_back(i);
+    return slots;
+}
+
+std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
+                                                     std::span<const uint8_t> damage) {
+    auto list = std::make_shared<RecordedDrawList>();
+    list->particle_fragment = copied(seen<uint32_t>(read, StreamId::kParticleFragment, damage.size()));
+    list->damage = copied(damage);
+    list->slots = slotsOf(list->particle_fragment);
+    list->commands = seen<DrawCommands>(read, StreamId::kCommands, 1)[0];
+    list->interior_indices =
+        copied(seen<uint32_t>(read, StreamId::kInteriorIndices, list->commands.interior.count));
+    list->interior_vertices =
+        copied(seen<SurfaceVertex>(read, StreamId::kInteriorVertices,
+                                   drawListUse(list->commands, list->interior_indices).interior_vertices));
+    list->crack_edges =
+        copied(seen<uint32_t>(read, StreamId::kCrackEdges, list->commands.cracks.instance_count));
+    return list;
+}
+
 }  // namespace
 
-std::vector<uint8_t>* RecordedColours::of(ParticleColour channel) {
-    switch (channel) {
-        case ParticleColour::kDamage:
-            return &damage;
-        case ParticleColour::kStress:
-            return &stress;
-        case ParticleColour::kSpeed:
-            return &speed;
-        case ParticleColour::kFragment:
-            break;
-    }
-    return nullptr;
-}
-
-std::vector<uint8_t> readColour(const engine::FractureMesh& mesh) {
-    const auto instances = download<ParticleInstance>(mesh, StreamId::kParticles, mesh.particleCount());
-    std::vector<uint8_t> values(instances.size());
-    std::transform(instances.begin(), instances.end(), values.begin(), [](const ParticleInstance& instance) {
-        return static_cast<uint8_t>(std::lround(255 * std::clamp(instance.value, 0.0f, 1.0f)));
-    });
-    return values;
-}
-
 size_t RecordedDrawList::bytes() const {
-    return sizeof(*this) + damage.size() + 4 * (particle_fragment.size() + slots.size()) +
-           interior_vertices.size() + interior_indices.size() + crack_edges.size();
+    return sizeof(*this) + damage.size() + interior_vertices.size() * sizeof(SurfaceVertex) +
+           4 * (particle_fragment.size() + slots.size() + interior_indices.size() + crack_edges.size());
 }
 
 void Recording::clear() {
@@ -104,43 +104,35 @@ void Recording::clear() {
     bytes_ = 0;
 }
 
-std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const engine::FractureMesh& mesh,
-                                                                std::vector<uint8_t> damage) const {
-    auto list = std::make_shared<RecordedDrawList>();
-    list->particle_fragment = download<uint32_t>(mesh, StreamId::kParticleFragment, mesh.particleCount());
-    list->damage = std::move(damage);
-    list->slots = list->particle_fragment;
-    std::sort(list->slots.begin(), list->slots.end());
-    list->slots.erase(std::unique(list->slots.begin(), list->slots.end()), list->slots.end());
-    list->commands = download<DrawCommands>(mesh, StreamId::kCommands, 1).at(0);
-    const auto indices = download<uint32_t>(mesh, StreamId::kInteriorIndices, list->commands.interior.count);
-    const size_t vertices =
-        indices.empty() ? 0 : *std::max_element(indices.begin(), indices.end()) + size_t{1};
-    list->interior_indices = bytesOf(indices);
-    list->interior_vertices =
-        download<std::byte>(mesh, StreamId::kInteriorVertices, vertices * sizeof(SurfaceVertex));
-    list->crack_edges =
-        bytesOf(download<uint32_t>(mesh, StreamId::kCrackEdges, list->commands.cracks.instance_count));
-    return list;
-}
-
-void Recording::add(const engine::FractureMesh& mesh, std::span<const ParticleInstance> projectiles,
-                    RecordedColours colours, const FrameStats& stats) {
+void Recording::add(RecordedFrame frame) {
     if (full()) return;
-    RecordedFrame frame;
-    const bool changed = breaksWith(stats);
-    frame.draw_list = changed ? readDrawList(mesh, std::move(colours.damage)) : frames_.back().draw_list;
-    frame.stress = std::move(colours.stress);
-    frame.speed = std::move(colours.speed);
-    const auto all = download<FragmentTransform>(mesh, StreamId::kTransforms, mesh.particleCount());
-    frame.transforms.reserve(frame.draw_list->slots.size());
-    for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
-    frame.projectiles.assign(projectiles.begin(), projectiles.end());
-    frame.stats = stats;
+    const bool changed = frames_.empty() || frames_.back().draw_list != frame.draw_list;
     bytes_ += sizeof(frame) + frame.stress.size() + frame.speed.size() +
               frame.transforms.size() * sizeof(FragmentTransform) +
               frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes() : 0);
     frames_.push_back(std::move(frame));
+}
+
+RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, const ColourBytes& colours,
+                              const FrameStats& stats) const {
+    RecordedFrame frame;
+    frame.stats = stats;
+    if (change == FrameChange::kProjectiles) {
+        const RecordedFrame& before = frames_.back();
+        frame.draw_list = before.draw_list;
+        frame.transforms = before.transforms;
+        frame.stress = before.stress;
+        frame.speed = before.speed;
+        return frame;
+    }
+    const size_t particles = colours.stress.size();
+    frame.draw_list = breaksWith(stats) ? readDrawList(stream, colours.damage) : frames_.back().draw_list;
+    frame.stress = copied(colours.stress);
+    frame.speed = copied(colours.speed);
+    const auto all = seen<FragmentTransform>(stream, StreamId::kTransforms, particles);
+    frame.transforms.reserve(frame.draw_list->slots.size());
+    for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
+    return frame;
 }
 
 void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetup& setup,

@@ -174,25 +174,22 @@ void Session::fire(const Projectile& ball) {
 void Session::bringFrame(bool fresh) {
     shown_ = built_.solver->stats();
     if (!output_) return;
-    const bool records = options_.record && !recording_.full();
-    RecordedColours colours;
-    const auto bring = [&](ParticleColour channel) {
-        output_->bridge().transfer(*built_.solver, channel, projectiles_, std::exchange(fresh, false));
-        std::vector<uint8_t>* values = colours.of(channel);
-        if (records && values != nullptr) *values = readColour(output_->mesh());
-    };
-    if (records)
-        for (const auto channel :
-             {ParticleColour::kDamage, ParticleColour::kStress, ParticleColour::kSpeed}) {
-            const bool is_known = channel == ParticleColour::kDamage && !recording_.breaksWith(shown_);
-            if (channel != colour_ && !is_known) bring(channel);
-        }
+    RecordedFrame frame;
+    FrameTap tap;
+    if (options_.record && !recording_.full())
+        tap = [&](FrameChange change, const ReadStream& read, const ColourBytes& colours) {
+            frame = recording_.read(change, read, colours, shown_);
+        };
+    FrameBridge& bridge = output_->bridge();
     const auto begun = Clock::now();
-    bring(colour_);
-    spheres_ = spheresOf(output_->bridge().projectiles());
+    bridge.transfer(*built_.solver, {colour_, projectiles_, fresh, tap});
+    spheres_ = spheresOf(bridge.projectiles());
     last_transfer_ms_ = msSince(begun);
     if (!options_.record) return;
-    recording_.add(output_->mesh(), output_->bridge().projectiles(), std::move(colours), shown_);
+    if (tap) {
+        frame.projectiles.assign(bridge.projectiles().begin(), bridge.projectiles().end());
+        recording_.add(std::move(frame));
+    }
     cursor_ = recording_.size() - 1;
 }
 
@@ -238,7 +235,7 @@ void Session::showRecorded(size_t frame) {
     cursor_ = frame;
     last_sim_ms_ = last_transfer_ms_ = 0;
     // The newest frame may be coloured by another channel: bring it afresh so that stepping goes on from it.
-    if (atEnd()) output_->bridge().transfer(*built_.solver, colour_, projectiles_, true);
+    if (atEnd()) output_->bridge().transfer(*built_.solver, {colour_, projectiles_, true});
 }
 
 void Session::change(const Shot& shot, double now) {
@@ -280,7 +277,7 @@ void Session::setColour(ParticleColour colour) {
     colour_ = colour;
     if (!output_) return;
     if (atEnd())
-        output_->bridge().transfer(*built_.solver, colour_, projectiles_, false);
+        output_->bridge().transfer(*built_.solver, {colour_, projectiles_, false});
     else
         showRecorded(cursor_);
 }

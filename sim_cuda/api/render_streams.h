@@ -49,6 +49,12 @@ struct Stream {
     size_t capacity = 0;  ///< elements
 };
 
+/// What the particle view is coloured by besides the fragment: a byte a particle of the bodies, 255 for 1.
+/// All of them or none.
+struct ColourStreams {
+    Stream<uint8_t> damage, stress, speed;
+};
+
 /// An empty stream is not written. A fragment's slot is the lowest particle id in it.
 struct RenderStreams {
     Stream<ParticleInstance> particles;       ///< one per particle and projectile (projectiles last)
@@ -62,6 +68,7 @@ struct RenderStreams {
     Stream<uint32_t> crack_edges;  ///< ids of the crack edges shown
     Stream<DrawCommands> commands;  ///< one
     ParticleColour colour = ParticleColour::kFragment;
+    ColourStreams colours;  ///< for a recording, whatever `colour` is
 };
 
 }  // namespace demolish

@@ -72,8 +72,8 @@ class Solver {
     virtual const FrameStats& stats() const = 0;
     /// Energies and momenta of this moment, summed in double; costs a pass over the particles and bonds.
     virtual void measure() = 0;
-    /// Books damping and friction work and fracture from now on, or no longer; SolverParams::ledger says so for
-    /// the start. The state stays the same to the last bit, and a substep that books nothing is cheaper.
+    /// Books damping and friction work and fracture from now on, or no longer; SolverParams::ledger says so
+    /// for the start. The state stays the same to the last bit, and a substep that books nothing is cheaper.
     virtual void bookEnergy(bool on) = 0;
     virtual bool booksEnergy() const = 0;
     /// 64-bit hash of state, bond and history bits: equal for any thread count, launch shape and device.

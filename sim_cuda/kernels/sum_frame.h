@@ -1,6 +1,6 @@
 // What a frame's report needs of every particle, in one pass: ledger, broken bonds, highest stress.
 #pragma once
-#include "sim_cuda/kernels/write_particles.h"
+#include "sim_cuda/kernels/particle_value.h"
 
 namespace demolish {
 

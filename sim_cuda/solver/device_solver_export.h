@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim_cuda/api/particle_colour.h"
+#include "sim_cuda/kernels/write_colours.h"
 #include "sim_cuda/kernels/write_particles.h"
 #include "sim_cuda/solver/device_solver.h"
 
@@ -66,17 +67,24 @@ void DeviceSolver<Backend, Real>::exportFrame(const RenderStreams& streams, bool
     const uint32_t total = tables_.counts.total, in_bodies = tables_.counts.in_bodies;
     updateSurface();
     if (streams.particles.data != nullptr || streams.projectiles.data != nullptr) showProjectiles();
+    const Real speed_scale = static_cast<Real>(1 / speedOfFullColour(setup_));
     const auto writeParticles = [&](const Stream<ParticleInstance>& stream, uint32_t first) {
         if (stream.data == nullptr) return;
-        const double speed = speedOfFullColour(setup_);
         backend_.forEach(total - first,
                          WriteParticles<Real>{data_.arrays(lists_.contacts()), clusters_.fragment(),
                                               shown_projectiles_.view(), Span(stream.data, stream.capacity),
-                                              in_bodies, first, streams.colour, static_cast<Real>(1 / speed)},
+                                              in_bodies, first, streams.colour, speed_scale},
                          "write particles");
     };
     writeParticles(streams.particles, 0);
     writeParticles(streams.projectiles, in_bodies);
+    if (const auto& [damage, stress, speed] = streams.colours; stress.data != nullptr)
+        backend_.forEach(
+            std::min<size_t>(in_bodies, stress.capacity),
+            WriteColours<Real>{data_.arrays(lists_.contacts()), Span(damage.data, damage.capacity),
+                               Span(stress.data, stress.capacity), Span(speed.data, speed.capacity),
+                               speed_scale},
+            "write colours");
     if (streams.particle_fragment.data != nullptr) {
         const Span<uint32_t> slots(streams.particle_fragment.data, streams.particle_fragment.capacity);
         backend_.forEach(std::min<size_t>(total, slots.size()), CopyFragments{clusters_.fragment(), slots},

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Measures everything that is kept in this folder: the four scenes, drawn, not drawn and drawn only, and the substep alone.
+# Measures everything that is kept in this folder: the four scenes, drawn, not drawn, drawn only and recorded as in the window, and
+# the substep alone.
 #   tests/bench_results/measure.sh FOLDER [options of `demolish bench` for the scenes]
 # DEMOLISH names the program (default: ./demolish, which builds it first).
 set -euo pipefail
@@ -20,6 +21,7 @@ for scene in bunny wolf vase column; do
     measure "$scene" "$scene" "$@" --curve "$folder/$scene.svg"
     measure "${scene}_no_draw" "$scene" "$@" --no-draw
     measure "${scene}_draw_only" "$scene" "$@" --draw-only
+    measure "${scene}_record" "$scene" "$@" --record
 done
 # The paper's counts read literally: 300 pieces of each vase, 100 of each column.
 measure vase_300 vase "$@" --pieces 300

@@ -85,6 +85,15 @@ TEST_F(Bench, FramesMayBeChosenAndAPhaseThatIsNotReachedSaysSo) {
     EXPECT_TRUE(json["phases"][1]["fps_median"].is_null());
 }
 
+TEST_F(Bench, FramesMayBeKeptAsInTheWindow) {
+    ASSERT_EQ(bench({}).exit_code, 0);
+    const auto hash = read()["state_hash"];
+    const ProgramRun run = bench({"--record"});
+    ASSERT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(read()["state_hash"], hash);
+    EXPECT_EQ(bench({"--record", "--no-draw"}).exit_code, 2);
+}
+
 TEST_F(Bench, DrawingARecordingTimesTheSameFramesWithoutTheSolver) {
     ASSERT_EQ(bench({"--no-draw"}).exit_code, 0);
     const auto simulated = read();
