@@ -8,8 +8,8 @@ namespace demolish {
 struct EnergyBalance {
     EnergyLedger start;  ///< J, when the books were opened: when the first ball had been fired and nothing
                          ///< had moved, or at `since`
-    EnergyLedger now;  ///< J
-    double since = 0;  ///< s, of the shot
+    EnergyLedger now;    ///< J
+    double since = 0;    ///< s, of the shot
 
     /// J that came in: motion at the start, shots fired since, height lost.
     double broughtIn() const;
