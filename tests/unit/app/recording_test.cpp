@@ -1,10 +1,15 @@
-// A recorded frame shows what it showed when it was new, in every colour of the particle view.
+// A recorded frame shows what it showed when it was new, in every colour of the particle view. On the CPU,
+// and through interop when the same program is run with DEMOLISH_TEST_DEVICE=cuda (CTest label gpu).
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <optional>
+#include <string_view>
 #include <vector>
 
+#include "app/bridge/frame_bridge.h"
 #include "app/session/scene_file.h"
 #include "app/session/session.h"
 #include "engine/platform/headless_context.h"
@@ -40,32 +45,48 @@ float highest(const std::vector<ParticleInstance>& all) {
     return value;
 }
 
+bool asksForGpu() {
+    const char* device = std::getenv("DEMOLISH_TEST_DEVICE");
+    return device != nullptr && std::string_view(device) == "cuda";
+}
+
 class RecordingTest : public testing::Test {
   protected:
+    void SetUp() override {
+        const CudaDevice device = findCudaDevice();
+        if (asksForGpu() && !device.usable) GTEST_SKIP() << device.problem;
+        engine::HeadlessOptions options;
+        options.software_only = !asksForGpu();
+        if (asksForGpu())
+            options.cuda_device = eglOrdinal(device.ordinal, std::getenv("CUDA_VISIBLE_DEVICES"));
+        context_.emplace(options);
+        session_.emplace(buildShot(blockHitSoon(), {}, {}), SessionOptions{.draw = true, .record = true});
+        EXPECT_STREQ(session_->transfer(), asksForGpu() ? "interop" : "host");
+    }
     static Shot blockHitSoon() {
         Shot shot = loadScene("block");
-        shot.device = DeviceChoice::kCpu;
+        shot.device = asksForGpu() ? DeviceChoice::kCuda : DeviceChoice::kCpu;
         shot.fineness.particles = 150;
         shot.impact.arrival_time = 0.03;
         return shot;
     }
-    engine::HeadlessContext context_{{.cuda_device = {}, .software_only = true}};
-    Session session_{buildShot(blockHitSoon(), {}, {}), {.draw = true, .record = true}};
+    std::optional<engine::HeadlessContext> context_;
+    std::optional<Session> session_;
 };
 
 TEST_F(RecordingTest, KeepsEveryColourOfEveryFrame) {
-    std::vector<Seen> live{look(session_)};
+    std::vector<Seen> live{look(*session_)};
     for (size_t frame = 1; frame < kFrames; ++frame) {
-        session_.setColour(kChannels[frame % kChannels.size()]);  // whichever is shown while it is recorded
-        ASSERT_EQ(session_.advance(), StepStatus::kOk);
-        live.push_back(look(session_));
+        session_->setColour(kChannels[frame % kChannels.size()]);  // whichever is shown while it is recorded
+        ASSERT_EQ(session_->advance(), StepStatus::kOk);
+        live.push_back(look(*session_));
     }
-    ASSERT_GT(session_.status().stats.bonds_broken, 0u);
+    ASSERT_GT(session_->status().stats.bonds_broken, 0u);
     for (size_t c = 1; c < kChannels.size(); ++c) EXPECT_GT(highest(live[kFrames - 2][c]), 0.02f);
     for (size_t frame = 0; frame + 1 < kFrames; ++frame) {
-        session_.apply(command::Scrub{frame}, 0);
-        ASSERT_TRUE(session_.status().replaying);
-        const Seen replayed = look(session_);
+        session_->apply(command::Scrub{frame}, 0);
+        ASSERT_TRUE(session_->status().replaying);
+        const Seen replayed = look(*session_);
         for (size_t c = 0; c < kChannels.size(); ++c)
             for (size_t i = 0; i < live[frame][c].size(); ++i) {
                 ASSERT_EQ(replayed[c][i].fragment, live[frame][c][i].fragment);
@@ -77,13 +98,13 @@ TEST_F(RecordingTest, KeepsEveryColourOfEveryFrame) {
 }
 
 TEST_F(RecordingTest, ColoursOfAFrameTakeTwoBytesAParticle) {
-    const auto bytes = [&] { return session_.status().recorded_bytes; };
+    const auto bytes = [&] { return session_->status().recorded_bytes; };
     const size_t before = bytes();
-    ASSERT_EQ(session_.advance(), StepStatus::kOk);
-    ASSERT_EQ(session_.status().stats.bonds_broken, 0u) << "or the draw lists and the damage come on top";
-    const size_t projectiles = session_.spheres().size() * sizeof(ParticleInstance);
+    ASSERT_EQ(session_->advance(), StepStatus::kOk);
+    ASSERT_EQ(session_->status().stats.bonds_broken, 0u) << "or the draw lists and the damage come on top";
+    const size_t projectiles = session_->spheres().size() * sizeof(ParticleInstance);
     EXPECT_EQ(bytes() - before, sizeof(RecordedFrame) + sizeof(FragmentTransform) + projectiles +
-                                    2 * session_.mesh()->particleCount());
+                                    2 * session_->mesh()->particleCount());
 }
 
 }  // namespace
