@@ -40,9 +40,6 @@ constexpr std::array<engine::StreamId, kStreamCount> kAllStreams = [] {
     return all;
 }();
 
-/// Bytes of pinned memory for a tap: it takes longer to get than to fill.
-constexpr size_t kLeastPassage = size_t{32} << 20;
-
 /// No discard flag: the draw lists keep their contents while nothing breaks.
 cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
     const cudaError_t error = cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsNone);
@@ -108,10 +105,10 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
     solver.exportFrame(streams, request.fresh);
     solver.synchronize();  // the solver's stream is its own; unmapping orders only stream 0
     const auto read = [&](engine::StreamId id, size_t size) {
-        auto* passage = static_cast<std::byte*>(passage_.atLeast(std::max(size, kLeastPassage)));
-        checkCuda(cudaMemcpy(passage, data[static_cast<size_t>(id)], size, cudaMemcpyDeviceToHost),
-                  "copying the frame");
-        return std::span<const std::byte>(passage, size);
+        const auto i = static_cast<size_t>(id);
+        auto* copy = static_cast<std::byte*>(copies_[i].atLeast(size));
+        checkCuda(cudaMemcpy(copy, data[i], size, cudaMemcpyDeviceToHost), "copying the frame");
+        return std::span<const std::byte>(copy, size);
     };
     if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
     checkCuda(static_cast<cudaError_t>(unmap()), "unmapping GL's buffers");

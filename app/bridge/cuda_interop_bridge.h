@@ -39,7 +39,8 @@ class CudaInteropBridge : public FrameBridge {
     std::array<cudaGraphicsResource*, kStreamCount> resources_{};
     std::vector<cudaGraphicsResource*> mapped_;
     CudaProjectiles projectile_block_;
-    PinnedMemory colours_, passage_;
+    PinnedMemory colours_;
+    std::array<PinnedMemory, kStreamCount> copies_;  ///< of streams, for a tap
     ExportHistory history_;
 };
 

@@ -40,7 +40,7 @@ class ExportHistory {
     ParticleColour colour_ = ParticleColour::kFragment;
 };
 
-/// The first so many bytes of a stream as it was written last, until the next one is asked for.
+/// The first so many bytes of a stream as it was written last. They stay until the next transfer.
 using ReadStream = std::function<std::span<const std::byte>(engine::StreamId, size_t)>;
 /// As ColourStreams.
 struct ColourBytes {

@@ -75,31 +75,24 @@ std::vector<uint32_t> slotsOf(std::span<const uint32_t> particle_fragment) {
     return slots;
 }
 
-std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
-                                                     std::span<const uint8_t> damage) {
-    auto list = std::make_shared<RecordedDrawList>();
-    list->particle_fragment = copied(seen<uint32_t>(read, StreamId::kParticleFragment, damage.size()));
-    list->damage = copied(damage);
-    list->slots = slotsOf(list->particle_fragment);
-    list->commands = seen<DrawCommands>(read, StreamId::kCommands, 1)[0];
-    list->interior_indices =
-        copied(seen<uint32_t>(read, StreamId::kInteriorIndices, list->commands.interior.count));
-    list->interior_vertices =
-        copied(seen<SurfaceVertex>(read, StreamId::kInteriorVertices,
-                                   drawListUse(list->commands, list->interior_indices).interior_vertices));
-    list->crack_edges =
-        copied(seen<uint32_t>(read, StreamId::kCrackEdges, list->commands.cracks.instance_count));
-    return list;
-}
+/// What draws the surface, where the bridge has it.
+struct SurfaceSpans {
+    std::span<const SurfaceVertex> vertices;
+    std::span<const uint32_t> indices, crack_edges;
+
+    SurfaceSpans(const ReadStream& read, const DrawCommands& commands)
+        : indices(seen<uint32_t>(read, StreamId::kInteriorIndices, commands.interior.count)),
+          crack_edges(seen<uint32_t>(read, StreamId::kCrackEdges, commands.cracks.instance_count)) {
+        vertices = seen<SurfaceVertex>(read, StreamId::kInteriorVertices,
+                                       drawListUse(commands, indices).interior_vertices);
+    }
+    size_t bytes() const { return vertices.size_bytes() + indices.size_bytes() + crack_edges.size_bytes(); }
+};
 
 }  // namespace
 
-size_t RecordedDrawList::bytes() const {
-    return sizeof(*this) + damage.size() + interior_vertices.size() * sizeof(SurfaceVertex) +
-           4 * (particle_fragment.size() + slots.size() + interior_indices.size() + crack_edges.size());
-}
-
 void Recording::clear() {
+    finishCopies();
     frames_.clear();
     bytes_ = 0;
 }
@@ -109,12 +102,31 @@ void Recording::add(RecordedFrame frame) {
     const bool changed = frames_.empty() || frames_.back().draw_list != frame.draw_list;
     bytes_ += sizeof(frame) + frame.stress.size() + frame.speed.size() +
               frame.transforms.size() * sizeof(FragmentTransform) +
-              frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes() : 0);
+              frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes : 0);
     frames_.push_back(std::move(frame));
 }
 
+std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const ReadStream& read,
+                                                                std::span<const uint8_t> damage) {
+    auto list = std::make_shared<RecordedDrawList>();
+    list->particle_fragment = copied(seen<uint32_t>(read, StreamId::kParticleFragment, damage.size()));
+    list->damage = copied(damage);
+    list->slots = slotsOf(list->particle_fragment);
+    list->commands = seen<DrawCommands>(read, StreamId::kCommands, 1)[0];
+    const SurfaceSpans surface(read, list->commands);
+    list->bytes = sizeof(*list) + damage.size() + surface.bytes() +
+                  sizeof(uint32_t) * (list->particle_fragment.size() + list->slots.size());
+    finishCopies();
+    copying_ = std::async(std::launch::async, [list, surface] {
+        list->interior_vertices = copied(surface.vertices);
+        list->interior_indices = copied(surface.indices);
+        list->crack_edges = copied(surface.crack_edges);
+    });
+    return list;
+}
+
 RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, const ColourBytes& colours,
-                              const FrameStats& stats) const {
+                              const FrameStats& stats) {
     RecordedFrame frame;
     frame.stats = stats;
     if (change == FrameChange::kProjectiles) {

@@ -1,6 +1,7 @@
 // The frames of a run as they were drawn, so that a person can scrub back.
 #pragma once
 #include <cstddef>
+#include <future>
 #include <memory>
 #include <vector>
 
@@ -19,7 +20,7 @@ struct RecordedDrawList {
     std::vector<uint32_t> interior_indices, crack_edges;
     DrawCommands commands{};
     std::vector<uint32_t> slots;  ///< slots in use, ascending
-    size_t bytes() const;
+    size_t bytes = 0;             ///< of all of it
 };
 
 struct RecordedFrame {
@@ -36,9 +37,14 @@ class Recording {
     explicit Recording(size_t memory_limit) : memory_limit_(memory_limit) {}
 
     void clear();
-    /// The frame that a tap sees, but for the projectiles; it follows the one that was added last.
+    /// The frame that a tap sees, but for the projectiles; it follows the one that was added last. Megabytes
+    /// of new memory take milliseconds to fill: that goes on by itself, and ends before finishCopies() does,
+    /// which has to be called before the next transfer and before a frame is looked at.
     RecordedFrame read(FrameChange change, const ReadStream& stream, const ColourBytes& colours,
-                       const FrameStats& stats) const;
+                       const FrameStats& stats);
+    void finishCopies() {
+        if (copying_.valid()) copying_.get();
+    }
     /// Unless the recording is full.
     void add(RecordedFrame frame);
     /// Writes a recorded frame into the mesh's streams. The particle view's spheres come from the bodies'
@@ -53,6 +59,8 @@ class Recording {
     bool full() const { return bytes_ >= memory_limit_; }
 
   private:
+    std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
+                                                         std::span<const uint8_t> damage);
     /// Did something break since the frame recorded last?
     bool breaksWith(const FrameStats& stats) const {
         return frames_.empty() || frames_.back().stats.bonds_broken != stats.bonds_broken;
@@ -61,6 +69,7 @@ class Recording {
     size_t memory_limit_;
     size_t bytes_ = 0;
     std::vector<RecordedFrame> frames_;
+    std::future<void> copying_;
 };
 
 }  // namespace demolish

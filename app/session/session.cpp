@@ -71,6 +71,7 @@ Session::Session(BuiltShot built, const SessionOptions& options)
 }
 
 void Session::adopt(BuiltShot built) {
+    recording_.finishCopies();
     output_.reset();  // before its solver: it may hold registered buffers
     built_ = std::move(built);
     // What follows from the body's threshold is known only when the body is there.
@@ -174,6 +175,7 @@ void Session::fire(const Projectile& ball) {
 void Session::bringFrame(bool fresh) {
     shown_ = built_.solver->stats();
     if (!output_) return;
+    recording_.finishCopies();
     RecordedFrame frame;
     FrameTap tap;
     if (options_.record && !recording_.full())
@@ -228,6 +230,7 @@ void Session::update(double now, bool may_step) {
 
 void Session::showRecorded(size_t frame) {
     if (!output_ || frame >= recording_.size()) return;
+    recording_.finishCopies();
     recording_.replay(frame, output_->mesh(), built_.setup, colour_);
     const RecordedFrame& recorded = recording_.frame(frame);
     spheres_ = spheresOf(recorded.projectiles);
@@ -276,6 +279,7 @@ void Session::setColour(ParticleColour colour) {
     if (colour == colour_) return;
     colour_ = colour;
     if (!output_) return;
+    recording_.finishCopies();
     if (atEnd())
         output_->bridge().transfer(*built_.solver, {colour_, projectiles_, false});
     else
