@@ -141,7 +141,8 @@ class DeviceSolver final : public Solver {
     Progress progress_;
     bool lists_stand_ =
         false;  ///< since the last step nothing that steps read has been written but the state
-    bool place_rigid_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
+    bool recorded_ahead_[2] = {};  ///< GPU: sequences of steps, without and with the ledger
+    bool place_rigid_ = false;     ///< contact steps have moved bodies whose particles have not followed yet
     FrameStats stats_;
 };
 

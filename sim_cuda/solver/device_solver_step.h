@@ -97,6 +97,7 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::recordAhead() {
     if constexpr (Backend::kOnGpu) {
         const bool ledger = setup_.params.ledger;
+        if (std::exchange(recorded_ahead_[ledger ? 1 : 0], true)) return;
         runner_.recordAhead(backend_, stats_.particles, ledger);
         if (regimes_.on())
             rigid_runner_.template recordAhead<decltype(runner_)>(backend_, stats_.particles, ledger);
