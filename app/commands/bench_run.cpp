@@ -15,6 +15,14 @@ namespace {
 
 constexpr uint64_t kFramesWithoutPhases = 120;
 
+/// Says so if there was no room for all frames. The first that is kept is the shot before its first step.
+void tellIfFull(const Session& session, uint64_t frames) {
+    const size_t recorded = session.status().recorded_frames;
+    if (recorded > 0 && recorded <= frames)
+        spdlog::warn("memory for the recording sufficed for {} of {} frames: the others are left out",
+                     recorded - 1, frames);
+}
+
 BenchRun stepAndDraw(const BenchPlan& plan, Session& session, BenchStage* stage) {
     BenchRun run;
     ProgressBar bar;
@@ -37,6 +45,7 @@ BenchRun stepAndDraw(const BenchPlan& plan, Session& session, BenchStage* stage)
         frame(true);
         bar.show(static_cast<double>(k + 1) / static_cast<double>(plan.frames), "timing");
     }
+    if (run.status == StepStatus::kOk) tellIfFull(session, plan.frames);
     return run;
 }
 
@@ -49,9 +58,7 @@ BenchRun drawRecorded(const BenchPlan& plan, Session& session, BenchStage& stage
         bar.show(static_cast<double>(k + 1) / static_cast<double>(plan.frames), "recording");
     }
     const size_t recorded = session.status().recorded_frames;  // the first is the shot before its first step
-    if (run.status == StepStatus::kOk && recorded <= plan.frames)
-        spdlog::warn("memory for the recording sufficed for {} of {} frames: only these are drawn",
-                     recorded - 1, plan.frames);
+    if (run.status == StepStatus::kOk) tellIfFull(session, plan.frames);
     for (uint64_t k = 0; k < plan.warmup; ++k) stage.draw(session);
     for (size_t k = 1; k < recorded; ++k) {
         session.apply(command::Scrub{k}, 0);
