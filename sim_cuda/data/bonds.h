@@ -58,9 +58,10 @@ DEM_FN uint32_t findBond(const Span<const uint32_t>& row_start, const Span<const
 DEM_FN bool standsBetweenBonds(const Span<const uint32_t>& buried, const Span<const uint32_t>& row_start,
                                const Span<const BondLink>& link, uint32_t i) {
     if (buried[i] == 0) return false;
+    bool all_hold = true;  // no early end: reads need not wait for each other
     for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
-        if (!isBonded(link[slot])) return false;
-    return true;
+        all_hold = isBonded(link[slot]) && all_hold;
+    return all_hold;
 }
 
 template <class Backend, class Real>

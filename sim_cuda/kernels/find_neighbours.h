@@ -80,6 +80,10 @@ struct NeighbourSearch {
         return member.id[at] != own.id && mayMeet(own.position, own.velocity, member.position[at],
                                                   member.velocity[at], frame[0].horizon);
     }
+    DEM_FN bool meets(const GridMember<Real>& own, const GridMember<Real>& other) const {
+        return other.id != own.id &&
+               mayMeet(own.position, own.velocity, other.position, other.velocity, frame[0].horizon);
+    }
     /// visit(at) for those members first .. last-1 that meet `own`, have no bond record with it, and lie in
     /// the row of cells, if there is one.
     template <class Visit>

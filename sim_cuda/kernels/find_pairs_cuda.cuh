@@ -15,15 +15,16 @@ inline constexpr uint32_t kRecordsAtHand = 32;
 /// What a warp keeps in shared memory for kGroup particles.
 template <uint32_t kGroup, class Real>
 struct WarpMemory {
-    static constexpr uint32_t kQueue = 64;
+    /// 32 members of the grid are looked at by each lane of a warp at the same time, so many times at once.
+    static constexpr uint32_t kAtOnce = 3, kQueue = 32 * (kAtOnce + 1);
     struct Candidate {
-        uint32_t at;     ///< place in the buckets
-        uint32_t group;  ///< particle of the group
-        uint32_t which;  ///< row of cells
+        uint32_t at;  ///< place in the buckets
+        uint32_t row_and_group;
     };
     alignas(16) unsigned char own[kGroup * sizeof(GridMember<Real>)];
+    uint4 records[kGroup][kRecordsAtHand / 4];
     Candidate queue[kQueue];
-    uint32_t records[kGroup][kRecordsAtHand], record_count[kGroup], found[kGroup];
+    uint32_t record_count[kGroup], found[kGroup];
 };
 
 /// One warp and the particles that it searches for: members first .. first + count - 1.
@@ -39,6 +40,7 @@ class WarpSearch {
           lane_(lane),
           memory_(memory),
           own_(reinterpret_cast<GridMember<Real>*>(memory.own)) {
+        static_assert(kRecordsAtHand == 32);
         if (lane < count) {
             own_[lane] = search.member[first + lane];
             memory_.found[lane] = 0;
@@ -46,32 +48,20 @@ class WarpSearch {
         __syncwarp();
         for (uint32_t g = 0; g < count; ++g) {
             const uint32_t begin = search.bond_row[own_[g].id], end = search.bond_row[own_[g].id + 1];
-            if (begin + lane < end && lane < kRecordsAtHand)
-                memory_.records[g][lane] = linkedParticle(search.link[begin + lane]);
+            auto* records = reinterpret_cast<uint32_t*>(memory_.records[g]);
+            records[lane] = begin + lane < end ? linkedParticle(search.link[begin + lane]) : kNobody;
             if (lane == 0) memory_.record_count[g] = end - begin;
         }
         __syncwarp();
     }
 
-    /// All neighbours in bodies of members of the buckets.
+    /// All neighbours in bodies; of those set apart only those that are set apart too.
     __device__ void run() {
         for (uint32_t from = 0, to; from < count_; from = to) {
             const uint64_t cell = own_[from].key;
             for (to = from + 1; to < count_ && own_[to].key == cell;) ++to;
-            RowOfCells mine;
-            if (lane_ < kCellRows) mine = search_.rowAbout(cell, lane_);
-            for (uint32_t which = 0; which < kCellRows; ++which) {
-                const uint32_t wrapped = __shfl_sync(kAll, mine.wrapped, which);
-                visit(which, __shfl_sync(kAll, mine.first, which), __shfl_sync(kAll, mine.last, which), from,
-                      to);
-                if (wrapped > 0) visit(which, 0, wrapped, from, to);
-            }
+            visit(piecesAbout(cell), from, to);
         }
-        runApart();
-    }
-    /// Those among the ones set apart alone.
-    __device__ void runApart() {
-        visit(kCellRows, search_.members(), search_.allMembers(), 0, count_);
         drain();
     }
     /// The projectiles, and the lengths of the rows.
@@ -91,18 +81,68 @@ class WarpSearch {
   private:
     static constexpr unsigned kAll = 0xffffffffu;
 
-    __device__ void visit(uint32_t which, uint32_t first, uint32_t last, uint32_t from, uint32_t to) {
-        for (uint32_t base = first; base < last; base += 32) {
-            const uint32_t at = base + lane_;
-            const Vec4<Real> ball = search_.member.ball[at < last ? at : base];
+    static constexpr uint32_t kNobody = 0xffffffffu;
+
+    /// Of a lane: members first .. last - 1. Lanes 0 to 8 have the rows of cells, nine more what these have
+    /// at the beginning of the buckets, one those set apart.
+    struct Piece {
+        uint32_t first = 0, last = 0;
+    };
+    __device__ Piece piecesAbout(uint64_t cell) const {
+        RowOfCells row;
+        if (lane_ < kCellRows && !isApart()) row = search_.rowAbout(cell, lane_);
+        const uint32_t wrapped = __shfl_sync(kAll, row.wrapped, (lane_ - kCellRows) % 32);
+        if (lane_ < kCellRows) return {row.first, row.last};
+        if (lane_ < 2 * kCellRows) return {0, wrapped};
+        if (lane_ == 2 * kCellRows) return {search_.members(), search_.allMembers()};
+        return {};
+    }
+    /// Goes through the pieces of all lanes, 32 members at a time; the same in all lanes.
+    struct Walk {
+        unsigned left;  ///< pieces to come
+        uint32_t base = 0, end = 0, row = 0;
+
+        __device__ bool next(const Piece& own) {
+            base += 32;
+            if (base < end) return true;
+            base = end = 0;
+            if (left == 0) return false;
+            const uint32_t piece = __ffs(static_cast<int>(left)) - 1;
+            left &= left - 1;
+            base = __shfl_sync(kAll, own.first, piece);
+            end = __shfl_sync(kAll, own.last, piece);
+            row = piece < kCellRows ? piece : piece < 2 * kCellRows ? piece - kCellRows : kCellRows;
+            return true;
+        }
+    };
+    __device__ void visit(const Piece& own, uint32_t from, uint32_t to) {
+        constexpr uint32_t kAtOnce = WarpMemory<kGroup, Real>::kAtOnce;
+        Walk walk{__ballot_sync(kAll, own.first < own.last)};
+        for (bool more = true; more;) {
+            uint32_t at[kAtOnce], row[kAtOnce];
+            bool present[kAtOnce];
+            Vec4<Real> ball[kAtOnce];
+#pragma unroll
+            for (uint32_t b = 0; b < kAtOnce; ++b) {
+                more = walk.next(own);
+                at[b] = walk.base + lane_;
+                row[b] = walk.row;
+                present[b] = at[b] < walk.end;
+                ball[b] = search_.member.ball[present[b] ? at[b] : 0];
+            }
             for (uint32_t g = from; g < to; ++g) {
-                const bool passes = at < last && ballsTouch(own_[g].ball, ball);
-                const unsigned chosen = __ballot_sync(kAll, passes);
-                if (passes) memory_.queue[queued_ + __popc(chosen & ((1u << lane_) - 1))] = {at, g, which};
-                queued_ += __popc(chosen);
-                if (queued_ > WarpMemory<kGroup, Real>::kQueue - 32) drain();
+                const Vec4<Real> own_ball = own_[g].ball;
+#pragma unroll
+                for (uint32_t b = 0; b < kAtOnce; ++b)
+                    queueUp(present[b] && ballsTouch(own_ball, ball[b]), at[b], row[b] * kGroup + g);
+                if (queued_ > 32) drain();
             }
         }
+    }
+    __device__ __forceinline__ void queueUp(bool passes, uint32_t at, uint32_t row_and_group) {
+        const unsigned chosen = __ballot_sync(kAll, passes);
+        if (passes) memory_.queue[queued_ + __popc(chosen & ((1u << lane_) - 1))] = {at, row_and_group};
+        queued_ += __popc(chosen);
     }
     __device__ void drain() {
         __syncwarp();
@@ -110,25 +150,33 @@ class WarpSearch {
         queued_ = 0;
         __syncwarp();
     }
-    __device__ void lookAt(const typename WarpMemory<kGroup, Real>::Candidate& candidate) const {
-        const uint32_t at = candidate.at, g = candidate.group, j = search_.member.id[at];
+    __device__ __forceinline__ void lookAt(
+        const typename WarpMemory<kGroup, Real>::Candidate& candidate) const {
+        const uint32_t g = candidate.row_and_group % kGroup, row = candidate.row_and_group / kGroup;
         const GridMember<Real>& own = own_[g];
-        if (!isInRow(own, at, candidate.which) || !search_.meetsMember(own, at) || hasRecord(g, j)) return;
-        append(g, j);
-        if (candidate.which == kCellRows && !isApart()) drafts_.putApart(j, at - search_.members(), own.id);
+        const GridMember<Real> other = search_.member[candidate.at];  // all of it at the same time
+        if (!isInRow(own, other.key, row) || !search_.meets(own, other) || hasRecord(g, other.id)) return;
+        append(g, other.id);
+        if (row == kCellRows && !isApart())
+            drafts_.putApart(other.id, candidate.at - search_.members(), own.id);
     }
     /// Row kCellRows: all those set apart.
-    __device__ bool isInRow(const GridMember<Real>& own, uint32_t at, uint32_t which) const {
-        const GridCell centre = cellOf(own.key), cell = cellOf(search_.member.key[at]);
+    __device__ bool isInRow(const GridMember<Real>& own, uint64_t key, uint32_t which) const {
+        const GridCell centre = cellOf(own.key), cell = cellOf(key);
         return which == kCellRows || (cell.y == centre.y + static_cast<int32_t>(which % 3) - 1 &&
                                       cell.z == centre.z + static_cast<int32_t>(which / 3) - 1);
     }
-    __device__ bool isApart() const { return first_ >= search_.members(); }
+    __device__ bool isApart() const {
+        return first_ >= search_.members();
+    }
     __device__ bool hasRecord(uint32_t g, uint32_t j) const {
         const uint32_t count = memory_.record_count[g];
         if (count > kRecordsAtHand) return search_.hasBondRecord(own_[g].id, j);
         bool found = false;
-        for (uint32_t k = 0; k < count; ++k) found = found || memory_.records[g][k] == j;
+        for (uint32_t k = 0; 4 * k < count; ++k) {
+            const uint4 four = memory_.records[g][k];
+            found = found || four.x == j || four.y == j || four.z == j || four.w == j;
+        }
         return found;
     }
     __device__ void append(uint32_t g, uint32_t j) const {
@@ -180,7 +228,7 @@ __global__ void __launch_bounds__(kSearchBlock)
     if (first >= end) return;
     const uint32_t count = end - first < kGroup ? end - first : kGroup;
     WarpSearch<kGroup, Real> own(search, drafts, first, count, lane, memory[threadIdx.x / 32]);
-    apart ? own.runApart() : own.run();
+    own.run();
     own.finish(projectiles);
 }
 

@@ -95,11 +95,17 @@ struct MeetingsIn {
     }
 };
 
-/// Threads that share a particle's rows where they are visited on a GPU: there are too few particles to hide
-/// the way to memory, and whatever is found is joined or marked in any order.
-inline constexpr uint32_t kMeetingThreads = 8;
-/// The same once it is known who has no meetings.
-inline constexpr uint32_t kLaterThreads = 4;
+/// Threads that share a particle's rows where they are visited: on a GPU there are too few particles to hide
+/// the way to memory, and whatever is found is joined or marked in any order. kLater: once it is known who
+/// has no meetings.
+template <uint32_t kFirstThreads, uint32_t kLaterThreads>
+struct MeetingThreads {
+    static constexpr uint32_t kFirst = kFirstThreads, kLater = kLaterThreads;
+};
+using ThreadsOfFew = MeetingThreads<32, 16>;
+using ThreadsOfMany = MeetingThreads<8, 4>;
+/// Particles up to which they are few.
+inline constexpr uint32_t kFewToDecide = 16'384;
 
 /// One thread a slot. Also clears what later kernels of a decision add to.
 struct StartIslands {
@@ -163,6 +169,12 @@ struct HitRules {
 DEM_FN void raise(uint32_t& word) {
     if (atomicLoadU32(&word) == 0) atomicOrU32(&word, 1u);
 }
+/// Reads both at the same time.
+DEM_FN void raise(uint32_t& a, uint32_t& b) {
+    const uint32_t raised_a = atomicLoadU32(&a), raised_b = atomicLoadU32(&b);
+    if (raised_a == 0) atomicOrU32(&a, 1u);
+    if (raised_b == 0) atomicOrU32(&b, 1u);
+}
 
 /// kThreads threads a particle or projectile slot.
 template <uint32_t kThreads, class Real>
@@ -178,8 +190,7 @@ struct JoinIslands {
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
         meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j) {
-            raise(meets[i]);
-            raise(meets[j]);
+            raise(meets[i], meets[j]);
             if (!rules.mayWait(i, j))
                 join(island, own, meetings.label[j]);
             else

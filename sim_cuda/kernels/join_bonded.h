@@ -33,9 +33,12 @@ DEM_FN uint32_t rootOf(const Span<uint32_t>& label, uint32_t i) {
 }
 
 /// Hangs the higher root under the lower one; whatever another thread had hung there meanwhile is joined too.
+/// Most pairs hang under the same one already, which two reads at the same time tell.
 DEM_FN void join(const Span<uint32_t>& label, uint32_t a, uint32_t b) {
-    a = rootOf(label, a);
-    b = rootOf(label, b);
+    const uint32_t above_a = atomicLoadU32(&label[a]), above_b = atomicLoadU32(&label[b]);
+    if (above_a == above_b) return;
+    a = rootOf(label, above_a);
+    b = rootOf(label, above_b);
     while (a != b) {
         const uint32_t high = a < b ? b : a, low = a < b ? a : b;
         const uint32_t before = atomicMinU32(&label[high], low);
@@ -45,14 +48,16 @@ DEM_FN void join(const Span<uint32_t>& label, uint32_t a, uint32_t b) {
     }
 }
 
-/// One thread a particle; each bond once, from its lower end.
+/// kThreads threads a particle; each bond once, from its lower end.
+template <uint32_t kThreads>
 struct JoinBonded {
     Span<const uint32_t> bond_row;
     Span<const BondLink> link;
     Span<uint32_t> label;
 
-    DEM_FN void operator()(uint32_t i) const {
-        for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot) {
+    DEM_FN void operator()(uint32_t k) const {
+        const uint32_t i = k / kThreads;
+        for (uint32_t slot = bond_row[i] + k % kThreads; slot < bond_row[i + 1]; slot += kThreads) {
             const uint32_t j = linkedParticle(link[slot]);
             if (j > i && isBonded(link[slot])) join(label, i, j);
         }

@@ -72,8 +72,8 @@ struct ListStrayed {
     }
 };
 
-/// One thread a particle or projectile slot, which looks at all the strayed.
-template <class Real>
+/// kThreads threads a particle or projectile slot, which look at all the strayed.
+template <uint32_t kThreads, class Real>
 struct SeeStrayed {
     PathsNow<Real> paths;
     BondRowsIn<Real> bonds;
@@ -89,11 +89,11 @@ struct SeeStrayed {
     Span<uint64_t> lacking;  ///< entries of NewEntries
     Span<uint32_t> words;    ///< kStrayWords
 
-    DEM_FN void operator()(uint32_t j) const {
-        const uint32_t count = words[kStrayedCount];
+    DEM_FN void operator()(uint32_t thread) const {
+        const uint32_t count = words[kStrayedCount], j = thread / kThreads;
         if (count == 0 || count > kMostStrayed || !takesPart(j) || isEnclosed(j)) return;
         const PathFromHere<Real> other = paths.now(j);
-        for (uint32_t k = 0; k < count; ++k) {
+        for (uint32_t k = thread % kThreads; k < count; k += kThreads) {
             const uint32_t i = strayed[k];
             if (i == j)
                 seePlanes(i);

@@ -48,7 +48,9 @@ void Clustering<Backend>::update(Span<const uint32_t> bond_row, Span<const BondL
     const Span<uint32_t> label = label_.span();
     backend_.forEach(counts_.total, StartLabels{bond_row, link, label, counts_.in_bodies}, "start labels");
     backend_.forEach(counts_.in_bodies, FlattenLabels{label}, "flatten labels");
-    backend_.forEach(counts_.in_bodies, JoinBonded{bond_row, link, label}, "join bonded");
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 4 : 1;
+    backend_.forEach(size_t{counts_.in_bodies} * kThreads, JoinBonded<kThreads>{bond_row, link, label},
+                     "join bonded");
     backend_.forEach(counts_.in_bodies, FlattenLabels{label}, "flatten labels");
     backend_.orderByKey(label_.view().part(0, counts_.in_bodies), order_.span());
     backend_.fill(size_.span(), 0u);

@@ -20,14 +20,15 @@ void DeviceSolver<Backend, Real>::followStrayed(uint32_t next) {
                                static_cast<Real>(elapsed), static_cast<Real>(stretch)};
     backend_.forEach(tables_.counts.total, ListStrayed<Real>{paths, strayed_.span(), stray_words_.span()},
                      "list the strayed");
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 8 : 1;
     backend_.forEach(
-        tables_.counts.total,
-        SeeStrayed<Real>{paths, data_.bonds.in(), contacts.in(), lists_.buried(), clusters_.fragment(),
-                         regimes_.on() ? regimes_.regime() : Span<const uint32_t>{},
-                         data_.particles.constants.view(), params_.planes,
-                         static_cast<Real>(lists_.horizon() - elapsed),
-                         static_cast<Real>(regimes_.gentlestHit()), tables_.counts.in_bodies, strayed_.view(),
-                         lacking_.span(), stray_words_.span()},
+        size_t{tables_.counts.total} * kThreads,
+        SeeStrayed<kThreads, Real>{
+            paths, data_.bonds.in(), contacts.in(), lists_.buried(), clusters_.fragment(),
+            regimes_.on() ? regimes_.regime() : Span<const uint32_t>{}, data_.particles.constants.view(),
+            params_.planes, static_cast<Real>(lists_.horizon() - elapsed),
+            static_cast<Real>(regimes_.gentlestHit()), tables_.counts.in_bodies, strayed_.view(),
+            lacking_.span(), stray_words_.span()},
         "see the strayed");
     backend_.forEach(kMostStrayed,
                      RestartStrayed<Real>{paths, strayed_.view(), stray_words_.view(),

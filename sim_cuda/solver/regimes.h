@@ -108,8 +108,16 @@ class Regimes {
                   const StepParams<Real>& params, bool frame_starts);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
 
-    static constexpr uint32_t kThreads = Backend::kOnGpu ? kMeetingThreads : 1,
-                              kLater = Backend::kOnGpu ? kLaterThreads : 1;
+    /// visit(MeetingThreads)
+    template <class Visit>
+    void withThreads(const Visit& visit) const {
+        if constexpr (!Backend::kOnGpu)
+            visit(MeetingThreads<1, 1>{});
+        else if (counts_of_.total <= kFewToDecide)
+            visit(ThreadsOfFew{});
+        else
+            visit(ThreadsOfMany{});
+    }
 
     Backend& backend_;
     ParticleCounts counts_of_;
@@ -227,10 +235,13 @@ bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLis
     if (counts_[kAsleepCount] == 0) return false;
     const Span<uint32_t> word = flags_.span().part(0, 1);
     backend_.fill(word, 0u);
-    backend_.forEach(
-        size_t{counts_of_.total} * kThreads,
-        SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, soon), regime_.view(), word},
-        "see sleepers");
+    withThreads([&](auto threads) {
+        constexpr uint32_t kThreads = decltype(threads)::kFirst;
+        backend_.forEach(
+            size_t{counts_of_.total} * kThreads,
+            SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, soon), regime_.view(), word},
+            "see sleepers");
+    });
     reader_.start(backend_, word);
     return reader_.wait()[0] != 0;
 }
@@ -266,14 +277,17 @@ void Regimes<Backend, Real>::chooseRegimes(const MeetingsIn<Real>& meetings, con
                      StartIslands{island_.span(), flags_.span(), meets_.span(), marks.part(0, total),
                                   marks.part(3 * size_t{total}, total), words_.span(), body_awake_.span()},
                      "start islands");
-    backend_.forEach(size_t{total} * kThreads,
-                     JoinIslands<kThreads, Real>{hits, island_.span(), meets_.span(), words_.span()},
-                     "join islands");
-    backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-    const FlagIslands<kLater, Real> flag{hits,          island_.view(), meets_.view(),
-                                         clock_.view(), params.planes,  params.gravity,
-                                         rules,         flags_.span(),  words_.span()};
-    backend_.forEach(size_t{total} * kLater, flag, "flag islands");
+    withThreads([&](auto threads) {
+        constexpr uint32_t kFirst = decltype(threads)::kFirst, kLater = decltype(threads)::kLater;
+        backend_.forEach(size_t{total} * kFirst,
+                         JoinIslands<kFirst, Real>{hits, island_.span(), meets_.span(), words_.span()},
+                         "join islands");
+        backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
+        const FlagIslands<kLater, Real> flag{hits,          island_.view(), meets_.view(),
+                                             clock_.view(), params.planes,  params.gravity,
+                                             rules,         flags_.span(),  words_.span()};
+        backend_.forEach(size_t{total} * kLater, flag, "flag islands");
+    });
     backend_.forEach(
         total,
         ChooseRegimes<Real>{meetings.label, island_.view(), flags_.view(), meetings.constants, rules,
@@ -310,13 +324,16 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const uint32_t total = counts_of_.total;
     const PlacesIn places{rows, counts_of_.in_bodies, total};
     const Span<uint32_t> marks = marks_.span();
-    backend_.forEach(
-        size_t{total} * kLater,
-        MarkWork<kLater, Real>{meetings, places, regime_.view(),
-                               frame_starts ? Span<const uint32_t>{} : meets_.view(), params.planes,
-                               marks.part(0, total), marks.part(total, total),
-                               marks.part(2 * size_t{total}, total), marks.part(3 * size_t{total}, total)},
-        "mark work");
+    withThreads([&](auto threads) {
+        constexpr uint32_t kLater = decltype(threads)::kLater;
+        backend_.forEach(size_t{total} * kLater,
+                         MarkWork<kLater, Real>{meetings, places, regime_.view(),
+                                                frame_starts ? Span<const uint32_t>{} : meets_.view(),
+                                                params.planes, marks.part(0, total), marks.part(total, total),
+                                                marks.part(2 * size_t{total}, total),
+                                                marks.part(3 * size_t{total}, total)},
+                         "mark work");
+    });
     backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
     const WriteWork<Real> write{places,
                                 meetings.label,
