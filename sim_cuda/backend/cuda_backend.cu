@@ -65,22 +65,34 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
 
 namespace {
 
+/// Bytes that a block copies: some 16 by each thread.
+constexpr size_t kCopiedAtOnce = 4, kBlockBytes = kCopiedAtOnce * kCudaBlock * sizeof(uint4);
+
 struct CopyRanges {
     static constexpr uint32_t kMost = 24;
     CopyRange range[kMost];
+    uint32_t blocks_to[kMost];  ///< of this range and those before
 };
 
-/// Row y of the grid copies range y, 16 bytes at a time.
 __global__ void __launch_bounds__(kCudaBlock) copyRanges(const CopyRanges ranges) {
     letNextStart();
-    awaitPrevious();
-    const CopyRange range = ranges.range[blockIdx.y];
-    const size_t wide = range.bytes / sizeof(uint4), thread = blockIdx.x * kCudaBlock + threadIdx.x;
+    uint32_t which = 0;
+    while (blockIdx.x >= ranges.blocks_to[which]) ++which;
+    const CopyRange range = ranges.range[which];
+    const size_t first = (blockIdx.x - (which > 0 ? ranges.blocks_to[which - 1] : 0)) * kBlockBytes;
+    const size_t wide = range.bytes / sizeof(uint4), thread = first / sizeof(uint4) + threadIdx.x;
     const auto* from = reinterpret_cast<const uint4*>(range.from);
     auto* to = reinterpret_cast<uint4*>(range.to);
-    for (size_t i = thread; i < wide; i += gridDim.x * kCudaBlock) to[i] = from[i];
-    for (size_t i = wide * sizeof(uint4) + thread; i < range.bytes; i += gridDim.x * kCudaBlock)
-        range.to[i] = range.from[i];
+    awaitPrevious();
+    uint4 held[kCopiedAtOnce];
+#pragma unroll
+    for (size_t k = 0; k < kCopiedAtOnce; ++k)
+        if (thread + k * kCudaBlock < wide) held[k] = from[thread + k * kCudaBlock];
+#pragma unroll
+    for (size_t k = 0; k < kCopiedAtOnce; ++k)
+        if (thread + k * kCudaBlock < wide) to[thread + k * kCudaBlock] = held[k];
+    const size_t rest = wide * sizeof(uint4) + threadIdx.x;
+    if (rest >= first && rest < first + kBlockBytes && rest < range.bytes) range.to[rest] = range.from[rest];
 }
 
 }  // namespace
@@ -89,15 +101,14 @@ void CudaBackend::copyAll(const std::vector<CopyRange>& ranges) {
     for (size_t first = 0; first < ranges.size(); first += CopyRanges::kMost) {
         const size_t count = std::min<size_t>(CopyRanges::kMost, ranges.size() - first);
         CopyRanges part;
-        size_t longest = 1;
+        size_t blocks = 0;
         for (size_t k = 0; k < count; ++k) {
             part.range[k] = ranges[first + k];
-            longest = std::max(longest, part.range[k].bytes / sizeof(uint4));
+            blocks += (part.range[k].bytes + kBlockBytes - 1) / kBlockBytes;
+            part.blocks_to[k] = static_cast<uint32_t>(blocks);
         }
-        const size_t blocks = std::min<size_t>((longest + kCudaBlock - 1) / kCudaBlock,
-                                               8 * static_cast<size_t>(multiprocessors_));
-        const dim3 grid(static_cast<unsigned>(blocks), static_cast<unsigned>(count));
-        launch(true, copyRanges, grid, kCudaBlock, "copying memory", part);
+        if (blocks > 0)
+            launch(true, copyRanges, static_cast<unsigned>(blocks), kCudaBlock, "copying memory", part);
     }
 }
 

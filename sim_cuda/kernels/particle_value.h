@@ -4,13 +4,18 @@
 
 namespace demolish {
 
+/// Every `of`-th slot of a row from slot `number` on.
+struct RowPart {
+    uint32_t number = 0, of = 1;
+};
+
 /// (E2) over strength of a particle's worst solid bond, 0..1; what a stress colour shows. Of the bonds to
 /// particles from `least` on: it is the same at both ends.
 template <class Real>
 DEM_FN Real worstStressRatio(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own,
-                             uint32_t least = 0) {
+                             uint32_t least = 0, RowPart part = {}) {
     Real worst = Real(0);
-    for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s) {
+    for (uint32_t s = arrays.bond_row[own.id] + part.number; s < arrays.bond_row[own.id + 1]; s += part.of) {
         const BondLink link = arrays.link[s];
         if (!isBonded(link) || linkedParticle(link) < least) continue;
         const BondConstants<Real> bond =

@@ -20,18 +20,24 @@ struct FrameSums {
     }
 };
 
-template <class Real>
+/// kThreads threads a particle or projectile slot.
+template <uint32_t kThreads, class Real>
 struct SumFrame {
     SubstepArrays<Real> arrays;  ///< only read
     uint32_t in_bodies = 0;
 
-    DEM_FN FrameSums operator()(uint32_t i) const {
-        const Vec4<Real> ledger = arrays.ledger[i];
-        FrameSums sums{static_cast<double>(ledger.x), static_cast<double>(ledger.y),
-                       static_cast<double>(ledger.z)};
+    DEM_FN FrameSums operator()(uint32_t thread) const {
+        const uint32_t i = thread / kThreads;
+        const RowPart part{thread % kThreads, kThreads};
+        FrameSums sums;
+        if (part.number == 0) {
+            const Vec4<Real> ledger = arrays.ledger[i];
+            sums = {static_cast<double>(ledger.x), static_cast<double>(ledger.y),
+                    static_cast<double>(ledger.z)};
+        }
         if (i >= in_bodies) return sums;
-        sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i));
-        for (uint32_t slot = arrays.bond_row[i]; slot < arrays.bond_row[i + 1]; ++slot)
+        sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i, part));
+        for (uint32_t slot = arrays.bond_row[i] + part.number; slot < arrays.bond_row[i + 1]; slot += part.of)
             if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) {
                 ++sums.broken;
                 if (pairState(arrays.link[slot]) == PairState::kContact) ++sums.parted;

@@ -10,9 +10,10 @@ namespace demolish {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::collectFrame(uint32_t substeps) {
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 4 : 1;
     const FrameSums sums =
-        backend_.reduce(tables_.counts.total, FrameSums{},
-                        SumFrame<Real>{data_.arrays(lists_.contacts()), tables_.counts.in_bodies},
+        backend_.reduce(size_t{tables_.counts.total} * kThreads, FrameSums{},
+                        SumFrame<kThreads, Real>{data_.arrays(lists_.contacts()), tables_.counts.in_bodies},
                         SumInto<FrameSums>{}, "sum the frame");
     if (setup_.params.ledger) {
         progress_.energy.damping += sums.damping;

@@ -6,6 +6,7 @@
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/kernels/book_softening.h"
+#include "sim_cuda/kernels/in_turn.h"
 #include "sim_cuda/kernels/look_at_state.h"
 #include "sim_cuda/kernels/strayed_paths.h"
 #include "sim_cuda/solver/device_solver.h"
