@@ -19,6 +19,7 @@ Json rowJson(const PhaseSummary& row, size_t bodies) {
         json[key] = known ? Json(value) : Json(nullptr);
     };
     add("fps_median", t.fps_median, timed);
+    add("fps_mean", t.fps_mean, timed);
     add("paper_fps", row.phase.paper_fps, row.phase.paper_fps > 0);
     add("ratio", row.ratio(), timed && row.phase.paper_fps > 0);
     add("fps_p1", t.fps_p1, timed);
@@ -48,10 +49,12 @@ std::string speedLine(const PhaseSummary& row) {
     const std::string paper = in_paper ? formatted("%.0f", row.phase.paper_fps) : "-";
     const std::string name = formatted("  %-16s", row.phase.name.c_str());
     if (t.frames == 0)
-        return name + formatted(" %6d %9s %8s %7s %8s %8s %8s\n", 0, "-", paper.c_str(), "-", "-", "-", "-");
+        return name + formatted(" %6d %9s %8s %8s %7s %8s %8s %8s\n", 0, "-", "-", paper.c_str(), "-", "-",
+                                "-", "-");
     const std::string ratio = in_paper ? formatted("%.2f", row.ratio()) : "-";
-    return name + formatted(" %6zu %9.1f %8s %7s %8.1f %8.2f %8.2f\n", t.frames, t.fps_median, paper.c_str(),
-                            ratio.c_str(), t.fps_p1, t.frame_ms_p99, t.frame_ms_worst);
+    return name + formatted(" %6zu %9.1f %8.1f %8s %7s %8.1f %8.2f %8.2f\n", t.frames, t.fps_median,
+                            t.fps_mean, paper.c_str(), ratio.c_str(), t.fps_p1, t.frame_ms_p99,
+                            t.frame_ms_worst);
 }
 
 std::string stageLine(const PhaseSummary& row, size_t bodies) {
@@ -73,10 +76,10 @@ std::string numberText(const Json& value) {
 }  // namespace
 
 std::string phaseTable(std::span<const PhaseSummary> rows, size_t bodies) {
-    std::string table = formatted("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "", "", "FPS", "paper's", "", "p1",
-                                  "p99", "worst") +
-                        formatted("  %-16s %6s %9s %8s %7s %8s %8s %8s\n", "phase", "frames", "median", "FPS",
-                                  "ratio", "FPS", "ms", "ms");
+    constexpr const char* kHeading = "  %-16s %6s %9s %8s %8s %7s %8s %8s %8s\n";
+    std::string table =
+        formatted(kHeading, "", "", "FPS", "FPS", "paper's", "", "p1", "p99", "worst") +
+        formatted(kHeading, "phase", "frames", "median", "mean", "FPS", "ratio", "FPS", "ms", "ms");
     for (const auto& row : rows) table += speedLine(row);
     table += formatted("\n  %-16s %7s %8s %6s %6s %8s  %17s %8s %9s %9s\n", "", "sim", "transfer", "draw",
                        "rest", "", "awake", "awake", "", "") +
@@ -85,7 +88,10 @@ std::string phaseTable(std::span<const PhaseSummary> rows, size_t bodies) {
     for (const auto& row : rows) table += stageLine(row, bodies);
     return table +
            "  Medians of the row's frames; fragments and triangles: the most. A particle is awake that costs "
-           "anything.\n";
+           "anything.\n"
+           "  While it breaks: from the first frame in which bonds break to the last; breaking: those in "
+           "which "
+           "they do.\n";
 }
 
 Json phaseJson(std::span<const PhaseSummary> rows, size_t bodies) {

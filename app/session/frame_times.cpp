@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace demolish {
 namespace {
@@ -49,6 +50,7 @@ FrameSummary summarise(std::span<const FrameSample> samples) {
     summary.frame_ms_p99 = quantile(frame, 0.99);
     summary.frame_ms_worst = quantile(frame, 1);
     summary.fps_median = rate(summary.frame_ms_median);
+    summary.fps_mean = static_cast<double>(frame.size()) * rate(std::reduce(frame.begin(), frame.end()));
     summary.fps_p1 = rate(summary.frame_ms_p99);
     summary.fps_p99 = rate(quantile(frame, 0.01));
     summary.sim_ms = median([](const auto& s) { return s.sim_ms; });
@@ -88,8 +90,19 @@ std::vector<PhaseSummary> summarisePhases(std::span<const FrameSample> samples,
         addRow(phase, [&](const FrameSample& sample) { return endsIn(phase, sample.stats.time); });
     const double first = samples.empty() ? 0 : samples.front().stats.time;
     const double last = samples.empty() ? 0 : samples.back().stats.time;
-    addRow({kBreakingRow, first, last, 0},
-           [](const FrameSample& sample) { return sample.stats.fracture_changed; });
+    const auto breaks = [](const FrameSample& sample) { return sample.stats.fracture_changed; };
+    const auto first_break = std::find_if(samples.begin(), samples.end(), breaks);
+    const auto last_break = std::find_if(samples.rbegin(), samples.rend(), breaks);
+    Phase breaking{kWhileItBreaksRow, first, last, 0};
+    if (first_break != samples.end()) {
+        breaking.from = first_break->stats.time;
+        breaking.to = last_break->stats.time;
+    }
+    addRow(breaking, [&](const FrameSample& sample) {
+        return first_break != samples.end() && sample.stats.time >= breaking.from &&
+               sample.stats.time <= breaking.to;
+    });
+    addRow({kBreakingRow, first, last, 0}, breaks);
     addRow({kAllFramesRow, first, last, 0}, [](const FrameSample&) { return true; });
     return rows;
 }

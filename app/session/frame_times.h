@@ -32,6 +32,7 @@ double quantile(std::vector<double> values, double fraction);
 struct FrameSummary {
     size_t frames = 0;
     double fps_median = 0;  ///< 1 / median frame time
+    double fps_mean = 0;    ///< frames over the time that all of them took
     double fps_p1 = 0;      ///< 99 % of the frames are at least this fast: 1 / p99 of the frame time
     double fps_p99 = 0;     ///< 1 / p1 of the frame time
     double frame_ms_median = 0, frame_ms_p99 = 0, frame_ms_worst = 0;
@@ -57,11 +58,12 @@ struct PhaseSummary {
     double ratio() const { return phase.paper_fps > 0 ? times.fps_median / phase.paper_fps : 0; }
 };
 
+inline constexpr const char* kWhileItBreaksRow = "while it breaks";
 inline constexpr const char* kBreakingRow = "breaking";
 inline constexpr const char* kAllFramesRow = "all frames";
 
-/// A row for each phase, then kBreakingRow (the frames in which bonds broke, so that no median hides them)
-/// and kAllFramesRow.
+/// A row for each phase, then kWhileItBreaksRow (from the first frame in which bonds broke to the last),
+/// kBreakingRow (those in which bonds broke, so that no median hides them) and kAllFramesRow.
 std::vector<PhaseSummary> summarisePhases(std::span<const FrameSample> samples,
                                           std::span<const Phase> phases);
 

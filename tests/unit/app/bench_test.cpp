@@ -54,7 +54,7 @@ TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
     EXPECT_EQ(json["frames"], 12) << "to the end of the last phase";
     EXPECT_NEAR(json["frame_seconds"].get<double>(), 1.0 / 60, 1e-6) << "no frame simulates less";
     const auto& rows = json["phases"];
-    ASSERT_EQ(rows.size(), 4u);
+    ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(rows[0]["phase"], "whole");
     EXPECT_EQ(rows[0]["frames"], 3);
     EXPECT_EQ(rows[0]["paper_fps"], 280);
@@ -63,13 +63,15 @@ TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
     EXPECT_EQ(rows[1]["phase"], "all broken");
     EXPECT_EQ(rows[1]["frames"], 9);
     EXPECT_GT(rows[1]["fragments"].get<int>(), 1);
-    EXPECT_EQ(rows[2]["phase"], "breaking");
-    EXPECT_GT(rows[2]["frames"].get<int>(), 0);
-    EXPECT_LT(rows[2]["frames"].get<int>(), 12);
-    EXPECT_EQ(rows[3]["frames"], 12);
-    EXPECT_EQ(rows[3]["particles"], 150);
-    EXPECT_GT(rows[3]["sim_ms"].get<double>(), 0);
-    EXPECT_EQ(rows[3]["draw_ms"], 0);
+    EXPECT_EQ(rows[2]["phase"], "while it breaks");
+    EXPECT_GE(rows[2]["frames"].get<int>(), rows[3]["frames"].get<int>());
+    EXPECT_EQ(rows[3]["phase"], "breaking");
+    EXPECT_GT(rows[3]["frames"].get<int>(), 0);
+    EXPECT_LT(rows[3]["frames"].get<int>(), 12);
+    EXPECT_EQ(rows[4]["frames"], 12);
+    EXPECT_EQ(rows[4]["particles"], 150);
+    EXPECT_GT(rows[4]["sim_ms"].get<double>(), 0);
+    EXPECT_EQ(rows[4]["draw_ms"], 0);
     EXPECT_THAT(run.out,
                 testing::AllOf(HasSubstr("all broken"), HasSubstr("breaking"), HasSubstr("paper's")));
     const std::string lines = readText(csv);
@@ -123,7 +125,7 @@ TEST_F(Bench, StepTransferAndDrawAreInTheFrame) {
     const auto json = read();
     EXPECT_EQ(json["width"], 160);
     EXPECT_EQ(json["transfer"], "host");
-    const auto& all = json["phases"][3];
+    const auto& all = json["phases"].back();
     for (const char* stage : {"sim_ms", "transfer_ms", "draw_ms"}) {
         EXPECT_GT(all[stage].get<double>(), 0) << stage;
         EXPECT_LT(all[stage].get<double>(), all["frame_ms_worst"].get<double>()) << stage;

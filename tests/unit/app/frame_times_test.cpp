@@ -98,7 +98,7 @@ std::vector<FrameSample> breakingShot() {
 TEST(FrameTimes, EveryFrameBelongsToThePhaseInWhichItEnds) {
     const std::vector<Phase> phases{{"whole", 0, 4.0 / 60, 280}, {"all broken", 4.0 / 60, 10.0 / 60, 155}};
     const auto rows = summarisePhases(breakingShot(), phases);
-    ASSERT_EQ(rows.size(), 4u);
+    ASSERT_EQ(rows.size(), 5u);
     EXPECT_EQ(rows[0].phase.name, "whole");
     EXPECT_EQ(rows[0].times.frames, 4u) << "a sum of sixtieths must not fall beside the border";
     EXPECT_DOUBLE_EQ(rows[0].times.fps_median, 1000);
@@ -111,13 +111,26 @@ TEST(FrameTimes, EveryFrameBelongsToThePhaseInWhichItEnds) {
 
 TEST(FrameTimes, TheFramesInWhichBondsBreakHaveARowOfTheirOwn) {
     const auto rows = summarisePhases(breakingShot(), {});
-    ASSERT_EQ(rows.size(), 2u);
-    EXPECT_EQ(rows[0].phase.name, kBreakingRow);
-    EXPECT_EQ(rows[0].times.frames, 1u);
-    EXPECT_DOUBLE_EQ(rows[0].times.frame_ms_median, 100);
-    EXPECT_EQ(rows[0].ratio(), 0) << "the paper has no number for it";
-    EXPECT_EQ(rows[1].phase.name, kAllFramesRow);
-    EXPECT_EQ(rows[1].times.frames, 10u);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[1].phase.name, kBreakingRow);
+    EXPECT_EQ(rows[1].times.frames, 1u);
+    EXPECT_DOUBLE_EQ(rows[1].times.frame_ms_median, 100);
+    EXPECT_EQ(rows[1].ratio(), 0) << "the paper has no number for it";
+    EXPECT_EQ(rows[2].phase.name, kAllFramesRow);
+    EXPECT_EQ(rows[2].times.frames, 10u);
+}
+
+TEST(FrameTimes, WhileItBreaksIsFromTheFirstBreakToTheLast) {
+    auto samples = breakingShot();
+    samples[7].stats.fracture_changed = true;
+    const auto rows = summarisePhases(samples, {});
+    EXPECT_EQ(rows[0].phase.name, kWhileItBreaksRow);
+    EXPECT_EQ(rows[0].times.frames, 4u) << "those between two breaks too";
+    EXPECT_DOUBLE_EQ(rows[0].times.fps_mean, 4 / 0.115) << "over all their time, the slow one's too";
+    EXPECT_DOUBLE_EQ(rows[0].phase.from, samples[4].stats.time);
+    EXPECT_DOUBLE_EQ(rows[0].phase.to, samples[7].stats.time);
+    samples[4].stats.fracture_changed = samples[7].stats.fracture_changed = false;
+    EXPECT_EQ(summarisePhases(samples, {})[0].times.frames, 0u);
 }
 
 TEST(FrameTimes, APhaseWithoutFramesHasNoSpeed) {
