@@ -75,7 +75,7 @@ TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
     EXPECT_THAT(run.out,
                 testing::AllOf(HasSubstr("all broken"), HasSubstr("breaking"), HasSubstr("paper's")));
     const std::string lines = readText(csv);
-    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 5);
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 6);
     EXPECT_THAT(readText(curve), testing::AllOf(HasSubstr("<svg"), HasSubstr(">all broken<")));
 }
 
