@@ -12,7 +12,7 @@
 namespace demolish {
 namespace {
 
-constexpr std::array<uint32_t, 5> kGpuSizes{2'000, 10'000, 50'000, 200'000, 1'000'000};
+constexpr std::array<uint32_t, 6> kGpuSizes{2'000, 10'000, 50'000, 100'000, 200'000, 1'000'000};
 constexpr size_t kCpuSizes = 2;  // of them
 constexpr int kRepeats = 5, kMostBreakingBatches = 40;
 constexpr double kFall = -4;  // m/s: shatters the weak block

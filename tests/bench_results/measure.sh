@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Measures everything that is kept in this folder: the four scenes, drawn, not drawn, drawn only and recorded as in the window, and
-# the substep alone.
+# Measures everything that is kept in this folder: the four scenes, drawn, not drawn, drawn only and recorded
+# as in the window, and the substep alone.
 #   tests/bench_results/measure.sh FOLDER [options of `demolish bench` for the scenes]
 # DEMOLISH names the program (default: ./demolish, which builds it first).
 set -euo pipefail
