@@ -75,11 +75,7 @@ struct NeighbourSearch {
         return {cellRow(wanted), bucket_start[bucket], bucket_start[end < buckets ? end : buckets],
                 end > buckets ? bucket_start[end - buckets] : 0};
     }
-    /// May `own` touch the member at `at`, by their paths alone?
-    DEM_FN bool meetsMember(const GridMember<Real>& own, uint32_t at) const {
-        return member.id[at] != own.id && mayMeet(own.position, own.velocity, member.position[at],
-                                                  member.velocity[at], frame[0].horizon);
-    }
+    /// May the two touch, by their paths alone?
     DEM_FN bool meets(const GridMember<Real>& own, const GridMember<Real>& other) const {
         return other.id != own.id &&
                mayMeet(own.position, own.velocity, other.position, other.velocity, frame[0].horizon);
@@ -90,7 +86,7 @@ struct NeighbourSearch {
     DEM_FN void visitMembers(const GridMember<Real>& own, const uint64_t* row, uint32_t first, uint32_t last,
                              Visit& visit) const {
         for (uint32_t at = first; at < last; ++at)
-            if (ballsTouch(own.ball, member.ball[at]) && meetsMember(own, at) &&
+            if (ballsTouch(own.ball, member.ball[at]) && meets(own, member[at]) &&
                 (row == nullptr || cellRow(member.key[at]) == *row) && !hasBondRecord(own.id, member.id[at]))
                 visit(at);
     }

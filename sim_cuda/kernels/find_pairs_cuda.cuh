@@ -15,7 +15,7 @@ inline constexpr uint32_t kRecordsAtHand = 32;
 /// What a warp keeps in shared memory for kGroup particles.
 template <uint32_t kGroup, class Real>
 struct WarpMemory {
-    /// 32 members of the grid are looked at by each lane of a warp at the same time, so many times at once.
+    /// Members that each lane asks for at once; room for those that pass, and for up to 32 that wait.
     static constexpr uint32_t kAtOnce = 3, kQueue = 32 * (kAtOnce + 1);
     struct Candidate {
         uint32_t at;  ///< place in the buckets
@@ -80,7 +80,6 @@ class WarpSearch {
 
   private:
     static constexpr unsigned kAll = 0xffffffffu;
-
     static constexpr uint32_t kNobody = 0xffffffffu;
 
     /// Of a lane: members first .. last - 1. Lanes 0 to 8 have the rows of cells, nine more what these have
