@@ -108,6 +108,8 @@ class Regimes {
                      bool frame_starts);
     void listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                   const StepParams<Real>& params, bool frame_starts);
+    /// What the steps go by from now on: the lists and their lengths as the host knows them.
+    void useLists(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings);
     void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
 
     /// visit(MeetingThreads)

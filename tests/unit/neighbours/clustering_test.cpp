@@ -101,6 +101,22 @@ TEST(Clustering, AgreesWithAFloodOnRandomDamageForOneAndTwoThreads) {
     }
 }
 
+TEST(Clustering, ThreadsThatShareAParticleJoinTheSame) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform;
+    BondedGrid grid(20, 20, 15);
+    grid.cut([&](const BondedGrid::Place&, const BondedGrid::Place&) { return uniform(random) < 0.7; });
+    CpuBackend backend;
+    const auto rows = backend.uploaded(grid.row_start);
+    const auto links = backend.uploaded(grid.link);
+    auto label = backend.allocate<uint32_t>(grid.count());
+    backend.forEach(grid.count(), StartLabels{rows.view(), links.view(), label.span(), grid.count()},
+                    "start");
+    backend.forEach(size_t{grid.count()} * 4, JoinBonded<4>{rows.view(), links.view(), label.span()}, "join");
+    backend.forEach(grid.count(), FlattenLabels{label.span()}, "flatten");
+    EXPECT_EQ(backend.downloaded(label.view()), floodLabels(grid));
+}
+
 TEST(Clustering, LongChainsInAwkwardOrder) {
     // A snake whose links join far ids: 0 - n-1 - 1 - n-2 - 2 ...
     const uint32_t n = 5001;

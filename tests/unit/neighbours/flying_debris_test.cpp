@@ -30,6 +30,33 @@ struct Flight {
         lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
         since_build = 0;
     }
+    template <uint32_t kThreads>
+    void see(const PathsNow<float>& paths, Span<const uint32_t> labels, Span<const uint32_t> strayed,
+             Span<uint64_t> lacking, Span<uint32_t> words) {
+        arrays.backend.forEach(cloud.items.size() * kThreads,
+                               SeeStrayed<kThreads, float>{paths,
+                                                           arrays.bonds.in(),
+                                                           lists.contacts().in(),
+                                                           lists.buried(),
+                                                           labels,
+                                                           {},
+                                                           arrays.particles.constants.view(),
+                                                           {},
+                                                           float(lists.horizon()) - since_build,
+                                                           1e9f,
+                                                           cloud.in_bodies,
+                                                           strayed,
+                                                           lacking,
+                                                           words},
+                               "see");
+    }
+    /// Entries may come in any order.
+    static std::vector<uint64_t> sorted(Span<const uint64_t> lacking, Span<const uint32_t> words) {
+        const size_t count = std::min<size_t>(words[kEntriesLacking], lacking.count);
+        std::vector<uint64_t> entries(&lacking[0], &lacking[0] + count);
+        std::sort(entries.begin(), entries.end());
+        return entries;
+    }
     /// False: the lists must be made again.
     bool follow(float lookahead) {
         auto strayed = arrays.backend.allocate<uint32_t>(kMostStrayed);
@@ -42,23 +69,13 @@ struct Flight {
         const PathsNow<float> paths{arrays.state(), contacts.paths(), since_build, lookahead};
         const size_t total = cloud.items.size();
         arrays.backend.forEach(total, ListStrayed<float>{paths, strayed.span(), words.span()}, "list");
-        const auto bonds = arrays.bonds.in();
-        arrays.backend.forEach(total,
-                               SeeStrayed<1, float>{paths,
-                                                    bonds,
-                                                    contacts.in(),
-                                                    lists.buried(),
-                                                    labels.view(),
-                                                    {},
-                                                    arrays.particles.constants.view(),
-                                                    {},
-                                                    float(lists.horizon()) - since_build,
-                                                    1e9f,
-                                                    cloud.in_bodies,
-                                                    strayed.view(),
-                                                    lacking.span(),
-                                                    words.span()},
-                               "see");
+        auto others_lacking = arrays.backend.allocate<uint64_t>(kMostInserted);
+        auto others_words = arrays.backend.uploaded(arrays.backend.downloaded(words.view()));
+        see<8>(paths, labels.view(), strayed.view(), others_lacking.span(), others_words.span());
+        see<1>(paths, labels.view(), strayed.view(), lacking.span(), words.span());
+        EXPECT_EQ(arrays.backend.downloaded(words.view()), arrays.backend.downloaded(others_words.view()));
+        EXPECT_EQ(sorted(lacking.view(), words.view()), sorted(others_lacking.view(), words.view()))
+            << "threads that share a particle see the same";
         arrays.backend.forEach(
             kMostStrayed,
             RestartStrayed<float>{paths, strayed.view(), words.view(), contacts.built_position.span(),

@@ -108,6 +108,7 @@ TEST(FlagIslands, AnyNumberOfThreadsAParticleFindsTheSame) {
         Crowd crowd(seed);
         const std::vector<uint32_t> by_one = crowd.flagged<1>();
         EXPECT_EQ(by_one, crowd.flagged<8>()) << "seed " << seed;
+        EXPECT_EQ(by_one, crowd.flagged<ThreadsOfFew::kFirst>()) << "seed " << seed;
         without_meetings += crowd.without_meetings;
         EXPECT_EQ(by_one, crowd.flagged<1>(true)) << "seed " << seed;
         later += by_one.back();
