@@ -159,6 +159,13 @@ class CpuBackend {
         result[0] = reduce(n, zero, map, fold, name);
     }
 
+    /// What a GPU does at the same time.
+    template <class Main, class Side>
+    void sideBySide(const Main& main, const Side& side) {
+        main();
+        side();
+    }
+
     void synchronize() {}
     std::string deviceName() const { return "CPU"; }
 

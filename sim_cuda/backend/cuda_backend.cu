@@ -31,14 +31,18 @@ CudaBackend::CudaBackend() {
     checkCuda(cudaGetDeviceProperties(&properties, device), "asking for the GPU's name");
     device_name_ = properties.name;
     multiprocessors_ = properties.multiProcessorCount;
-    checkCuda(cudaStreamCreate(&stream_), "making a stream");
+    for (cudaStream_t* stream : {&stream_, &side_stream_})
+        checkCuda(cudaStreamCreate(stream), "making a stream");
+    for (cudaEvent_t* event : {&forked_, &joined_})
+        checkCuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "making an event");
     few_words_ = std::make_unique<Reader>(*this);
 }
 
 CudaBackend::~CudaBackend() {
     few_words_.reset();  // it waits for the stream
     cudaStreamSynchronize(stream_);
-    cudaStreamDestroy(stream_);
+    for (cudaEvent_t event : {forked_, joined_}) cudaEventDestroy(event);
+    for (cudaStream_t stream : {stream_, side_stream_}) cudaStreamDestroy(stream);
 }
 
 void* CudaBackend::scratch(size_t bytes) {

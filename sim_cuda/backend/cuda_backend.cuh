@@ -150,7 +150,8 @@ class CudaBackend {
     template <class... Parameters, class... Arguments>
     void launch(bool follows, void (*kernel)(Parameters...), dim3 blocks, uint32_t threads, const char* name,
                 const Arguments&... arguments) {
-        const KernelOf<Parameters...> described(kernel, blocks, threads, follows);
+        const bool alone = list_ == nullptr && std::exchange(waits_for_side_, false);
+        const KernelOf<Parameters...> described(kernel, blocks, threads, follows && !alone);
         list_ != nullptr ? described.addTo(*list_, arguments...)
                          : described.launch(stream_, name, arguments...);
     }
@@ -163,6 +164,22 @@ class CudaBackend {
         } until{list_};
         list_ = &list;
         launches();
+    }
+
+    /// What main() starts and what side() starts, at the same time, after what was started before; what is
+    /// started later comes after both. Neither writes what the other one reads or writes.
+    template <class Main, class Side>
+    void sideBySide(const Main& main, const Side& side) {
+        checkCuda(cudaEventRecord(forked_, stream_), "starting work beside other work");
+        main();
+        checkCuda(cudaStreamWaitEvent(side_stream_, forked_), "starting work beside other work");
+        {
+            const OnSideStream on_side(*this);
+            side();
+        }
+        checkCuda(cudaEventRecord(joined_, side_stream_), "waiting for work beside other work");
+        checkCuda(cudaStreamWaitEvent(stream_, joined_), "waiting for work beside other work");
+        waits_for_side_ = true;
     }
 
     /// out[k] = in[0] + ... + in[k-1] for k = 0..n; out has n + 1 elements. `in` and `out` may be the same
@@ -269,8 +286,26 @@ class CudaBackend {
                static_cast<uint32_t>(n), zero, map, fold, partial);
     }
 
-    cudaStream_t stream_ = nullptr;
-    LaunchList* list_ = nullptr;  ///< where launches go while they are collected
+    /// What is started meanwhile goes to the other stream.
+    class OnSideStream {
+      public:
+        explicit OnSideStream(CudaBackend& backend) : backend_(backend) { exchange(); }
+        ~OnSideStream() { exchange(); }
+        OnSideStream(const OnSideStream&) = delete;
+        OnSideStream& operator=(const OnSideStream&) = delete;
+
+      private:
+        void exchange() {
+            std::swap(backend_.stream_, backend_.side_stream_);
+            backend_.waits_for_side_ = true;
+        }
+        CudaBackend& backend_;
+    };
+
+    cudaStream_t stream_ = nullptr, side_stream_ = nullptr;
+    cudaEvent_t forked_ = nullptr, joined_ = nullptr;
+    bool waits_for_side_ = false;  ///< the next launch waits for another stream, not only for the one before
+    LaunchList* list_ = nullptr;   ///< where launches go while they are collected
     std::string device_name_;
     int multiprocessors_ = 0;
     Buffer<unsigned char> scratch_;

@@ -101,19 +101,24 @@ struct CarriedTouches {
     }
 };
 
-/// Threads that share a particle of a rigid fragment while a substep is done beside it.
-inline constexpr uint32_t kThreadsBeside = 8;
+/// Particles up to which sixteen threads go through the rows of one, beside a substep or not.
+inline constexpr uint32_t kFewActive = 8192;
 
-/// The first substep after a contact step and the loads of the next one, side by side: the one writes the
-/// instant of the state that the other does not read.
-template <uint32_t T, bool kLedger, class Real>
+/// Threads that share a particle of a rigid fragment while a substep is done beside it.
+constexpr uint32_t threadsBeside(uint32_t active) {
+    return active <= kFewActive ? 16 : 8;
+}
+
+/// The first substep after a contact step, by T threads a particle, and the loads of the next one, by G, side
+/// by side: the one writes the instant of the state that the other does not read.
+template <uint32_t T, uint32_t G, bool kLedger, class Real>
 __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
     substepBesideLoadsKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params,
                              const RigidGather<Real> gather, uint32_t gather_blocks) {
     letNextStart();
     const uint32_t block = blockIdx.x;
     if (block >= kMaxProjectiles && block < kMaxProjectiles + gather_blocks)
-        return gatherRigidLoads<kThreadsBeside, kLedger>(gather, block - kMaxProjectiles);
+        return gatherRigidLoads<G, kLedger>(gather, block - kMaxProjectiles);
     const CarriedTouches<T, Real> counts{gather};
     substepBlock<T, kLedger>(arrays, params, block < kMaxProjectiles ? block : block - gather_blocks, counts);
 }

@@ -120,7 +120,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
 template <class Real>
 DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
                       const StepParams<Real>& params) {
-    return other.inverse_mass < Real(0) && (own.inverse_mass < Real(0) || params.softening != 0);
+    return other.inverse_mass < Real(0) && (own.inverse_mass < Real(0) || params.leaves_out != 0);
 }
 
 /// The other end of a contact, as far as it takes to see that nothing touches. The GPU reads it for the slot

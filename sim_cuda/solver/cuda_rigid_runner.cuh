@@ -55,7 +55,7 @@ class RigidRunner<CudaBackend, Real> {
     void gatherBesideSubstep(CudaBackend& backend, const Step& step, Runner& runner,
                              const StepParams<Real>& params, uint32_t stride, bool follows) {
         runner.runOneBeside(backend, step.data, step.contacts, params, step.ledger, gatherOf(step, stride),
-                            gatherBlocks<kThreadsBeside>(roundedUp(step.work.active_at_most)), follows);
+                            roundedUp(step.work.active_at_most), follows);
     }
     /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
@@ -72,7 +72,7 @@ class RigidRunner<CudaBackend, Real> {
                    : launchMove(backend, StepRigid<false, Real>{});
         };
         for (uint32_t active : {kFewActive, kManyActive, kManyActive + 1})
-            for (uint32_t substeps : {kRigidStretch.first, kRigidStretch.second})
+            for (uint32_t substeps : {kRigidStretch.first, kShortBondedStretch.first, kRigidStretch.second})
                 if (active == kFewActive || active < 2 * particles)
                     graphs_.recordAhead(backend, [&] {
                         for (uint32_t done = 0; done < substeps; done += kRigidStride) {
@@ -81,12 +81,14 @@ class RigidRunner<CudaBackend, Real> {
                         }
                     });
         forEachWidth(particles, [&](uint32_t threads) {
-            graphs_.recordAhead(backend, [&] {
-                Runner::launchBeside(backend, false, threads, {}, {}, ledger, {}, {});
-                for (uint32_t k = 1; k < kRigidStride; ++k)
-                    Runner::launchOne(backend, true, threads, {}, {}, ledger);
-                move_nothing();
-            });
+            for (uint32_t active : {kFewActive, kFewActive + 1})
+                if (active == kFewActive || active < 2 * particles)
+                    graphs_.recordAhead(backend, [&] {
+                        Runner::launchBeside(backend, false, threads, {}, {}, ledger, {}, active);
+                        for (uint32_t k = 1; k < kRigidStride; ++k)
+                            Runner::launchOne(backend, true, threads, {}, {}, ledger);
+                        move_nothing();
+                    });
         });
     }
 
@@ -100,8 +102,8 @@ class RigidRunner<CudaBackend, Real> {
     }
 
   private:
-    /// Particles up to which sixteen and eight threads share the rows of one, else four.
-    static constexpr uint32_t kFewActive = 8192, kManyActive = 65'536;
+    /// Particles up to which eight threads share the rows of one where there are more than few, else four.
+    static constexpr uint32_t kManyActive = 65'536;
 
     static constexpr uint32_t kLeastLarge = 16;
 

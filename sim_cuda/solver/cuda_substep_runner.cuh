@@ -58,13 +58,13 @@ class SubstepRunner<CudaBackend, Real> {
         launchOne(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger);
         data.current = 1 - data.current;
     }
-    /// The same and, in the same kernel, loads of rigid fragments by so many blocks.
+    /// The same and, in the same kernel, loads of so many particles of rigid fragments.
     void runOneBeside(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                       ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
-                      const RigidGather<Real>& gather, uint32_t gather_blocks, bool follows) {
+                      const RigidGather<Real>& gather, uint32_t active, bool follows) {
         const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
         launchBeside(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger, gather,
-                     gather_blocks);
+                     active);
         data.current = 1 - data.current;
     }
     /// n more right after one. Does not wait.
@@ -94,12 +94,12 @@ class SubstepRunner<CudaBackend, Real> {
         ledger ? launchWith<true>({backend, follows}, threads, arrays, params)
                : launchWith<false>({backend, follows}, threads, arrays, params);
     }
-    /// The same beside loads of rigid fragments, by so many blocks.
+    /// The same beside loads of so many particles of rigid fragments.
     static void launchBeside(CudaBackend& backend, bool follows, uint32_t threads,
                              const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger,
-                             const RigidGather<Real>& gather, uint32_t gather_blocks) {
-        ledger ? launchBesideWith<true>({backend, follows}, threads, arrays, params, gather, gather_blocks)
-               : launchBesideWith<false>({backend, follows}, threads, arrays, params, gather, gather_blocks);
+                             const RigidGather<Real>& gather, uint32_t active) {
+        ledger ? launchBesideWith<true>({backend, follows}, threads, arrays, params, gather, active)
+               : launchBesideWith<false>({backend, follows}, threads, arrays, params, gather, active);
     }
 
   private:
@@ -110,8 +110,8 @@ class SubstepRunner<CudaBackend, Real> {
     static GraphKey keyOf(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
         GraphKey key = stepKey(arrays, params, ledger);
         key.insert(key.end(),
-                   {keyWord(double(params.velocity_keep)), params.breaking, keyWord(double(params.dt)),
-                    keyWord(arrays.work.ids), keyWord(arrays.work.regime),
+                   {keyWord(double(params.velocity_keep)), params.breaking, params.leaves_out,
+                    keyWord(double(params.dt)), keyWord(arrays.work.ids), keyWord(arrays.work.regime),
                     launchedParticles(arrays.work, params), threadsFor(arrays.work, params)});
         return key;
     }
@@ -152,19 +152,28 @@ class SubstepRunner<CudaBackend, Real> {
     template <bool kLedger>
     static void launchBesideWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
                                  const StepParams<Real>& params, const RigidGather<Real>& gather,
-                                 uint32_t gather_blocks) {
+                                 uint32_t active) {
         if (threads >= 16)
-            launchBesideT<16, kLedger>(launch, arrays, params, gather, gather_blocks);
+            launchBesideG<16, kLedger>(launch, arrays, params, gather, active);
         else if (threads >= 8)
-            launchBesideT<8, kLedger>(launch, arrays, params, gather, gather_blocks);
+            launchBesideG<8, kLedger>(launch, arrays, params, gather, active);
         else
-            launchBesideT<4, kLedger>(launch, arrays, params, gather, gather_blocks);
+            launchBesideG<4, kLedger>(launch, arrays, params, gather, active);
     }
     template <uint32_t T, bool kLedger>
+    static void launchBesideG(const Launch& launch, const SubstepArrays<Real>& arrays,
+                              const StepParams<Real>& params, const RigidGather<Real>& gather,
+                              uint32_t active) {
+        if (threadsBeside(active) == 16)
+            launchBesideT<T, 16, kLedger>(launch, arrays, params, gather, gatherBlocks<16>(active));
+        else
+            launchBesideT<T, 8, kLedger>(launch, arrays, params, gather, gatherBlocks<8>(active));
+    }
+    template <uint32_t T, uint32_t G, bool kLedger>
     static void launchBesideT(const Launch& launch, const SubstepArrays<Real>& arrays,
                               const StepParams<Real>& params, const RigidGather<Real>& gather,
                               uint32_t gather_blocks) {
-        launch.backend.launch(launch.follows, substepBesideLoadsKernel<T, kLedger, Real>,
+        launch.backend.launch(launch.follows, substepBesideLoadsKernel<T, G, kLedger, Real>,
                               blocksFor(arrays.work, params, T) + gather_blocks, kSubstepBlock,
                               "starting a substep beside rigid fragments", arrays, params, gather,
                               gather_blocks);

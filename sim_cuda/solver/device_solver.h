@@ -58,6 +58,7 @@ class DeviceSolver final : public Solver {
     StepStatus runChunk(uint32_t n);
     void runAwake(uint32_t n);
     void runBoth(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows);
+    void runApart(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows);
     bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
     Stretch stretch() const;
     void placeRigid();
@@ -148,6 +149,7 @@ class DeviceSolver final : public Solver {
 
 }  // namespace demolish
 
+#include "sim_cuda/solver/device_solver_awake.h"
 #include "sim_cuda/solver/device_solver_export.h"
 #include "sim_cuda/solver/device_solver_projectiles.h"
 #include "sim_cuda/solver/device_solver_state.h"

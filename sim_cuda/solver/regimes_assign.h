@@ -190,7 +190,7 @@ void Regimes<Backend, Real>::useLists(SolverData<Backend, Real>& data, const Mee
         data.work.at_most = counts_[kBondedCount] + counts_[kCarriedCount];
     }
     data.work.regime = regime_.view();
-    data.constants_in_substeps = carries() ? in_substeps_.view() : Span<const Vec4<Real>>{};
+    data.constants_in_substeps = movesRigid() ? in_substeps_.view() : Span<const Vec4<Real>>{};
     data.carried = carried_.span();
     data.carried_tally = carried_tally_.span();
 }

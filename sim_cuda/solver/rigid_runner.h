@@ -13,7 +13,7 @@ StepParams<Real> rigidParams(StepParams<Real> params, uint32_t stride) {
     params.dt = static_cast<Real>(stride) * params.dt;
     const double dt = static_cast<double>(params.dt);
     params.stiffness_cap = params.face_cap = static_cast<Real>(kContactStiffnessShare / (dt * dt));
-    params.softening = 1;
+    params.softening = params.leaves_out = 1;
     return params;
 }
 
