@@ -9,6 +9,8 @@
 #include <bit>
 #include <cstring>
 
+#include <cub/block/block_reduce.cuh>
+#include <cub/block/block_scan.cuh>
 #include <cub/device/device_radix_sort.cuh>
 #include <cub/device/device_scan.cuh>
 
@@ -21,6 +23,33 @@ struct WithZero {
     size_t n;
     __host__ __device__ uint32_t operator()(size_t i) const { return i < n ? in[i] : 0u; }
 };
+
+/// Prefix sums of few numbers in one kernel: each block adds up all numbers before its own by itself. Two
+/// launches of a general scan cost more than that.
+constexpr unsigned kScanThreads = 1024, kScannedByThread = 4, kMostScanBlocks = 16;
+
+__global__ void __launch_bounds__(kScanThreads) scanFew(const WithZero in, uint32_t* out) {
+    using Sum = cub::BlockReduce<uint32_t, kScanThreads>;
+    using Scan = cub::BlockScan<uint32_t, kScanThreads>;
+    __shared__ typename Sum::TempStorage sum_memory;
+    __shared__ typename Scan::TempStorage scan_memory;
+    __shared__ uint32_t sum_before;
+    letNextStart();
+    awaitPrevious();
+    const unsigned block_first = blockIdx.x * kScanThreads * kScannedByThread;
+    const unsigned first = block_first + threadIdx.x * kScannedByThread;
+    uint32_t own[kScannedByThread], before = 0;
+#pragma unroll
+    for (unsigned k = 0; k < kScannedByThread; ++k) own[k] = in(first + k);
+    for (unsigned i = threadIdx.x; i < block_first; i += kScanThreads) before += in.in[i];
+    before = Sum(sum_memory).Sum(before);
+    if (threadIdx.x == 0) sum_before = before;
+    Scan(scan_memory).ExclusiveSum(own, own);
+    __syncthreads();
+#pragma unroll
+    for (unsigned k = 0; k < kScannedByThread; ++k)
+        if (first + k <= in.n) out[first + k] = sum_before + own[k];
+}
 
 }  // namespace
 
@@ -59,6 +88,10 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
         checkCuda(cudaMemsetAsync(out.data, 0, sizeof(uint32_t), stream_), "adding up");
         return;
     }
+    constexpr unsigned kScannedByBlock = kScanThreads * kScannedByThread;
+    const auto blocks = static_cast<unsigned>(n / kScannedByBlock + 1);
+    if (blocks <= (in.data == out.data ? 1 : kMostScanBlocks))
+        return launch(true, scanFew, blocks, kScanThreads, "adding up", WithZero{in.data, n}, out.data);
     const auto padded =
         thrust::make_transform_iterator(thrust::counting_iterator<size_t>(0), WithZero{in.data, n});
     size_t bytes = 0;

@@ -102,11 +102,10 @@ class NeighbourLists {
     uint32_t shots() const { return counts_.total - counts_.in_bodies; }
     /// Parts of zeroed_, one after the other.
     Span<uint32_t> bucketCounters() { return zeroed_.span().part(0, mask_ + 1); }
-    Span<uint32_t> bucketStarts() { return zeroed_.span().part(0, mask_ + 2); }
-    Span<uint32_t> rowCounts() { return zeroed_.span().part(mask_ + 2, counts_.in_bodies + bit_words_); }
-    Span<uint32_t> bits() { return zeroed_.span().part(mask_ + 2 + rowCounts().count, bit_words_); }
+    Span<uint32_t> rowCounts() { return zeroed_.span().part(mask_ + 1, counts_.in_bodies + bit_words_); }
+    Span<uint32_t> bits() { return zeroed_.span().part(mask_ + 1 + rowCounts().count, bit_words_); }
     Span<uint32_t> velocityBins() {
-        return zeroed_.span().part(mask_ + 2 + rowCounts().count + bit_words_, 3 * kVelocityBins);
+        return zeroed_.span().part(mask_ + 1 + rowCounts().count + bit_words_, 3 * kVelocityBins);
     }
     /// How many are outside the slow bins; how many are set apart.
     Span<uint32_t> fastCount() { return zeroed_.span().part(zeroed_.size() - 2, 1); }
@@ -135,6 +134,7 @@ class NeighbourLists {
     Buffer<uint64_t> key_, member_key_;
     Buffer<SlowBins> slow_;
     Buffer<uint32_t> zeroed_, place_, member_, draft_, long_draft_;
+    Buffer<uint32_t> bucket_start_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
     Buffer<uint32_t> buried_, place_kind_;
     Buffer<uint64_t> sorted_entries_;
@@ -156,12 +156,13 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       key_(backend.template allocate<uint64_t>(counts.in_bodies)),
       member_key_(backend.template allocate<uint64_t>(counts.in_bodies)),
       slow_(backend.template allocate<SlowBins>(1)),
-      zeroed_(backend.template allocate<uint32_t>(mask_ + 2 + counts.in_bodies + 2 * size_t{bit_words_} +
+      zeroed_(backend.template allocate<uint32_t>(mask_ + 1 + counts.in_bodies + 2 * size_t{bit_words_} +
                                                   3 * kVelocityBins + 2)),
       place_(backend.template allocate<uint32_t>(counts.in_bodies)),
       member_(backend.template allocate<uint32_t>(counts.in_bodies)),
       draft_(backend.template allocate<uint32_t>(size_t{counts.in_bodies} * kDraftLength)),
       long_draft_(backend.template allocate<uint32_t>(size_t{kMostFast} * kLongDraftLength)),
+      bucket_start_(backend.template allocate<uint32_t>(mask_ + size_t{2})),
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
       place_kind_(backend.template allocate<uint32_t>(counts.in_bodies)),
@@ -244,12 +245,12 @@ void NeighbourLists<Backend, Real>::fillGrid() {
         CountInBuckets<Real>{contacts_.paths(), frame_.view(), ranges_.view(), slow_.view(), mask_,
                              place_kind_.span(), key_.span(), bucketCounters(), apartCount(), place_.span()},
         "count in buckets");
-    backend_.exclusiveScan(bucketCounters(), bucketStarts());
+    backend_.exclusiveScan(bucketCounters(), bucket_start_.span());
     backend_.forEach(counts_.in_bodies,
                      FillBuckets<Real>{contacts_.paths(),
                                        frame_.view(),
                                        key_.view(),
-                                       bucketStarts(),
+                                       bucket_start_.view(),
                                        place_.view(),
                                        place_kind_.view(),
                                        mask_,
@@ -263,7 +264,7 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
     return {contacts_.paths(),
             frame_.view(),
             key_.view(),
-            bucketStarts(),
+            bucket_start_.view(),
             {member_.view(), member_key_.view(), member_ball_.view(), member_position_.view(),
              member_velocity_.view()},
             bonds.row_start,

@@ -138,7 +138,7 @@ class Regimes {
     Buffer<Vec3<double>> arm_;
     Buffer<Vec4<Real>> start_rotation_, rigid_constants_, in_substeps_;
     Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
-    Buffer<uint32_t> marks_;                      ///< of the lists, then their sums
+    Buffer<uint32_t> marks_, mark_sums_;          ///< of the lists
     Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, large_, bonds_, body_awake_, words_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
@@ -189,7 +189,8 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     in_substeps_ = backend.template allocate<Vec4<Real>>(total);
     carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
     carried_tally_ = backend.template allocate<Vec4<Real>>(4 * size_t{total});
-    marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
+    marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total});
+    mark_sums_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
     bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
     words_ = backend.template allocate<uint32_t>(kWorkWords);
     body_awake_ = backend.template allocate<uint32_t>(tables.bodies);

@@ -143,11 +143,11 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
                                                 marks.part(3 * size_t{total}, total)},
                          "mark work");
     });
-    backend_.exclusiveScan(marks.part(0, kMarkRows * size_t{total}), marks);
+    backend_.exclusiveScan(marks, mark_sums_.span());
     const WriteWork<Real> write{places,
                                 meetings.label,
                                 regime_.view(),
-                                marks_.view(),
+                                mark_sums_.view(),
                                 meetings.owner,
                                 flags_.view(),
                                 body_.view(),
@@ -182,7 +182,7 @@ void Regimes<Backend, Real>::useLists(SolverData<Backend, Real>& data, const Mee
               large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
               arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
               counts_[kLargeCount]};
-    rigid_.carried_sums = marks_.view().part(3 * total, total + 1);
+    rigid_.carried_sums = mark_sums_.view().part(3 * total, total + 1);
     data.work = BondedWork{};
     if (counts_[kBondedCount] != counts_of_.in_bodies) {
         data.work.ids = bonded_.view();
