@@ -41,6 +41,22 @@ TEST_F(Pair, ABrokenPairNeverPullsAndNeverHeals) {
     EXPECT_GT(force(0), 0);
 }
 
+TEST_F(Pair, WhatIsRigidIsLeftOutWhereTheTwoGoApart) {
+    setState(PairState::kContact);
+    data_.particles.constants.span()[1].x *= -1;  // moved in contact steps
+    auto felt = backend_.allocate<Vec4<double>>(2 * size_t{2}),
+         tally = backend_.allocate<Vec4<double>>(4 * size_t{2});
+    data_.carried = felt.span();
+    data_.carried_tally = tally.span();
+    for (const bool apart : {true, false}) {
+        params_.leaves_out = apart ? 1 : 0;
+        setDistance(0.9 * kSize);
+        step();
+        EXPECT_EQ(force(0) > 0, !apart);
+        EXPECT_EQ(data_.bonds.spring.view()[0].w > 0, !apart);
+    }
+}
+
 TEST_F(Pair, TheBondBreaksAtItsStrengthAndNotBefore) {
     const double strength = tables_.body[0].report.strength, area = kSize * kSize;
     const double limit = strength * tables_.slots[0].strength * area / tables_.slots[0].stiffness;
