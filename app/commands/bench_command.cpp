@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "app/commands/bench_run.h"
+#include "app/commands/frame_csv.h"
 #include "app/commands/frame_curve.h"
 #include "app/commands/help_text.h"
 #include "app/commands/kernel_bench.h"
@@ -95,8 +96,8 @@ void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& b
 void refuseForKernel(const BenchOptions& options) {
     const ShotOptions& shot = options.shot;
     const bool of_a_shot = !shot.scene.empty() || !shot.model.empty() || options.no_draw ||
-                           options.draw_only || options.record || !options.curve.empty() || options.frames ||
-                           shot.particle_size;
+                           options.draw_only || options.record || !options.curve.empty() ||
+                           !options.frame_csv.empty() || options.frames || shot.particle_size;
     if (of_a_shot)
         throw UsageError(
             "--kernel times the substep of a block and no scene; give it --device, --particles, --json or "
@@ -134,7 +135,7 @@ void runKernelBench(const BenchOptions& options) {
 }
 
 void runBench(const BenchOptions& options) {
-    for (const std::string& file : {options.json, options.csv, options.curve})
+    for (const std::string& file : {options.json, options.csv, options.frame_csv, options.curve})
         if (!file.empty()) requireWritable(file);
     if (options.kernel) return runKernelBench(options);
     const Shot shot = makeShot(options.shot, "paper");
@@ -162,6 +163,8 @@ void runBench(const BenchOptions& options) {
     if (!options.csv.empty())
         writeTextFile(options.csv, phaseCsv(report.phases, session.built().setup.bodies.size(),
                                             runFacts(session.built(), report)));
+    if (!options.frame_csv.empty())
+        writeTextFile(options.frame_csv, frameCsv(run.samples, session.built().shot.phases));
     if (!options.curve.empty()) writeCurve(options.curve, run, session.built(), report);
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
     requireOk(run.status);
@@ -179,6 +182,7 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
         ->capture_default_str();
     command->add_option("--json", options.json, "Report of the run, JSON, SI units")->type_name("FILE");
     command->add_option("--csv", options.csv, "A line for each phase, CSV")->type_name("FILE");
+    command->add_option("--frame-csv", options.frame_csv, "A line for each frame, CSV")->type_name("FILE");
     command->add_option("--curve", options.curve, "Frame time over the shot, stage by stage, SVG")
         ->type_name("FILE");
     command->add_flag("--no-draw", options.no_draw, "Simulate only; needs no OpenGL");

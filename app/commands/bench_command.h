@@ -11,7 +11,7 @@ struct BenchOptions {
     ShotOptions shot;
     std::optional<double> frames;  ///< none: to the end of the shot's last phase
     double warmup = 10;
-    std::string json, csv, curve;
+    std::string json, csv, frame_csv, curve;
     bool no_draw = false, draw_only = false, record = false, kernel = false;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -46,9 +47,33 @@ class Bench : public testing::Test {
     TemporaryFolder folder_;
 };
 
+std::vector<std::string> split(const std::string& line) {
+    std::istringstream fields(line);
+    std::vector<std::string> all;
+    for (std::string field; std::getline(fields, field, ',');) all.push_back(field);
+    return all;
+}
+
+/// All bonds that broke, frame by frame, in a file with a line for each of so many frames.
+int brokenIn(const std::string& frame_csv, int frames) {
+    std::istringstream lines(frame_csv);
+    std::string line;
+    std::getline(lines, line);
+    const auto names = split(line);
+    const auto column = std::find(names.begin(), names.end(), "bonds_broken_now") - names.begin();
+    int broken = 0, count = 0;
+    for (; std::getline(lines, line); ++count) {
+        EXPECT_EQ(split(line).size(), names.size());
+        broken += std::stoi(split(line).at(column));
+    }
+    EXPECT_EQ(count, frames);
+    return broken;
+}
+
 TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
-    const auto csv = folder_.path() / "rows.csv", curve = folder_.path() / "curve.svg";
-    const ProgramRun run = bench({"--no-draw", "--csv", csv, "--curve", curve});
+    const auto csv = folder_.path() / "rows.csv", frames = folder_.path() / "frames.csv",
+               curve = folder_.path() / "curve.svg";
+    const ProgramRun run = bench({"--no-draw", "--csv", csv, "--frame-csv", frames, "--curve", curve});
     ASSERT_EQ(run.exit_code, 0) << run.err;
     const auto json = read();
     EXPECT_EQ(json["frames"], 12) << "to the end of the last phase";
@@ -76,6 +101,7 @@ TEST_F(Bench, RunsThePhasesOfTheSceneBesideThePapersRates) {
                 testing::AllOf(HasSubstr("all broken"), HasSubstr("breaking"), HasSubstr("paper's")));
     const std::string lines = readText(csv);
     EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 6);
+    EXPECT_EQ(brokenIn(readText(frames), 12), json["bonds_broken"]);
     EXPECT_THAT(readText(curve), testing::AllOf(HasSubstr("<svg"), HasSubstr(">all broken<")));
 }
 
