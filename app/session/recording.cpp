@@ -25,8 +25,12 @@ std::vector<T> copied(std::span<const T> values) {
 }
 
 template <class T>
+void upload(engine::FractureMesh& mesh, StreamId id, std::span<const T> values) {
+    if (!values.empty()) mesh.stream(id).upload(std::as_bytes(values));
+}
+template <class T>
 void upload(engine::FractureMesh& mesh, StreamId id, const std::vector<T>& values) {
-    if (!values.empty()) mesh.stream(id).upload(std::as_bytes(std::span(values)));
+    upload(mesh, id, std::span<const T>(values));
 }
 
 Float3 moved(const FragmentTransform& motion, const Double3& rest) {
@@ -118,9 +122,9 @@ std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const ReadStream
                   sizeof(uint32_t) * (list->particle_fragment.size() + list->slots.size());
     finishCopies();
     copying_ = std::async(std::launch::async, [list, surface] {
-        list->interior_vertices = copied(surface.vertices);
-        list->interior_indices = copied(surface.indices);
-        list->crack_edges = copied(surface.crack_edges);
+        list->interior_vertices = RecordedArray(surface.vertices);
+        list->interior_indices = RecordedArray(surface.indices);
+        list->crack_edges = RecordedArray(surface.crack_edges);
     });
     return list;
 }
@@ -156,10 +160,10 @@ void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetu
     upload(mesh, StreamId::kTransforms, transforms);
     upload(mesh, StreamId::kParticles, instancesOf(frame, transforms, setup, valuesOf(frame, colour)));
     upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
-    upload(mesh, StreamId::kInteriorVertices, list.interior_vertices);
-    upload(mesh, StreamId::kInteriorIndices, list.interior_indices);
+    upload(mesh, StreamId::kInteriorVertices, list.interior_vertices.span());
+    upload(mesh, StreamId::kInteriorIndices, list.interior_indices.span());
     upload(mesh, StreamId::kExteriorIndices, drawnExterior(setup, list.particle_fragment));
-    upload(mesh, StreamId::kCrackEdges, list.crack_edges);
+    upload(mesh, StreamId::kCrackEdges, list.crack_edges.span());
     upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/bridge/frame_bridge.h"
+#include "app/session/recorded_array.h"
 #include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/api/solver.h"
@@ -16,8 +17,8 @@ namespace demolish {
 struct RecordedDrawList {
     std::vector<uint32_t> particle_fragment;
     std::vector<uint8_t> damage;  ///< as ColourStreams
-    std::vector<SurfaceVertex> interior_vertices;
-    std::vector<uint32_t> interior_indices, crack_edges;
+    RecordedArray<SurfaceVertex> interior_vertices;
+    RecordedArray<uint32_t> interior_indices, crack_edges;
     DrawCommands commands{};
     std::vector<uint32_t> slots;  ///< slots in use, ascending
     size_t bytes = 0;             ///< of all of it

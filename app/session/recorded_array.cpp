@@ -1,0 +1,45 @@
+// Pieces of a megabyte, each by one thread.
+#include "app/session/recorded_array.h"
+
+#include <sys/mman.h>
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+namespace demolish {
+namespace {
+
+/// Beyond these hardly anything gets faster, and the solver needs some too.
+constexpr size_t kThreads = 8;
+constexpr size_t kPiece = size_t{1} << 20;
+
+/// A hint that may be refused.
+void adviseLargePages(void* memory, size_t bytes) {
+    constexpr uintptr_t kLargePage = uintptr_t{2} << 20;
+    const auto address = reinterpret_cast<uintptr_t>(memory);
+    const uintptr_t first = (address + kLargePage - 1) / kLargePage * kLargePage,
+                    last = (address + bytes) / kLargePage * kLargePage;
+    if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+}
+
+}  // namespace
+
+void copyIntoNewMemory(void* to, const void* from, size_t bytes) {
+    if (bytes == 0) return;
+    adviseLargePages(to, bytes);
+    auto* target = static_cast<std::byte*>(to);
+    const auto* source = static_cast<const std::byte*>(from);
+    const auto allowed = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+    tbb::task_arena(static_cast<int>(std::min(kThreads, allowed))).execute([&] {
+        tbb::parallel_for(size_t{0}, (bytes + kPiece - 1) / kPiece, [&](size_t piece) {
+            const size_t first = piece * kPiece;
+            std::memcpy(target + first, source + first, std::min(kPiece, bytes - first));
+        });
+    });
+}
+
+}  // namespace demolish
