@@ -19,11 +19,12 @@ constexpr size_t kPiece = size_t{1} << 20;
 
 /// A hint that may be refused.
 void adviseLargePages(void* memory, size_t bytes) {
-    constexpr uintptr_t kLargePage = uintptr_t{2} << 20;
-    const auto address = reinterpret_cast<uintptr_t>(memory);
-    const uintptr_t first = (address + kLargePage - 1) / kLargePage * kLargePage,
-                    last = (address + bytes) / kLargePage * kLargePage;
-    if (last > first) madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE);
+    constexpr size_t kLargePage = size_t{2} << 20;
+    const size_t into_page = reinterpret_cast<uintptr_t>(memory) % kLargePage;
+    const size_t before = into_page > 0 ? kLargePage - into_page : 0;
+    if (bytes >= before + kLargePage)
+        madvise(static_cast<std::byte*>(memory) + before, (bytes - before) / kLargePage * kLargePage,
+                MADV_HUGEPAGE);
 }
 
 }  // namespace

@@ -179,7 +179,6 @@ class CudaBackend {
         }
         checkCuda(cudaEventRecord(joined_, side_stream_), "waiting for work beside other work");
         checkCuda(cudaStreamWaitEvent(stream_, joined_), "waiting for work beside other work");
-        waits_for_side_ = true;
     }
 
     /// out[k] = in[0] + ... + in[k-1] for k = 0..n; out has n + 1 elements. `in` and `out` may be the same
@@ -286,7 +285,7 @@ class CudaBackend {
                static_cast<uint32_t>(n), zero, map, fold, partial);
     }
 
-    /// What is started meanwhile goes to the other stream.
+    /// What is started meanwhile goes to the other stream. The first launch on either stream follows nothing.
     class OnSideStream {
       public:
         explicit OnSideStream(CudaBackend& backend) : backend_(backend) { exchange(); }

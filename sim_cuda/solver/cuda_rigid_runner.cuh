@@ -29,10 +29,9 @@ class RigidRunner<CudaBackend, Real> {
             }
         });
     }
-    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph. `carries`: as
-    /// the steps do.
+    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph.
     template <class Runner, class Steps>
-    void repeat(CudaBackend& backend, const Step& step, const Runner& runner, bool carries, uint32_t n,
+    void repeat(CudaBackend& backend, const Step& step, const Runner& runner, uint32_t n,
                 const Steps& steps) {
         static_assert(kRigidStride % 2 == 0, "a graph must end on the state it started from");
         makeRoom(backend, step.work);
@@ -40,7 +39,6 @@ class RigidRunner<CudaBackend, Real> {
             GraphKey key = keyOf(step);
             const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
             key.insert(key.end(), substep.begin(), substep.end());
-            key.push_back(carries ? 1 : 0);
             for (; n >= kRigidStride; n -= kRigidStride)
                 graphs_.run(backend, key, [&] { steps(kRigidStride); });
         }

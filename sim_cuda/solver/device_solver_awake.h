@@ -35,15 +35,14 @@ void DeviceSolver<Backend, Real>::runAwake(uint32_t n) {
 /// mean exact). Else contacts would lose energy that nobody books.
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::runBoth(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows) {
-    const bool carries = regimes_.carries();
-    rigid_runner_.repeat(backend_, step, runner_, carries, n, [&](uint32_t substeps) {
+    rigid_runner_.repeat(backend_, step, runner_, n, [&](uint32_t substeps) {
         for (uint32_t done = 0; done < substeps;) {
             const uint32_t stride = std::min(kRigidStride, substeps - done);
             StepParams<Real> params = params_;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
             rigid_runner_.gatherBesideSubstep(backend_, step, runner_, params, stride, follows || done > 0);
             runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
-            rigid_runner_.move(backend_, step, stride, carries);
+            rigid_runner_.move(backend_, step, stride, true);
             done += stride;
         }
     });

@@ -69,7 +69,7 @@ class RigidRunner<CpuBackend, Real> {
     }
     /// steps(n), which starts n substeps of the runner too.
     template <class Runner, class Steps>
-    void repeat(CpuBackend&, const Step&, const Runner&, bool, uint32_t n, const Steps& steps) {
+    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t n, const Steps& steps) {
         steps(n);
     }
     /// The two halves of one contact step; substeps that carry particles stand between them. On the GPU the
