@@ -51,8 +51,8 @@ struct StepParams {
     Real stiffness_cap{};       ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
     Real face_cap{Real(1e30)};  ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
     uint32_t softening = 0;     ///< 1: contact steps; a contact remembers how soft it was
-    uint32_t leaves_out = 0;    ///< 1: pairs with what is moved by the other kind of step, if a rigid
-                                ///< fragment is at the other end, are no matter of this step
+    uint32_t leaves_out = 0;    ///< 1: pairs with what the other kind of step moves are no matter of this
+                                ///< one: in contact steps, and in substeps that rigid fragments go apart from
     uint32_t hertz = 0;         ///< 1: Hertz contacts
     uint32_t breaking = 1;      ///< 0: bonds hold whatever happens (settling)
     uint32_t owners = 0;        ///< bodies + projectile slots: rows of the table of pair laws

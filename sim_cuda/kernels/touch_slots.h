@@ -115,8 +115,8 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                       spring, kept, params, Real(0.5), tally);
 }
 
-/// Both ends are moved in contact steps and this is a substep, or this is a contact step and the other end is
-/// moved in substeps: the pair is no matter of this step.
+/// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
+/// kind of step and this one leaves such pairs out: the pair is no matter of this step.
 template <class Real>
 DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
                       const StepParams<Real>& params) {

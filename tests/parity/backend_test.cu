@@ -3,20 +3,14 @@
 
 #include <random>
 
-#include "sim_cuda/api/solver.h"
 #include "sim_cuda/backend/cpu_backend.h"
 #include "sim_cuda/backend/cuda_backend.cuh"
+#include "tests/parity/on_the_gpu.h"
 
 namespace demolish::tests {
 namespace {
 
-class CudaBackendTest : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        const CudaDevice device = findCudaDevice();
-        if (!device.usable) GTEST_SKIP() << device.problem;
-    }
-};
+class CudaBackendTest : public OnTheGpu {};
 
 std::vector<uint32_t> someNumbers(size_t n) {
     std::mt19937 random(static_cast<uint32_t>(n));

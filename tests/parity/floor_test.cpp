@@ -8,17 +8,12 @@
 #include "sim_cuda/api/solver.h"
 #include "sim_cuda/api/substep_bench.h"
 #include "sim_cuda/bench/floor_schemes.h"
+#include "tests/parity/on_the_gpu.h"
 
 namespace demolish {
 namespace {
 
-class Floor : public ::testing::Test {
-  protected:
-    void SetUp() override {
-        const CudaDevice device = findCudaDevice();
-        if (!device.usable) GTEST_SKIP() << device.problem;
-    }
-};
+class Floor : public tests::OnTheGpu {};
 
 /// The largest difference of any position, rotation, velocity or spin.
 double difference(const std::vector<FloorState>& a, const std::vector<FloorState>& b) {

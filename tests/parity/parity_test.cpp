@@ -8,18 +8,15 @@
 #include <cstdlib>
 
 #include "tests/determinism/stored_hashes.h"
+#include "tests/parity/on_the_gpu.h"
 #include "tests/physics/solver/breaking_scene.h"
 #include "tests/physics/solver/lattice_body.h"
 
 namespace demolish::tests {
 namespace {
 
-class Parity : public ::testing::Test {
+class Parity : public OnTheGpu {
   protected:
-    void SetUp() override {
-        const CudaDevice device = findCudaDevice();
-        if (!device.usable) GTEST_SKIP() << device.problem;
-    }
     void TearDown() override { unsetenv("DEMOLISH_THREADS_PER_PARTICLE"); }
 };
 
