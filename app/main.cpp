@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program's front: subcommands, errors to exit codes.
 #include "app/commands/program.h"
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # `cmake --install build/release --prefix DIR` makes a bundle that runs from any folder: bin/demolish, lib/ with the shared
 # libraries beyond glibc and the GL/CUDA driver, share/demolish with shaders and assets. `--component tests` adds the tests.
 set(data_dir share/demolish)

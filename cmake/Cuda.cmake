@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # CUDA is used when a toolkit is found, and is not needed. One architecture: the machine's own GPU, else 90 with PTX for 75.
 set(DEMOLISH_WITH_CUDA OFF)
 if(DEMOLISH_CUDA)

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # Everything comes from the system's packages; nothing is vendored or downloaded.
 find_package(TBB REQUIRED)
 if(DEMOLISH_SANITIZE MATCHES "thread" AND TBB_DIR MATCHES "^/usr/lib")

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # demolish_test(NAME unit_hertz SOURCES a.cpp b.cpp LIBS demolish_physics LABELS cpu [TIMEOUT 120] [LAUNCHER xvfb-run -a])
 # One GoogleTest program, one CTest entry. Labels say what a test needs: cpu, gl, gpu,
 # window, slow; and threads: what it runs is parallel, for ThreadSanitizer.

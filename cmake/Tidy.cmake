@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: Apache-2.0
 # `cmake --build build/release --target tidy`: clang-tidy 14 with .clang-tidy over all sources of ours but the tests.
 # Takes minutes; TIDY=engine/passes narrows it to paths that match, in the environment.
 find_program(RUN_CLANG_TIDY NAMES run-clang-tidy-14 run-clang-tidy)

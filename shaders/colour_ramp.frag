@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The scale of the particle view, 0 left and 1 right, as it is before light falls on it.
 #include "common/colour_maps.glsl"

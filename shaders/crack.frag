@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The dark inside of a crack (common/crack_cover.glsl).
 #include "common/noise.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // A ribbon of two triangles along one edge of the outside (common/crack.glsl).
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // A square of the floor plane y = 0 round the camera, as far as it can see; for the id picture.
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Whose pixel is this: a fragment's slot, or one number for everything that the pass draws.
 layout(location = 0) out uint id;

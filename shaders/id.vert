@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Body vertices carrying their fragment's slot.
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The lit picture, drawn (common/lit_pixel.glsl).
 #include "common/lit_pixel.glsl"

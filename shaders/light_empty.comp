@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The lit picture where only floor and sky are seen; lists the other tiles for light_found.comp, which needs many registers.
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The lit picture in the tiles that show something (light_empty.comp). Leaves what it has read empty for the next frame.
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Averages the 4 x 4 pattern of the gather away, only among pixels of the same surface.
 layout(local_size_x = 8, local_size_y = 8) in;

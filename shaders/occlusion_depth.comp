@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Half-size linear depth of what was drawn and of the floor: the nearest of four pixels, so that thin things keep their outline.
 layout(local_size_x = 8, local_size_y = 8) in;

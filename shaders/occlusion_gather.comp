@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Horizon-based ambient occlusion: in a few slices through the view direction, how high neighbours rise on both sides;
 // the cosine-weighted open arc between the horizons is exact per slice (Jimenez et al. 2016, "Practical real-time

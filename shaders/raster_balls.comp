@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Projectiles into the pictures of a frame (common/raster.glsl); rows of work groups: a ball in a view.
 layout(local_size_x = 64) in;

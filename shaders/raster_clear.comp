@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Empties what the raster passes write.
 layout(local_size_x = 256) in;

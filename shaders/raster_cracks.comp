@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Hairlines over what is seen (common/crack.glsl): kLanes threads an edge of the outside, since what each pixel costs is
 // mostly waiting for memory.

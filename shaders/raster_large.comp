@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Triangles that are more than one lane's work, where the memory for tasks did not suffice: one work group a triangle. Slow,
 // but right.

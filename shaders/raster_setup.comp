@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // One lane a large triangle: sets it up and makes a task of every square that it touches.
 layout(local_size_x = 64) in;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // One work group a task: a square of a triangle.
 layout(local_size_x = 32) in;

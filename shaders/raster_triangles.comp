@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // One lane a triangle: those that are small on the picture are done at once, larger ones are noted.
 layout(local_size_x = 128) in;

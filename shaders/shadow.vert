@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Body into a region of the sun's depth map.
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Least depth of each square of 64 x 64 texels of the shadow map: one work group a square.
 layout(local_size_x = 256) in;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Exact sphere; the outline is smoothed by covering as many samples as the pixel's share inside.
 #include "common/frame.glsl"

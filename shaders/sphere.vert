@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The square that touches the sphere's front and covers its outline as the camera sees it.
 #include "common/frame.glsl"

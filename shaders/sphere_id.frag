@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Spheres by their fragment's slot.
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Depth of the sphere's sunward side.
 in vec2 on_disc;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // The sun sees a disc; its square in the shadow map.
 #include "common/frame.glsl"

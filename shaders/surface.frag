@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Body surface; INTERIOR: the broken material (common/body_material.glsl).
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Body vertex: rest position moved by its fragment; rest position goes on for the noise.
 #include "common/frame.glsl"

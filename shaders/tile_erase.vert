@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // One square over each listed tile, at the depth of emptiness.
 layout(std430, binding = 6) readonly buffer TouchedTiles {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Lists the tiles of a depth buffer in which something was drawn; one work group looks at one tile. The list is an
 // indirect command that draws one square a tile (tile_erase.vert).

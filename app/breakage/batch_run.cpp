@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packings made side by side, one scene of them, frames, judgement.
 #include "app/breakage/batch_run.h"
 

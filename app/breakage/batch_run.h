@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One item of a plan: its specimens fall on the wall in one simulation, side by side and out of each other's
 // reach.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Layout: title above, axes at the left, legend at the right, note below.
 #include "app/breakage/chart.h"
 

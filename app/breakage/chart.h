@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plots as SVG text: axes with ticks, lines with error bars, points, stacked bars, a legend.
 #pragma once
 #include <string>

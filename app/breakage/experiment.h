@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Values of a breakage experiment (the paper's 4.1): specimens, material, wall, sweep, what counts as broken.
 #pragma once
 #include <array>

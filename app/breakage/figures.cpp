@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Charts of a sweep.
 #include "app/breakage/figures.h"
 

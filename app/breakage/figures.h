@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's Figs 1, 2a and 2b from a sweep, with what its text states drawn in.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One JSON object an item; a row a specimen.
 #include "app/breakage/item_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Results of items on disk: whole or not there, the same bytes however often an item is computed.
 #pragma once
 #include <optional>

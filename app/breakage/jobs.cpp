@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // posix_spawn of /proc/self/exe.
 #include "app/breakage/jobs.h"
 

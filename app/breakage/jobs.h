@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Items by several processes of this host, one to a GPU.
 #pragma once
 #include <functional>

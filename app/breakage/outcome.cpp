@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fragment volumes, adoption of crumbs, the connected crack.
 #include "app/breakage/outcome.h"
 

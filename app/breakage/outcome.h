@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What an impact made of one specimen: child fragments, and whether it counts as broken by either rule.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plans as JSON; a fingerprint that results carry.
 #include "app/breakage/plan.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is to be simulated, in which order, and in which portions: the same on every machine.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // rsvg-convert as a child process that writes a file of its own, which is then renamed.
 #include "app/breakage/png_figure.h"
 

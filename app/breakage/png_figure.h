@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Figures as PNG, for readers that do not show SVG: drawn by the program rsvg-convert.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fixed formats, so that equal results are equal bytes.
 #include "app/breakage/report.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sweep as tables: for people, for spreadsheets, for programs.
 #pragma once
 #include <filesystem>

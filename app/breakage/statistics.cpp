@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counting.
 #include "app/breakage/statistics.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From outcomes to probabilities: counts by size and velocity, Wilson intervals, the paper's stated numbers.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A CUDA call that fails becomes one sentence.
 #pragma once
 #include <cuda_runtime_api.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Device memory, pinned host memory that grows with what is in use, GL.
 #include "app/bridge/cuda_copy_bridge.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The way of a GPU solver's frame where GL cannot share memory with CUDA: device, pinned host memory, GL.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A block of device memory for one export.
 #include "app/bridge/cuda_fragment_reader.h"
 

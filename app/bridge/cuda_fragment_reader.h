@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The way of fragment slots from a GPU solver to the host.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CUDA-GL interop. The only file that sees cuda_gl_interop.h.
 #include "app/bridge/cuda_interop_bridge.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Zero copies: GL's buffers are registered with CUDA once and mapped together once a frame.
 #pragma once
 #include <array>

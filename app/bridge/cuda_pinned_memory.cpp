@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Grows to twice what is asked for, so that it seldom does: such memory takes longer to get than to fill.
 #include "app/bridge/cuda_pinned_memory.h"
 

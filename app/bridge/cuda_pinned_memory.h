@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory of the host that the GPU writes and copies into directly.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One small block of the host's memory that the GPU writes into.
 #include "app/bridge/cuda_projectiles.h"
 

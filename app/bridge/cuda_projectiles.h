@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the GPU writes the projectiles of a frame: a kilobyte of the host's memory, so that GL's buffers need
 // no mapping while only a ball flies, and nothing has to be copied.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Straight into the host's memory, or through the device's.
 #include "app/bridge/fragment_reader.h"
 

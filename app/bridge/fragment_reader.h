@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which fragment each particle belongs to, brought to the host from wherever the solver keeps it.
 #pragma once
 #include <cstdint>

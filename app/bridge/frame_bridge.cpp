@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Choice of the way that a frame travels.
 #include "app/bridge/frame_bridge.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one place where simulation and drawing meet: a solver's frame reaches the renderer's buffers.
 #pragma once
 #include <cstddef>

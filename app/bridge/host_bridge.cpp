@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Upload of a frame that the CPU solver wrote.
 #include "app/bridge/host_bridge.h"
 

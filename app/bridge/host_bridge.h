@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The way of a CPU solver's frame: written into plain memory, uploaded to GL; draw lists only when they
 // changed.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Byte counts of the streams and the solver's view of them.
 #include "app/bridge/stream_layout.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The eight streams in one order, with the size of their elements, so that the three bridges count bytes
 // alike.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fillings, cache, search.
 #include "app/calibrate/calibration.h"
 

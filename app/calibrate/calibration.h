@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shot's threshold by simulation, looked up in the user's cache first and kept there afterwards.
 #pragma once
 #include "app/calibrate/threshold_search.h"

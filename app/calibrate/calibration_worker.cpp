@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One measurement at a time.
 #include "app/calibrate/calibration_worker.h"
 

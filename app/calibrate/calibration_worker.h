@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures a shot's threshold on a thread of its own while the window goes on drawing.
 #pragma once
 #include <atomic>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up of one body, its ball or its fall, and the criterion.
 #include "app/calibrate/impact_trial.h"
 

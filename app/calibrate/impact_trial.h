@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One body of a shot, alone, hit again and again at chosen speeds: does it break?
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Judge a strength at fixed speeds, walk, halve, look around.
 #include "app/calibrate/strength_search.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The other way round: the strength at which a body breaks from a given speed on.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bracket, halve, average.
 #include "app/calibrate/threshold_search.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The speed at which an impact just breaks a body, by geometric bisection.
 #pragma once
 #include <cstdint>

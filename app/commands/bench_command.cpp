@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From options to a timed run and its reports.
 #include "app/commands/bench_command.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish bench: how fast it runs, phase by phase, beside the paper's numbers; or the substep alone.
 #pragma once
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loops of the three ways to time a shot.
 #include "app/commands/bench_run.h"
 #include "app/commands/tell_refusal.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Timed frames: each one is stepped, brought over, drawn and waited for, so that a frame's time holds all its
 // work.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plan, items that are missing, gathering.
 #include "app/commands/breakage_command.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `demolish breakage`: the paper's experiment with round specimens on a wall (4.1, Figs 1 and 2).
 #pragma once
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Search with a progress bar, a few lines and JSON.
 #include "app/commands/calibrate_command.h"
 

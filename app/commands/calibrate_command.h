@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish calibrate: from which velocity a shot breaks its body.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frame 0 shows the whole body; every further frame is one simulated frame later.
 #include "app/commands/capture_command.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish capture: breaks a model without a window and writes pictures, a film and a report.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The columns are named as those of the phases.
 #include "app/commands/frame_csv.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every frame of a benchmark in a line of its own, for those who plot frame times themselves.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each frame is a column as wide as the time that it simulates.
 #include "app/commands/frame_curve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frame time over a shot as a picture: stages stacked, phases marked.
 #pragma once
 #include <span>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A short queue in front of a few PNG writers; the video takes frames in order on the way.
 #include "app/commands/frame_files.h"
 

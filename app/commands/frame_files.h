@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finished frames to PNG files, contact sheet and video, off the thread that simulates.
 #pragma once
 #include <condition_variable>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The context is matched to the CUDA device, so that frames can travel by interop.
 #include "app/commands/headless_stage.h"
 

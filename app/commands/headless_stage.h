@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Renderer on a context without a window, with the frame that it draws into.
 #pragma once
 #include <memory>

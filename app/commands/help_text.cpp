@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Option lines and last lines of help.
 #include "app/commands/help_text.h"
 

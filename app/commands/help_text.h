@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How `--help` reads.
 #pragma once
 #include <CLI/CLI.hpp>

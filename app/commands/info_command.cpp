@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Version, devices, renderer, transfer path: each line is asked of the machine, not assumed.
 #include "app/commands/info_command.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish info: what this machine has, and how frames would travel.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A flag, all that a signal handler may touch.
 #include "app/commands/interrupt.h"
 

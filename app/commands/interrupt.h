@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ctrl-C between two frames instead of within one, so that what was made so far is whole.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Blocks in three states, each stepped and timed as a whole.
 #include "app/commands/kernel_bench.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The substep alone, by size, beside the floors of the machine: `demolish bench --kernel`.
 #pragma once
 #include <cstdint>

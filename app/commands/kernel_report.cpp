@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Table, JSON and CSV of the substep's times.
 #include <algorithm>
 #include <nlohmann/json.hpp>

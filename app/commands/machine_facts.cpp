@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Read from /proc and asked of the CUDA runtime.
 #include "app/commands/machine_facts.h"
 

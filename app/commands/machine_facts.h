@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a run ran: the machine's own words for itself.
 #pragma once
 #include <string>

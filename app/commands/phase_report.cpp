@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One list of columns serves JSON and CSV, so that they cannot drift apart.
 #include "app/commands/phase_report.h"
 

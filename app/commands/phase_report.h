@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The phases of a benchmark beside the paper's numbers: for people (a table) and for programs (JSON, CSV).
 #pragma once
 #include <nlohmann/json_fwd.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Copies between framebuffers; the only raw GL of the window program.
 #include "app/commands/picture_target.h"
 

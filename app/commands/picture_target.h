@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The part of the window that shows the body: drawn into a buffer of its own size, then copied into the
 // window.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Subcommands and exit codes.
 #include "app/commands/program.h"
 

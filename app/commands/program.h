@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The program behind main(): subcommands, and the way from an error to a sentence and an exit code.
 #pragma once
 

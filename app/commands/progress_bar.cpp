@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drawn on stderr, so that stdout stays clean for tables.
 #include "app/commands/progress_bar.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One line that grows: on a terminal redrawn in place, elsewhere a line every tenth.
 #pragma once
 #include <chrono>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // JSON and table of one run.
 #include "app/commands/run_report.h"
 

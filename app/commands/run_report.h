@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a capture or benchmark run found, for people (a table) and for programs (JSON, SI units).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Session status as JSON.
 #include "app/commands/session_json.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a running session says of itself, for the scripts that drive the window.
 #pragma once
 #include <string>

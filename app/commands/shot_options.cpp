@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Common options to a shot.
 #include "app/commands/shot_options.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The options that view, capture and bench have in common.
 #pragma once
 #include <cstdint>

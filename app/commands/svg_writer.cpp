@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // SVG 1.1 elements, a line each.
 #include "app/commands/svg_writer.h"
 

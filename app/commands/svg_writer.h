@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A drawing of rectangles, lines, areas and words as an SVG file. Coordinates in px, y down, as SVG has them.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Told once in a run, since pictures come all the same.
 #pragma once
 #include <spdlog/spdlog.h>

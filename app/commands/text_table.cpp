@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Formatting and quoting.
 #include "app/commands/text_table.h"
 

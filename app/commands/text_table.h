@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small pieces that reports are written with.
 #pragma once
 #include <string>

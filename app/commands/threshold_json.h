@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shot's threshold in reports.
 #pragma once
 #include <nlohmann/json.hpp>

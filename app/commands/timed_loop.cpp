@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Building with a bar, and the one line that says where things run.
 #include "app/commands/timed_loop.h"
 

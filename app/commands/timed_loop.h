@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The loop that capture and bench share: step, draw, time it.
 #pragma once
 #include <chrono>

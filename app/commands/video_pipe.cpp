@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // ffmpeg as a child process that reads raw frames from a pipe.
 #include "app/commands/video_pipe.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Raw frames to the ffmpeg program. Its file appears under its name only when it is whole.
 #pragma once
 #include <sys/types.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The window's loop: input, panels, commands, step, draw.
 #include "app/commands/view_command.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish view: the window.
 #pragma once
 #include <string>

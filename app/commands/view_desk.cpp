@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Panels in, commands out.
 #include "app/commands/view_desk.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the window shows besides the running shot: the chosen scene, camera and view settings, and what the
 // panels say. Plain values; no GPU state.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orbit, pan, dolly by every binding that people's hands know.
 #include "app/panel/camera_control.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mouse in the picture: Blender's and Maya's camera bindings at once, and the click that shoots.
 #pragma once
 #include <optional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The energy ledger of the shot. Closed by default: only while it is open is energy booked in every substep,
 // and measured in every frame.
 #include <imgui.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up of Dear ImGui with its GLFW and OpenGL 3 backends.
 #include "app/panel/gui.h"
 

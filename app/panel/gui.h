@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Dear ImGui's lifetime: context, fonts, theme, one frame.
 #pragma once
 #include <functional>

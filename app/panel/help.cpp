@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The list of keys and mouse bindings.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What hits the body, and how fast. The velocity is live: it acts on the next impact.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The two ways of Dear ImGui to say which keys are down.
 #include "app/panel/input_events.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys by GLFW's codes and input by script, whichever Dear ImGui the system has: up to 1.86 (Debian 12) it
 // numbers keys as its backend does and lets anybody write its input state; later ones (Ubuntu 24.04 has 1.90)
 // name keys themselves and take events.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where each named control is on screen: a script finds sliders and buttons by name, not by pixel.
 #pragma once
 #include <map>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fixed places: nothing ever covers the body.
 #include "app/panel/layout.h"
 

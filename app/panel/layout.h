@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the panels stand: a column at the left, a transport bar and a status line below; the picture has the
 // rest.
 #pragma once

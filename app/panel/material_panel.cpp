@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Material preset and its knobs. A change makes a new solver on the same cells.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the panels see in one frame: values to show, values to edit, commands to give. Panels own nothing
 // else.
 #pragma once

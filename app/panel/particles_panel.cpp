@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particle size, live: rebuilds on a worker after the slider has rested, with a bar and Cancel.
 #include <imgui.h>
 

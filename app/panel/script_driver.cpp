@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Script lines to frames of input.
 #include "app/panel/script_driver.h"
 

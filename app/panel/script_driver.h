@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drives the window by a script instead of a hand: what a window test and a demonstration need. Input goes
 // through Dear ImGui's io, so that everything behind it is the real program.
 #pragma once

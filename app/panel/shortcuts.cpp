@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Key bindings; silent while a text field has the keyboard.
 #include "app/panel/shortcuts.h"
 

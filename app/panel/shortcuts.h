@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys of the window, as commands and view changes.
 #pragma once
 #include "app/panel/panel_context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene and model choice.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frame-time graph with the simulation's and the drawing's share stacked, and the counts of the shot.
 #include <imgui.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One line at the bottom: how fast, how many, where, and the last message.
 #include <imgui.h>
 

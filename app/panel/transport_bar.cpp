@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Play, step, reset, slow motion, and the timeline of recorded frames.
 #include <imgui.h>
 

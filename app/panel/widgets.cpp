@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Controls that every panel uses.
 #include "app/panel/widgets.h"
 

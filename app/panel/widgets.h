@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thin layer over Dear ImGui's controls: label above, unit in the value, tooltip, limits that hold, reset by
 // right click.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Aim on the body's particles, flight back from the impact.
 #include "app/session/ball_flight.h"
 

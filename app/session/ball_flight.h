@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The balls of a shot: which one comes when, and how it flies so that it hits as the shot says.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mesh, cells, solver: one after the other, each part reused when nothing it depends on has changed.
 #include "app/session/built_shot.h"
 

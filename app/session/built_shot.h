@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A shot made ready to run: mesh, cells, solver, and the state that a reset returns to.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a person can ask of a running session.
 #pragma once
 #include <variant>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Search for the data folder from the program's own place.
 #include "app/session/data_folder.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where assets and shaders lie, for a build run and for an installed bundle alike.
 #pragma once
 #include <filesystem>

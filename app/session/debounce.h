@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Waits until a value has come to rest: a slider being dragged must not start a rebuild a frame.
 #pragma once
 #include <optional>

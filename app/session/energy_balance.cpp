@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over the ledger.
 #include "app/session/energy_balance.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger of a shot from when its books were opened, mostly its start, to a later moment: where the energy
 // went, and whether it adds up.
 #pragma once

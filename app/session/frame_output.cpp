@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The drawable side of a running shot: GL buffers of its geometry and the bridge that fills them. No solver
 // state.
 #pragma once

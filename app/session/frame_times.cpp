@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quantiles of frame times.
 #include "app/session/frame_times.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Frame-time statistics: what a report's and the panel's numbers mean.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Material keys, with units in their names and the ranges of sim_cuda/api/params.h.
 #include "app/session/material_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The keys of a material: of a file in assets/materials, and of the [material] table of a scene that changes
 // some.
 #pragma once

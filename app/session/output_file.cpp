@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Temporary name, write, flush, rename.
 #include "app/session/output_file.h"
 

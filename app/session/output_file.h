@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text files that are whole or not there: written under a temporary name, then renamed.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sizes of looks that follow from the body.
 #include "app/session/picture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a shot's values and its bodies to what the renderer is asked to draw.
 #pragma once
 #include "app/session/shot.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The latest wish wins.
 #include "app/session/rebuild_worker.h"
 

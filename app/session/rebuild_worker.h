@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds shots on threads of their own while the old one goes on drawing.
 #pragma once
 #include <atomic>

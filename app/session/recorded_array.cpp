@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pieces of a megabyte, each by one thread.
 #include "app/session/recorded_array.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Memory for megabytes that are kept as they are.
 #pragma once
 #include <cstddef>

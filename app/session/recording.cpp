@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Copies and replay of the streams. The draw lists are large but change only while something breaks.
 #include "app/session/recording.h"
 

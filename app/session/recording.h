@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The frames of a run as they were drawn, so that a person can scrub back.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reading of scene and material files.
 #include "app/session/scene_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes and materials as people write them: assets/scenes/*.toml, assets/materials/*.toml.
 #pragma once
 #include <string>

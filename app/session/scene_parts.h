@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of which a scene may hold many: bodies, balls that come at their times, phases of a benchmark.
 #pragma once
 #include <cstdint>

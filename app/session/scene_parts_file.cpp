@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lists of a scene file, checked element by element.
 #include "app/session/scene_parts_file.h"
 

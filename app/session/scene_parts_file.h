@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lists of a scene file: body = [...], ball = [...], phase = [...]; in-line tables or [[body]] alike.
 #pragma once
 #include <vector>

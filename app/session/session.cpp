@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stepping, commands, replay.
 #include "app/session/session.h"
 

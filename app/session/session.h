@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One shot being simulated: steps it, brings its frames to the renderer's buffers, records them, rebuilds it
 // on a worker.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that a person chooses about one shot, as plain values. The panel and the command line edit it;
 // the session turns it into solver calls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What placing bodies and throwing balls have in common.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Placement of bodies, choice of substeps.
 #include "app/session/shot_setup.h"
 

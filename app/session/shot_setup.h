@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a shot's values and its bodies to the solver's setup: where each body stands, how stiff it is, where
 // the camera looks from.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Table and cache joined.
 #include "app/session/threshold.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The velocity from which a shot breaks its body: measured where it was measured once, else predicted.
 #pragma once
 #include <optional>

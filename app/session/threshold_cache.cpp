@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Key and file of one measured threshold.
 #include "app/session/threshold_cache.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thresholds that were measured once, in the user's cache folder: found again by body and setting.
 #pragma once
 #include <cstdint>

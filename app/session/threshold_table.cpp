@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows, the rule for bodies without a row, interpolation of beta.
 #include "app/session/threshold_table.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The table of assets/strength: at which velocity bodies break, before anything is simulated.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // toml++ behind a small face.
 #include "app/session/toml_reader.h"
 

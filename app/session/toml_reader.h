@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads typed, ranged values out of one TOML file; every complaint names file and line.
 #pragma once
 #include <filesystem>

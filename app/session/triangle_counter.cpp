@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts from the indirect draw commands.
 #include "app/session/triangle_counter.h"
 

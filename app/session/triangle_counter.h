@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How many triangles a picture of the body holds.
 #pragma once
 #include <cstdint>

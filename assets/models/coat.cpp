@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ridged value noise, stretched along the hair.
 #include "assets/models/coat.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hair as ridges in a body's signed distance: what turns a smooth animal into a furred one (assets.md 1.4).
 #pragma once
 #include <limits>

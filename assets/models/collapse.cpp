@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The priority queue around EditableMesh.
 #include "assets/models/collapse.h"
 

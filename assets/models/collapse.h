@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Decimates a closed surface to an exact number of triangles.
 #pragma once
 #include <functional>

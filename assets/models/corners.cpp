@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Corner attributes for rendering.
 #include "assets/models/corners.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normals and texture coordinates of triangle corners.
 #pragma once
 #include "assets/models/surface.h"

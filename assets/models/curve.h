@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A smooth curve through given points.
 #pragma once
 #include <algorithm>

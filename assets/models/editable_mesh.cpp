@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edge collapse on indexed triangles with the fan of every vertex at hand.
 #include "assets/models/editable_mesh.h"
 

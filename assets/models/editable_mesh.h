@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A closed surface whose edges can be collapsed one by one, with the tests that say which may.
 #pragma once
 #include <vector>

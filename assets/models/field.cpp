@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evaluates a recipe's parts in their order.
 #include "assets/models/field.h"
 

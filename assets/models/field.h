@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body of a recipe as one signed distance: its parts joined and carved in order.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Profiles of vessels.
 #include "assets/models/lathe.h"
 

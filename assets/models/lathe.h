@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turned bodies: rings of vertices around the y axis between two poles.
 #pragma once
 #include "assets/models/recipe.h"

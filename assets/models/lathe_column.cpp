@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Columns: the recipe's own rings, or more of them along the same mouldings and flutes.
 #include <algorithm>
 #include <cmath>

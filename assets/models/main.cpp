@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish_sculptor RECIPE.toml --triangles N --out FILE.obj
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marching tetrahedra: sample, cross the edges, then lay triangles through the crossings.
 #include "assets/models/marching.h"
 

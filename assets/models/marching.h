@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns a signed distance into a closed surface by marching tetrahedra.
 #pragma once
 #include <functional>

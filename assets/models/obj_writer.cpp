@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OBJ output.
 #include "assets/models/obj_writer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wavefront OBJ text with fixed decimals: the same bytes for the same surface.
 #pragma once
 #include <filesystem>

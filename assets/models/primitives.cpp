@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Closed forms of the recipe's shapes.
 #include "assets/models/primitives.h"
 

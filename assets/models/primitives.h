@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distances of the three shapes that recipes are made of, and the smooth operations that join them
 // (assets.md 1.4). Lengths in the recipe's unit; negative inside.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quadric arithmetic; the minimum by Cramer's rule.
 #include "assets/models/quadric.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sum of squared distances to planes: the error that edge collapse keeps small (Garland and Heckbert 1997).
 #pragma once
 #include "assets/models/vec3.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipe files: the frame common to all, and bodies of blended shapes.
 #include "assets/models/recipe.h"
 

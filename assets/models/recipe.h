@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a recipe file says, checked: a body of blended shapes, a vessel, or a column.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipe files: the coat.
 #include "assets/models/recipe_values.h"
 

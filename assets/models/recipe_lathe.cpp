@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipe files of turned bodies.
 #include <algorithm>
 

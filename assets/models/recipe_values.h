@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads typed values out of a recipe's tables and names the key when one is missing or out of range.
 #pragma once
 #include <toml++/toml.h>

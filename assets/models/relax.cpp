@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Laplacian smoothing held to the field.
 #include "assets/models/relax.h"
 

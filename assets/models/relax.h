@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Evens out a marched surface so that decimation starts from good triangles.
 #pragma once
 #include "assets/models/field.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The triangles between the rings of a turned body.
 #include "assets/models/revolve.h"
 

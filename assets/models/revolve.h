@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From rings of vertices to a closed surface.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The order of the work for each kind of recipe.
 #include "assets/models/sculpt.h"
 

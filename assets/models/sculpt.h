@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a recipe to a finished model.
 #pragma once
 #include "assets/models/obj_writer.h"

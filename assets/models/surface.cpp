@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Topology by counting, parts by union-find.
 #include "assets/models/surface.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A closed triangle surface and the questions that decide whether it is sound.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Points and directions in double precision: the sculptor's arithmetic, with no library behind it so that no
 // library can change its bits.
 #pragma once

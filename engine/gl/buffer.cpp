@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Direct state access only, so that no binding of the caller is disturbed.
 #include "engine/gl/buffer.h"
 

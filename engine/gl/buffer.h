@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning OpenGL buffer: immutable or resizable storage.
 #pragma once
 #include <cstddef>

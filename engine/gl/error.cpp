@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Driver messages become exceptions at a place of our choosing: a C callback must not throw.
 #include "engine/gl/error.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one exception of OpenGL set-up and the hook that turns driver messages into it.
 #pragma once
 #include <stdexcept>

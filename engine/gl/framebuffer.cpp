@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Completeness is checked once, where the attachments are known.
 #include "engine/gl/framebuffer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning framebuffer; the textures belong to whoever attached them and must outlive it.
 #pragma once
 #include <initializer_list>

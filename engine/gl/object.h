@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owner of one OpenGL name: made empty, moved, never copied, deleted once.
 #pragma once
 #include <glad/gl.h>

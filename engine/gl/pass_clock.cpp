@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ring of time stamps; a frame is skipped for reading, never waited for, when the ring is full.
 #include "engine/gl/pass_clock.h"
 

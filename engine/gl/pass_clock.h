@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GPU time of a frame and of each of its passes, read frames later so that nobody waits.
 #pragma once
 #include <array>

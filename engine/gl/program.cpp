@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Compiles and links; every message names the files, since a number alone helps nobody.
 #include "engine/gl/program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning shader program made from GLSL files.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Line numbers survive inclusion, so that a compiler message points at the file that people edit.
 #include "engine/gl/shader_source.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GLSL files with #include "path", path counted from the shader folder.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning fence: has the GPU come this far?
 #pragma once
 #include <glad/gl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Storage is immutable: a resized target is a new texture, which drivers like better and which cannot be half
 // made.
 #include "engine/gl/texture.h"

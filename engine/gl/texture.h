@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning textures (immutable storage) and samplers.
 #pragma once
 #include "engine/gl/object.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One binding point is enough: every layout here is interleaved.
 #include "engine/gl/vertex_array.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning vertex array: the layout of vertices, apart from the buffers that hold them.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two measures: how many pixels are plainly wrong, and whether the structure is the same.
 #include "engine/image/compare.h"
 

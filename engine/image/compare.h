@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Is this picture that picture? The rule of golden pictures, and a difference picture for people.
 #pragma once
 #include "engine/image/image.h"

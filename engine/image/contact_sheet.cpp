@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Box filter in exact integer areas, so that a sheet is the same on every machine.
 #include "engine/image/contact_sheet.h"
 

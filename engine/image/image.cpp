@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A picture of one colour.
 #include "engine/image/image.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // RGBA8 picture in memory, rows from the top down.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // libpng behind two functions. Its errors come back by longjmp, so everything with a destructor lives outside
 // the jump.
 #include "engine/image/png.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG files: written under a temporary name and renamed, so that a reader never sees half a picture.
 #pragma once
 #include <filesystem>

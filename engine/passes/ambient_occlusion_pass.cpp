@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three compute steps: reduce depth, gather horizons, blur.
 #include "engine/passes/ambient_occlusion_pass.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How much of the sky each point sees past its neighbours: half-size, from depth alone, blurred along
 // surfaces.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One vertex layout for the outside and the broken faces: 24 bytes, position, octahedral normal, uv, cell.
 #include "engine/passes/body_geometry.h"
 

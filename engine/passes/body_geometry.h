@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How a FractureMesh is fed to the vertex stage; shared by the shadow, surface and id passes.
 #pragma once
 #include "engine/gl/vertex_array.h"

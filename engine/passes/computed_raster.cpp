@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Data-centre GPUs draw with few of their multiprocessors and compute with all, and a drawing unit wastes
 // most of its lanes on triangles of a pixel's size.
 #include "engine/passes/computed_raster.h"

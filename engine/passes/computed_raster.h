@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Finds in compute passes what every sample of the picture and every texel of the shadow map shows.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One ribbon of two triangles an edge, instanced; the device decides which edges and how many.
 #include "engine/passes/crack_pass.h"
 

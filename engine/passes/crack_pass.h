@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hairlines where bonds are broken inside one fragment.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where few multiprocessors draw, clearing 4 samples of a large picture takes longer than the rest of the
 // frame; looking for what to clear is computed, and computing is cheap.
 #include "engine/passes/depth_eraser.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Empties a depth buffer where something was drawn last time and leaves the rest alone.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A strip of two triangles; seen from below it is not there, so that a camera under the floor still sees the
 // body.
 #include "engine/passes/floor_pass.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor plane y = 0 in the id picture; the light pass finds it without its being drawn.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads back and so waits for the GPU: for clicks and tests, not for every frame.
 #include "engine/passes/id_pass.h"
 

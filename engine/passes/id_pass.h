@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Who is under each pixel: fragment slots drawn as numbers, without anti-aliasing.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A compute pass: on data-centre GPUs only few multiprocessors draw, but all of them compute; and a pixel is
 // lit once, however many triangles were drawn over it.
 #include "engine/passes/light_pass.h"

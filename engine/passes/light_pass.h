@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From drawn materials to the display picture: sun, shadow, sky, occlusion, haze, tone curve, resolve, sRGB.
 #pragma once
 #include <filesystem>

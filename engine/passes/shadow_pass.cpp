@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Orthographic, two regions side by side; depth clamp lets things between sun and region cast shadows too.
 #include "engine/passes/shadow_pass.h"
 

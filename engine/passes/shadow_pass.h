@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sun's depth map, and its binding for the passes that ask whether a point is lit.
 #pragma once
 #include <filesystem>

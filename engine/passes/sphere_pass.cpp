@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Squares instead of meshes: four vertices a particle whatever its size on screen, and a round outline close
 // up.
 #include "engine/passes/sphere_pass.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Spheres: every particle in the particle view, and projectiles in every view. Each is one square facing the
 // camera in which the sphere is found exactly.
 #pragma once

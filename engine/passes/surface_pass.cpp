@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two programs from one text: the branch between materials is made once a draw, not once a pixel.
 #include "engine/passes/surface_pass.h"
 

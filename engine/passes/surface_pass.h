@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws the body: outside and broken faces, each with its material.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // eglGetDisplay(default) fails without a display server, so only devices and Mesa's surfaceless platform are
 // used.
 #include "engine/platform/egl_display.h"

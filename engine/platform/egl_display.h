@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // EGL displays: listing devices, opening a display on one of them, saying what went wrong in words.
 #pragma once
 #include <glad/egl.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads what the current context is and refuses one that the renderer cannot use.
 #include "engine/platform/gl_context.h"
 

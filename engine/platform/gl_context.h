@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a window and a headless context have in common.
 #pragma once
 #include <optional>

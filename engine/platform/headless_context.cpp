@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chooses the EGL device that computes, else another GPU, else Mesa's software: the renderer is the same on
 // all of them.
 #include "engine/platform/headless_context.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // OpenGL without a display: a surfaceless EGL context, on the GPU that computes where there is one.
 #pragma once
 #include <memory>

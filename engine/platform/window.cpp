@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GLFW behind the GlContext interface. GLFW is started once for all windows and left to the end of the
 // process.
 #include "engine/platform/window.h"

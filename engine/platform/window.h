@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A GLFW window with an OpenGL 4.5 core context; its events reach the owner as plain structs.
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // By the same text that colours the particles.
 #include "engine/render/colour_ramp.h"
 

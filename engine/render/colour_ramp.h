@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scale of the particle view as a small picture, for whoever has to say what its colours mean.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Allocates the buffers of one body. Streams are resizable storage, the kind that CUDA registers.
 #include "engine/render/fracture_mesh.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GPU buffers of one shot: static geometry and the streams that a simulation writes. The engine knows nothing
 // of the simulation: whoever fills the streams gets integer buffer ids and an update rule.
 #pragma once

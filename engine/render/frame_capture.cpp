@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ring of pixel-pack buffers: a frame is copied to memory while the next ones are drawn.
 #include "engine/render/frame_capture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Takes finished frames off the GPU without waiting for it: rotating pixel-pack buffers with fences.
 #pragma once
 #include <cstdint>

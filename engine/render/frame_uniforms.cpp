@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From what the caller wants to see to the numbers that shaders use.
 #include "engine/render/frame_uniforms.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The block of uniforms that all passes of a frame share (shaders/common/frame.glsl).
 #pragma once
 #include <glm/glm.hpp>

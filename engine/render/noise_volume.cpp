@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A table instead of arithmetic per pixel: cheaper on every driver, and mip maps take the noise out where it
 // would shimmer.
 #include "engine/render/noise_volume.h"

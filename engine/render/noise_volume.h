@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The repeating noise volume that materials read (shaders/common/noise.glsl).
 #pragma once
 #include "engine/gl/texture.h"

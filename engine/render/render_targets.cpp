@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Materials are drawn, light is computed afterwards; 32-bit float depth is what reversed depth needs.
 #include "engine/render/render_targets.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The pictures that a frame is drawn into before it reaches the caller's framebuffer; remade when the size
 // changes.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One frame, as a list of passes. Computed: depths, names, cracks. Drawn: shadow map; materials of body,
 // spheres and cracks. Then, in compute, occlusion and light.
 #include "engine/render/renderer.h"

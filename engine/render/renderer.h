@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draws one frame of a shot into the current framebuffer: the list of passes, in order.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera moves and matrices. Depth is reversed (near 1, far 0) in a zero-to-one clip range: float depth is
 // then fine everywhere.
 #include "engine/scene/camera.h"

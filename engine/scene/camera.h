@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera: a point that looks at a target, perspective. Orbit, pan, dolly, frame.
 #pragma once
 #include <glm/glm.hpp>

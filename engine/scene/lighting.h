@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One sun and a sky.
 #pragma once
 #include <glm/glm.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projectiles as rays meet them.
 #include "common/ball_material.glsl"
 struct Ball {

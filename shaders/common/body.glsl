@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where a cell's vertices are now: cell -> fragment slot -> the slot's rigid motion.
 #include "common/rotate.glsl"
 struct FragmentTransform {

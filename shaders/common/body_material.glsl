@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body's material at a point: `rest` is where it was when the body was whole, m.
 layout(location = BODY_MATERIAL) uniform vec4 outside;      // rgb albedo, a roughness
 layout(location = BODY_MATERIAL + 1) uniform vec4 inside;

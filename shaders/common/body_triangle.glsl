@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body's triangles by number, for passes that compute instead of drawing.
 #include "common/body.glsl"
 #include "common/commands.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // GGX metallic-roughness reflection of one sun and the sky.
 float ggxSpecular(float n_dot_h, float n_dot_v, float n_dot_l, float roughness) {
     float a = roughness * roughness;

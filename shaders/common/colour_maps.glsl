@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Colours of the particle view.
 vec3 fromOklab(vec3 lab) {
     float l = lab.x + 0.3963377774 * lab.y + 0.2158037573 * lab.z;

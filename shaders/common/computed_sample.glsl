@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a sample shows, from its name: the triangle is fetched again and its material made here, once for all samples of a
 // pixel that show it.
 #include "common/body_triangle.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which samples of a picture a triangle covers, found as a rasteriser finds them: corners are rounded to a grid, and a
 // sample on an edge belongs to one of the two triangles there.
 const int kGrid = 256;  // steps along a pixel

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hairlines along edges of the outside: a ribbon widened on the screen, at least kLeastPixels wide and soft at its rim;
 // wider and narrower, darker and lighter along its way. Where the two cells belong to different fragments it fades as they
 // part: then the gap itself is what one sees.

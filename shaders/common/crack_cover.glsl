@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The dark inside of a crack: no even stroke.
 #include "common/crack_colour.glsl"
 const float kFine = 4.0, kCoarse = 13.0;  // wavelengths, in widths

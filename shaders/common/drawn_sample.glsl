@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a sample shows, as the drawing passes left it (common/gbuffer.glsl).
 #if SAMPLES > 1
 layout(binding = 3) uniform usampler2DMS material_buffer;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Samples that show nothing but floor and sky: what follows is never asked.
 const bool kShowsBodies = false;
 float depthAt(ivec2 pixel, int i) { return 0.0; }

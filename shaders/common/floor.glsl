@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor plane y = 0 without being drawn: where a ray meets it, and its large tiles in two tones with thin joints.
 #include "common/gbuffer.glsl"
 #include "common/noise.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every pass of a frame knows; the C++ side is engine/render/frame_uniforms.h.
 layout(std140, binding = 0) uniform Frame {
     mat4 view_projection;  // world to clip, reversed depth in 0..1

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the drawing passes leave behind for the light pass: 12 bytes a sample.
 //   target 0, RGBA8:  square root of the albedo; roughness in 0..0.5, plus 0.5 for metal
 //   target 1, RGBA16: shading normal and geometric normal, octahedral, mapped to 0..1

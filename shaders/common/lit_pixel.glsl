@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel; maps each to display range,
 // averages, encodes sRGB.
 // Mapping before averaging keeps edges between bright and dark smooth.

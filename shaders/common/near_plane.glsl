@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the near plane leaves of a triangle: a polygon of 0, 3 or 4 corners.
 int cutByNearPlane(vec4 clip[3], out vec4 corner[4]) {
     int count = 0;

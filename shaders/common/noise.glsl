@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Band-limited noise of rest position from a small repeating volume: rgb = gradient, a = value, both mapped to 0..1.
 layout(binding = 2) uniform sampler3D noise_volume;
 const float kNoisePeriod = 8.0;  // lattice cells along one side of the volume

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first, the nearest wins;
 // then, of the triangles that have this depth, the one drawn last gives its name.
 #include "common/frame.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Part of a triangle, shared by the lanes of a work group: what the triangle covers between pixels `low` and `high`.
 void fillBox(Large t, ivec2 low, ivec2 high) {
     Flat f = t.flat_on_view;

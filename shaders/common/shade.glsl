@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light on one surface point: sun with shadow, and the sky with its occlusion.
 #include "common/gbuffer.glsl"
 #include "common/sky.glsl"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Soft sun shadow: blockers are looked for first, the penumbra grows with their distance (percentage-closer soft shadows).
 layout(binding = 1) uniform sampler2D shadow_depth;
 #if defined(COMPUTED) || defined(EMPTY)

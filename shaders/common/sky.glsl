@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sky: its radiance in a direction, and the light it sends onto a surface together with the floor.
 vec3 skyGradient(vec3 direction) {
     float height = max(direction.y, 0.0);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One sphere of the particle view or a projectile (32 bytes).
 struct Sphere {
     vec4 position_radius;  // m

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the ray through this fragment meets the sphere.
 in vec3 on_square;            // world, m
 flat in vec4 centre_radius;

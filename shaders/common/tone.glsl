@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From light to display: a film-like curve and the sRGB encoding.
 #include "common/srgb.glsl"
 // Bright saturated colours lean to white, as film does: primaries are mixed a little before the curve and unmixed after.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What each sample of the picture shows, as passes find it that compute instead of drawing: depths (reversed, as bits, 0
 // where there is nothing), then names (common/body_triangle.glsl), then cracks.
 layout(std430, binding = 7) buffer Visible { uint visible[]; };

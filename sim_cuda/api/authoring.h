@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mesh in, breakable body out. Host code on oneTBB; the same result for any number of threads.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What authoring makes of a mesh and a particle size: particles, bonds, geometry to draw. SI units, y up.
 #pragma once
 #include <cstdint>

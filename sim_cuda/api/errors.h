@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up errors: each ends in one sentence and its own exit code. Step errors are status bits (stats.h).
 #pragma once
 #include <stdexcept>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Static draw data of one body, made once per model and size (geometry.md 6); fracture chooses what is shown.
 #pragma once
 #include <cstdint>

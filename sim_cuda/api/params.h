@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The knobs of a simulation: SI units, usual range, effect. Values: assets/materials and assets/scenes.
 #pragma once
 #include <cstdint>

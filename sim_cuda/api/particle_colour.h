@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the ends of a particle's colour scale stand for.
 #pragma once
 #include "sim_cuda/api/solver.h"

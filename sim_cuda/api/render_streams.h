@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the solver writes one frame for drawing. The memory belongs to the renderer: GL buffers mapped for
 // CUDA, or plain memory on the CPU and copy paths. Pointers are valid during one exportFrame() call only and
 // are never kept.

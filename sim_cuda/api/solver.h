@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene being simulated, on the CPU or the GPU. One text serves both: they give the same bits.
 #pragma once
 #include <cstdint>

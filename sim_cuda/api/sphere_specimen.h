@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Round specimens of packed spheres, bonded across small gaps: the particles of the paper's 4.1.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a step reports: counts, energies and status bits that name the knob to turn.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For benchmarks of the substep: a block of stone of any size, and what a substep on it costs at the least.
 #pragma once
 #include <cstdint>

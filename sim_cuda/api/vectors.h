@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plain vectors of the public interface: data only, no arithmetic (that lives in physics/vector.h).
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How stiff a body becomes when it is softened to a step: what the number of substeps is chosen by.
 #pragma once
 #include <cstdint>

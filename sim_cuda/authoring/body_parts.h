@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is read off a cell complex: mass properties, bonds, draw geometry. Each is pure and stands alone.
 #pragma once
 #include "sim_cuda/api/breakable_body.h"

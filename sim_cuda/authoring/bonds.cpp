@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One bond for every pair of cells that share enough face (geometry.md 5).
 #include "sim_cuda/authoring/body_parts.h"
 #include "sim_cuda/authoring/double3.h"

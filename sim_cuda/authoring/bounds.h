@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The box about some points, along the axes.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edge balance of cells: counted by vertex ids for tests, by hash sums for every build.
 #include "sim_cuda/authoring/cell_balance.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Quick proof that cells are closed (geometry.md 2.5).
 #pragma once
 #include <vector>

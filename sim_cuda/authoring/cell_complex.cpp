@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stages of geometry.md 2 in order, and the fall-back for degenerate seeds.
 #include "sim_cuda/authoring/cell_complex.h"
 

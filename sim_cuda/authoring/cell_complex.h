@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solid cut into Voronoi cells: exact topology by symbolic vertices (geometry.md 2). Made by
 // buildCellComplex(), read by the draw geometry, the bonds and the mass properties.
 #pragma once

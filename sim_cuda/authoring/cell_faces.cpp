@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chains, crossings and winding numbers of one cell, joined to arcs and traced.
 #include "sim_cuda/authoring/cell_faces.h"
 

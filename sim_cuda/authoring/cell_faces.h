@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The faces of one cell: chains of surface edges on them, winding numbers at their corners (geometry.md 2.4
 // b-e).
 #pragma once

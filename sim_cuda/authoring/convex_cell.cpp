@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cutting a convex polyhedron: vertices beyond the plane go, the border of the gap is joined to the plane.
 #include "sim_cuda/authoring/convex_cell.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A convex polyhedron that planes cut, in the dual form: a vertex is three planes (geometry.md 2.2).
 #pragma once
 #include <array>

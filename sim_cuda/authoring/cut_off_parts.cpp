@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells are looked through in parallel by union-find over vertex ids; what is found is rare and handled in
 // order.
 #include "sim_cuda/authoring/cut_off_parts.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // In thin or folded solids a Voronoi cell may hold several separate parts of solid (geometry.md 2.6).
 #pragma once
 #include "sim_cuda/authoring/cell_complex.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Band splat, sweeps and sign of the distance grid, each parallel over layers that only their own task
 // writes.
 #include "sim_cuda/authoring/distance_field.h"

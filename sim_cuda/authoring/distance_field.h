@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Signed distances on the nodes of a regular grid: how the distance grid is filled.
 #pragma once
 #include <vector>

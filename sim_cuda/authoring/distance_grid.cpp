@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Trilinear signed distance and the list of nodes inside.
 #include <cassert>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic on Double3 for the host geometry of this room (the solver's float vectors live in physics).
 #pragma once
 #include <algorithm>

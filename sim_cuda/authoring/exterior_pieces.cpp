@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles are clipped in blocks, in parallel; the pieces are then dealt out to their cells in triangle
 // order.
 #include "sim_cuda/authoring/exterior_pieces.h"

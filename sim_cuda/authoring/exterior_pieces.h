@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh's triangles cut by the cells: what of the surface belongs to whom (geometry.md 2.3).
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tracing arcs to loops, giving holes to the loops around them, measuring and triangulating the parts.
 #include "sim_cuda/authoring/face_loops.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loops of directed arcs in the plane of a face, and the face parts that they bound (geometry.md 2.4 e-g).
 #pragma once
 #include <array>

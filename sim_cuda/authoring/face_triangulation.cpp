@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ear clipping; holes are first joined to the outline by bridges that cross nothing.
 #include "sim_cuda/authoring/face_triangulation.h"
 

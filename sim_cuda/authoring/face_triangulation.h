@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles for a flat polygon with holes (geometry.md 2.4 g).
 #pragma once
 #include <array>

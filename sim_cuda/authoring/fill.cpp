@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A solid and a particle count in, a breakable body out: the stages of authoring in order.
 #include <cmath>
 

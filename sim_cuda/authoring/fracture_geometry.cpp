@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From the cell complex to what is drawn: the order of the steps, and the length that faces are tessellated
 // at.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Voronoi edges inside the solid and their cuts: done once an edge, so that every face round it gets the same
 // vertices.
 #include <algorithm>

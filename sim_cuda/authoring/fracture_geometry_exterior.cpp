@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The outside of the body cut into cells: vertices with the artist's normals and UVs, and the cracks that may
 // show on it.
 #include <oneapi/tbb/parallel_for.h>

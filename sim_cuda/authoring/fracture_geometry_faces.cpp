@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Interior faces as triangles fine enough to be bent: split edges, and a centre vertex wherever the face is
 // star-shaped.
 #include <oneapi/tbb/parallel_for.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The steps of makeFractureGeometry(): exterior, split Voronoi edges, tessellated faces, corner lists.
 #pragma once
 #include <cstdint>

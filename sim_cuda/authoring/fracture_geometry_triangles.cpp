@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh's triangles as they are drawn: the parts of their cells, and the points round them.
 #include <algorithm>
 #include <utility>

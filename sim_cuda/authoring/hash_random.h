@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random numbers of the authoring: a stream for each purpose, a value for each counter, whatever the order of
 // calls.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All cells in parallel, in blocks whose faces are strung together in order.
 #include "sim_cuda/authoring/interior_faces.h"
 

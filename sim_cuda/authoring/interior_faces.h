@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The faces between cells, cut to the solid by winding numbers (geometry.md 2.4).
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mass properties of the clipped cells by the divergence theorem: signed tetrahedra from each seed.
 #include <tbb/parallel_for.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts open edges and doubled triangles, sums volume and area.
 #include "sim_cuda/authoring/mesh_checks.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a mesh must satisfy before it can be filled: closed, and with a volume.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edges found by sorting the triangles' sides into their lower vertex.
 #include "sim_cuda/authoring/mesh_edges.h"
 

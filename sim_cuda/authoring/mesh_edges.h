@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Numbers for the undirected edges of a mesh: the ids behind keys of kind B (geometry.md 2.1).
 #pragma once
 #include <array>

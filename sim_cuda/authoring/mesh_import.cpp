@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads model files with assimp and turns them into one welded mesh.
 #include "sim_cuda/authoring/mesh_import.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Model file in, checked triangle mesh out.
 #pragma once
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Winding number and closest point on the triangle tree.
 #include "sim_cuda/authoring/mesh_queries.h"
 

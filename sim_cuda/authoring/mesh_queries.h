@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Exact and fast questions to a closed mesh: what is inside, how far is the surface (geometry.md 1).
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relaxed packing: stratified start, pair repulsion, depth projection, exact inside check, general position.
 #include "sim_cuda/authoring/packing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Relaxed packing of exactly N seeds inside a mesh (geometry.md 1 a-e).
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The sign on which ray crossings rest: on which side of an edge the origin lies, in a projection to the
 // plane.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Nearest point of one triangle: shared by the tree queries and the distance grid.
 #pragma once
 #include "sim_cuda/authoring/double3.h"

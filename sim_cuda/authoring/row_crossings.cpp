@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts crossings row by row and sums them up from the far end.
 #include "sim_cuda/authoring/row_crossings.h"
 

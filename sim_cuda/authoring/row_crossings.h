@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Winding numbers of all grid nodes at once: signed crossings of the surface along the grid's rows.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counting sort of seeds by cell.
 #include "sim_cuda/authoring/seed_cells.h"
 

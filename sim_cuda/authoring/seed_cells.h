@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeds sorted into cubic cells: who is near whom during the packing.
 #pragma once
 #include <cstdint>

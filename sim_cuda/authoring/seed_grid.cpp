@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counting sort of the seeds into grid cells, and the nearest seed of a point.
 #include "sim_cuda/authoring/seed_grid.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeds sorted into cubic cells for searches that widen ring by ring (geometry.md 2.2).
 #pragma once
 #include <cstdint>

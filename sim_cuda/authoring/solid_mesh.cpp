@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Loads a solid and answers what sizes of particles it can take.
 #include "sim_cuda/authoring/solid_mesh.h"
 

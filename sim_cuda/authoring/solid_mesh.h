@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The mesh together with what is computed from it once: tree, distance grid, figures.
 #pragma once
 #include "sim_cuda/api/authoring.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // FIRE (Bitzek et al. 2006, Phys. Rev. Lett. 97, 170201) on E = sum over overlaps of overlap^2 / 2, in units
 // of the mean radius, with neighbour lists that are renewed as spheres move.
 #include "sim_cuda/authoring/sphere_packing.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hard spheres pushed apart inside a round container.
 #pragma once
 #include <cstdint>

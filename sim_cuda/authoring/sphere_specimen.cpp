@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Radii, packing, bonds across gaps.
 #include "sim_cuda/api/sphere_specimen.h"
 

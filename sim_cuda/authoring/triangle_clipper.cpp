@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sutherland-Hodgman with labels: a new corner's key says which mesh side or which neighbour met which plane.
 #include "sim_cuda/authoring/triangle_clipper.h"
 

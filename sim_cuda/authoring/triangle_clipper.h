@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One triangle flooded through the cells that it meets, cut by their planes with symbolic corners.
 #pragma once
 #include <vector>

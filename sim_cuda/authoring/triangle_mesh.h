@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A welded, closed, outward-oriented triangle mesh: positions shared, attributes per corner.
 #pragma once
 #include <array>

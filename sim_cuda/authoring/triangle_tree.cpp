@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds the triangle tree by binned surface-area splits.
 #include "sim_cuda/authoring/triangle_tree.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bounding-box tree over the triangles of a mesh: the walk behind ray and nearest-point queries.
 #pragma once
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Keys in sorted order and the positions that follow from them.
 #include "sim_cuda/authoring/vertex_keys.h"
 

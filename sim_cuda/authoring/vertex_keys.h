@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Symbolic vertices: keys, the positions that follow from them alone, and ids by key (geometry.md 2.1).
 #pragma once
 #include <vector>

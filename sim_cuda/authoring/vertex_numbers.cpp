@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ids by key: keys are dealt into buckets by kind and first id, and the small buckets sorted in parallel.
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each cell is cut by its neighbours, ring by ring, until none can reach it; then its polygons are strung.
 #include "sim_cuda/authoring/voronoi_cells.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Voronoi cells of all seeds within their start cubes, as flat arrays (geometry.md 2.2).
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole-number atomics with one spelling on both devices. There are none for floats: their sums would depend
 // on order.
 #pragma once

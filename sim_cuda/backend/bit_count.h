@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counting bits with one spelling on both devices.
 #pragma once
 #include <bit>

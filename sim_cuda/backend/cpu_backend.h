@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CPU: plain memory and oneTBB. Results never depend on the number of threads.
 #pragma once
 #include <oneapi/tbb/parallel_for.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What of the CUDA backend needs no kernel of the caller: the stream, the prefix sum, the timer.
 #include "sim_cuda/backend/cuda_backend.cuh"
 

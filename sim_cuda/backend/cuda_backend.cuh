@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The GPU: device memory, one stream, kernels from function objects. Compiled by nvcc only.
 #pragma once
 #include <cuda_runtime.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Launches of kernels that may start while the one before still runs (programmatic dependent launch): such a
 // kernel calls letNextStart() and, before it reads or writes what others write, awaitPrevious(). And the list
 // of such launches, for those that are to be made later.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turns CUDA's error codes into the program's own exception.
 #pragma once
 #include <cuda_runtime_api.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one order in which both devices add up an array, so that a sum has the same bits everywhere: chunks of
 // 256 neighbours, each folded as a tree; the chunks' results are folded the same way until one is left.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A view of memory on either device, and nothing more: kernels take their inputs and outputs as these.
 #pragma once
 #include <cstddef>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Launches, graphs and clocks of the floor's substep.
 #include <algorithm>
 #include <array>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor's substep on the GPU in three layouts. Each is a plain gather: nobody adds to a neighbour.
 #pragma once
 #include <cooperative_groups.h>

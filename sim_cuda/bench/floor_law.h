@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The cheapest substep that still is one: linear springs and dampers on solid bonds, then a kick and a drift.
 // No contacts, walls, ledger, tough cells or equal bits between devices; lengths in spacings, masses 1.
 #pragma once

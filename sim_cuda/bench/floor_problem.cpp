@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a body's bonds to rows.
 #include "sim_cuda/bench/floor_problem.h"
 

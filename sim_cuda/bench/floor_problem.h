@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arrays of the floor's substep for a body, on the host, and the substep itself as a reference.
 #pragma once
 #include <cstdint>

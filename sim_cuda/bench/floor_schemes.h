@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ways in which the floor's substep can be launched, and what each gives; the tests' door to them.
 #pragma once
 #include <string>

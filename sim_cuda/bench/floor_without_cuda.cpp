@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the GPU's floor says in a build without the toolkit.
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/substep_bench.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CPU's share: how fast memory can be copied.
 #include <tbb/parallel_for.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cubic cells in rows, layers and a block; exact in volume, so that no packing has to run first.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bonds as rows: every particle has one slot for each of its bonds, in the order of the other particle's id,
 // and each bond therefore two slots, one at each end. The record of a bond owns its pair for ever: bonded,
 // broken, at last plain contact; such a pair never appears in the contact list as well.

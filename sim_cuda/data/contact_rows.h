@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pairs without a bond record may touch before the lists are built again: rows sorted by id, both ends
 // hold the pair. A projectile's row is long; it stands last, and the particles it may touch have it at the
 // end of theirs. Built by solver/neighbour_lists.h.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How kernels see the static interior geometry of the scene, and the state of its faces.
 #pragma once
 #include "sim_cuda/api/fracture_geometry.h"

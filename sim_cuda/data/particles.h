@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particles as structures of arrays. Indices: the particles of all bodies one body after the other, then
 // kMaxProjectiles slots for projectiles (inverse mass 0 while a slot is unused or its projectile has not
 // started).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rigid half spaces and the static friction that particles keep against each of them.
 #pragma once
 #include "sim_cuda/backend/span.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How each fragment is moved, and the lists of those that are. A fragment's slot is its lowest particle id; a
 // projectile's slot is its own.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where something stands in a row that ascends, as rows of bonds and of contacts do.
 #pragma once
 #include <cstdint>

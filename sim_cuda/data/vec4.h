@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Four numbers that travel as one load: the unit in which particle and bond arrays are laid out.
 #pragma once
 #include "sim_cuda/physics/quaternion.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Solid bonds on the CPU, several at once: each bond is evaluated once, in lanes that the compiler turns into
 // vector instructions, and its effect on both ends is left in their slots for the particles to sum. The
 // numbers are those that each end would compute by itself, since the laws are odd in i and j to the last bit.

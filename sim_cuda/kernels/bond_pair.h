@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One solid bond as its particle i sees it: load, break test, and what it books. Straight-line code, so that
 // the CPU can do eight bonds at once; odd in i and j to the last bit, so that both ends agree.
 #pragma once

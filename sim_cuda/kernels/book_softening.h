@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What contacts lose when a fragment at one of their ends becomes rigid: from then on they are as soft as
 // contact steps need them, while their overlap stays. For the ledger alone.
 #pragma once

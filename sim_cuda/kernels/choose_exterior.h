@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How each triangle of the mesh is drawn: in parts, or uncut through some of the points on its rim.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long the lists of a build are to hold, and the grid that follows from it. Decided on the device, so
 // that nobody waits for it; in double precision from whole sets of numbers, so that every device decides
 // alike.

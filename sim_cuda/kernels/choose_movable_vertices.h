@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which pool vertices may be bent: those on newly exposed faces that neither lie on the outside nor were
 // shown before.
 #pragma once

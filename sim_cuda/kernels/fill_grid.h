@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The grid's two kernels: count the particles of each bucket, then write their ids bucket by bucket. The
 // order inside a bucket is left to chance; the rows made from it are sorted.
 #pragma once

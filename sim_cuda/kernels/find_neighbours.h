@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which particles may meet: those of bodies among each other by way of the grid, and each with the
 // projectiles. find_pairs.h keeps what is found.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search itself: what is found goes into short drafts, in any order; write_neighbours.h makes rows of
 // them. There are few projectiles, and each may touch thousands, so that their rows are kept as one bit a
 // particle: threads set bits in any order, and the bits are in the order of ids.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search on the GPU: a warp for some particles that follow each other in the buckets, most of them of one
 // cell, so that what lies about them is read once. Most candidates fail the first test and few pass; those
 // who pass are gathered in a queue and looked at together, else every lane would wait for the few.

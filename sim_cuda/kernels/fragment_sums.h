@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over the particles of each fragment in an order that is the same on every device: particles sorted by
 // (fragment, id), terms folded eight at a time along that order, in double.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The uniform grid of the paper (3.3.1): counters and cells, but without its cap of 4. Space is unbounded:
 // cells are hashed to buckets, and a particle keeps the key of its cell, so that strangers in a bucket are
 // told apart.

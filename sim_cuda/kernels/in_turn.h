@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two kernels that every thread can do one after the other, as one.
 #pragma once
 #include <cstdint>

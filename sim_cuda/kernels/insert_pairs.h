@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs that turn up while contact lists hold: whoever has left his path may touch somebody whom his row does
 // not name. The rows are copied with the new pairs at their places; nobody else is searched for.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Leapfrog, kick then drift (physics B.1), and the ledger's share of a particle.
 #pragma once
 #include "sim_cuda/kernels/own_particle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which fragments may meet before the next decision, and what follows for how each is moved. A fragment that
 // vibrates or is about to be hit hard is moved with its bonds; the others of its island, the fragments that
 // may touch, stay rigid. An island sleeps as a whole.

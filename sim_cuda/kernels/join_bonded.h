@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clustering (paper 3.2.1) as connected components over intact bonds: every particle ends with the lowest id
 // of its fragment. Trees hang from lower ids to higher ones and only roots are joined, so that the outcome
 // does not depend on which thread comes first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A look at the state every few substeps: is all of it finite and inside the scene, and do the contact lists
 // still hold?
 #pragma once

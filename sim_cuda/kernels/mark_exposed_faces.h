@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which interior faces show: those whose cells are in different fragments; and how much each writes.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"

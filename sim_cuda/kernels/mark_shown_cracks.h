@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which crack edges show on the outside: a hairline where the bond is broken though both cells still hang
 // together.
 #pragma once

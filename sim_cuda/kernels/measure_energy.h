@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Energies and momenta of one moment, a particle's share at a time, in double. Pairs belong to the lower id.
 #pragma once
 #include "sim_cuda/kernels/own_particle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A particle as its own thread holds it, and what it gathers: total load, and what the ledger books.
 #pragma once
 #include "sim_cuda/kernels/bond_pair.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The fixed order in which a particle's loads are added, on every device and for any number of threads.
 #pragma once
 #include "sim_cuda/kernels/own_particle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the particle view is coloured by, 0..1.
 #pragma once
 #include "sim_cuda/kernels/own_particle.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How long contact lists stay valid. A pair is listed when its two straight paths from the build on,
 // x + v t for 0 <= t <= horizon, come closer than R_c,i + skin_i + R_c,j + skin_j. As long as the horizon is
 // not over and no particle is farther than its skin from its path, a pair that is not listed cannot touch:

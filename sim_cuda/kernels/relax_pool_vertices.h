@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One Laplacian step on the crack surface: facets of single cells melt into one broken face (geometry.md 4
 // d).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What acts on one particle of a rigid fragment: the faces of broken bonds to other fragments, contacts,
 // planes. The laws are those of a substep; only the step is longer, and a particle carries its share of the
 // fragment's mass.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What acts on the particles of rigid fragments, on the GPU: T threads go through the rows of a particle, and
 // other blocks may do a substep meanwhile.
 #pragma once

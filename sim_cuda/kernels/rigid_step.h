@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One contact step of a rigid fragment: the loads of its particles in a fixed order, kick and drift of the
 // whole, then the particles put where it has taken them. Lanes share a fragment, on the GPU as threads;
 // whatever runs them, place k of its row belongs to lane k mod laneCount(), and lanes are added as a tree.

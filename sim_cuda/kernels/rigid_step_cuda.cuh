@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rigid fragments moved on the GPU: a warp moves a small one, a block a large one.
 #pragma once
 #include "sim_cuda/kernels/rigid_step.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Geometric roughness of a fresh crack surface: noise of the rest position, fading towards the outside
 // (geometry.md 4 b).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Distance of pool vertices from the outside, counted in edges: one more ring a call.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First stage of a list build: where every particle is and goes now, how far it reaches, whether anything can
 // reach it, and the box of all velocities.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From particles to rigid bodies and back: the body that fits a fragment's present motion by (16)-(18), where
 // its particles hang on it, and the particles put where it has taken them.
 #pragma once

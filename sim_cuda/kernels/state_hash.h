@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The state hash: a sum of one well-mixed number for each particle, bond record and contact, so that no order
 // matters.
 #pragma once

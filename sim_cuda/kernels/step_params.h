@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of a substep that are the same for all particles, and the law constants of each body and of each
 // pair of owners.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The few that leave the paths on which contact lists rely (predicted_path.h): crumbs that bounce, corners of
 // what spins. Lists for all need not be made again for them. They get new paths from where they are; what is
 // asked is whom one of them may touch whom its row does not name, and when it may meet somebody with whom the

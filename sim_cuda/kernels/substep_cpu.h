@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One substep on the CPU: solid bonds in lanes, then every particle sums its slots in the fixed order and
 // moves.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One substep on the GPU, one kernel: T threads gather a particle's slots, agree on the sum in the fixed
 // order, and the first of them moves it. Whatever T is, slot k of a row ends in partial sum k mod kPartials
 // and is added in slot order, so that every T, and the CPU, give the same bits (frame facts 3).

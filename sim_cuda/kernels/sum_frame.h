@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a frame's report needs of every particle, in one pass: ledger, broken bonds, highest stress.
 #pragma once
 #include "sim_cuda/kernels/particle_value.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two bodies pressed on each other without a bond: plain contact, the faces of a broken bond, a particle on a
 // plane. One law for all three (physics A.2, A.5; models E.4, E.5): spring and damper along the line of
 // centres, never pulling except by adhesion, a tangential spring cut at mu N, rolling resistance. Odd in i

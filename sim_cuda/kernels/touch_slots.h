@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What particle i gets from one slot that is not a solid bond: a contact of its list, the record of a former
 // bond, a plane. Each thread writes its own slot only; both ends of a pair compute the same.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The box that holds all velocities: minima and maxima, so that no order of evaluation can change it.
 #pragma once
 #include <cmath>

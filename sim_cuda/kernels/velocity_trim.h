@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The few particles that are much faster than all others: a crumb that flies off would shorten everybody's
 // horizon. They are kept out of the grid and compared with every particle instead (find_neighbours.h).
 //

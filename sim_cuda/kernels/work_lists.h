@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The lists of what is moved (data/regimes.h), made in the order of ids by one scan over rows of marks:
 // particles of rigid fragments that may touch something, rigid fragments, particles moved with their bonds,
 // particles of rigid fragments that may touch those.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All colours of the particle view at once, a byte each: what a recording keeps.
 #pragma once
 #include "sim_cuda/api/render_streams.h"

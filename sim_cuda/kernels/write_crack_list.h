@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ids of the crack edges that show, in ascending order.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counts for the indirect draws, from the ends of the scans: the host never learns them.
 #pragma once
 #include "sim_cuda/api/render_streams.h"

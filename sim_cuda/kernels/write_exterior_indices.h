@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The outside as it is drawn: triangles of the mesh, or the parts of their cells.
 #pragma once
 #include "sim_cuda/kernels/choose_exterior.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What becomes of the sums over a fragment: the transform it is drawn with, its rigid motion by (16)-(18),
 // its age.
 #pragma once

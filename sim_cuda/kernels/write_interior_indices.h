@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Triangles of the exposed faces: side a as it stands, side b turned round.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"

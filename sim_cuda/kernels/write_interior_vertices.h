@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Vertices of the exposed faces, for both sides of each: the same positions, each with its side's smooth
 // normal.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rows from what was found: sorted by id, with the springs of the rows before.
 #pragma once
 #include "sim_cuda/backend/bit_count.h"

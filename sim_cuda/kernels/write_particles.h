@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One sphere a particle and projectile, for the particle view, coloured by what the viewer asked for.
 #pragma once
 #include "sim_cuda/api/render_streams.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What two bonded particles have done to their bond: total formulation of physics B.2, no accumulated state,
 // hence no drift. Written so that exchanging i and j negates every vector exactly: each particle may evaluate
 // its bonds as "i".

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solid bond at work: forces and moments (5)-(6), (9)-(10), its damper (E3), stresses and break
 // (11)-(12), energy.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up of one solid bond's four constants: the paper's (5)-(10) and (13) as corrected in physics A.3-A.4,
 // and the beam law of models E.1. Host code in double; out-of-range input throws std::invalid_argument.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Type 3, a broken bond whose faces still touch: (14), (15) as corrected in physics A.5. The normal is the
 // line of centres and the rest distance stays L0, so that the force does not jump at fracture and spinning in
 // place makes no overlap. Friction: tangential_spring.h with k_T and the limit below; M_N = 0.

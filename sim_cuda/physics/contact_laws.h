@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plain contact of two spheres, or of a sphere and a rigid wall: (1)-(4) of the paper as corrected in physics
 // A.2. Overlap delta > 0 and force > 0 mean compression. SI units; any consistent set works.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The one annotation macro: a function that runs on both sides.
 #pragma once
 #if defined(__CUDACC__)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a fragment's bonds may rest and when they must work: the bounds of architecture 9, each a speed
 // measured in the speed that breaks the material. A particle that swings at beta v_c carries the stress
 // sigma_c = rho c (beta v_c) of models E.2.

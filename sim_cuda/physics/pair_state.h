@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's three kinds of contact as one-way states of a pair (physics A.6), and its NORMAL/DISCRETE
 // stretch rule.
 #pragma once

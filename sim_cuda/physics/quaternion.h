@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Unit quaternions for particle orientations: rotation, relative rotation, one step of spinning (physics B.1,
 // B.2).
 #pragma once

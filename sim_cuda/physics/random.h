@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counter-based random numbers: the value depends on (seed, index) alone, so no order of evaluation can
 // change it.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up: the damper constants that give a wanted restitution with the clamped contact force (table of
 // physics A.2).
 #pragma once

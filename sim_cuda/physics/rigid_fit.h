@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rigid motion of a fragment from its particles: (16)-(18) of the paper, mass-weighted and with spins
 // (physics A.7), so that linear and angular momentum are kept exactly. Sums in double and in a fixed order:
 // the same bits on both devices.

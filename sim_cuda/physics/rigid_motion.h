@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fragment that goes on as one rigid body: the motion of (16) driven by the sum of what its particles feel
 // (architecture 9). In double: there are few of them, and their particles hang on them.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What ends the motion of round cells: rolling resistance (models E.5).
 #pragma once
 #include "sim_cuda/physics/vector.h"

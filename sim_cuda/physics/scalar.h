@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Arithmetic that gives the same bits on every compiler and device: + - * / sqrt, a fused multiply-add,
 // ternaries.
 #pragma once

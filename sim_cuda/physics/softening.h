@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How stiff and how strong a body may be for a given number of substeps: the scaling rule of physics C.3 with
 // the numbers of models E.1-E.2. Host code in double, SI units.
 #pragma once

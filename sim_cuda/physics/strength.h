@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up: how the strength of single bonds scatters. Weibull factor of physics A.4.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Friction with a direction: the tangential spring of a contact, capped by Coulomb's law on magnitudes: (2')
 // (4') (15').
 #pragma once

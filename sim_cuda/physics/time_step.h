@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stable step of the leapfrog (physics B.3): undamped limit, damped limit, and a bound that needs no
 // eigenvalues.
 #pragma once

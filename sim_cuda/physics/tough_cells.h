@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Set-up: tough cells, the inner structure that makes a body break into chunks and not into dust (models
 // E.3): bonds inside one cell are `tough_factor` times stronger.
 #pragma once

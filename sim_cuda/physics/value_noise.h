@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Roughness of broken material: a smooth random vector field made of hashed lattices; the same bits
 // everywhere.
 #pragma once

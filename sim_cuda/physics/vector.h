@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three-component vectors of the laws; every operation is odd in each argument, to the last bit.
 #pragma once
 #include "sim_cuda/physics/scalar.h"

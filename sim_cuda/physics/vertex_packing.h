@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Small vertices: directions as two 16-bit numbers, texture coordinates as two halves; the same bits on host
 // and device.
 #pragma once

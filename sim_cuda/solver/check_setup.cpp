@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Refuses what cannot be simulated, in one sentence each, before anything is allocated.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Everything that changes while stepping, set aside on the device (frame start, dry runs) or as bytes
 // (snapshots).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fragments: particles still joined by intact bonds (paper 3.2.1), and the particles in order of (fragment,
 // id).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Offsets, and nothing but offsets: the geometry of a body is copied with its numbers moved.
 #include "sim_cuda/solver/concatenate_geometry.h"
 

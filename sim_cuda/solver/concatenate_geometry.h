@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The draw data of all bodies of a scene as one: particles, pool, faces, bonds and exterior numbered through.
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solver on the CPU.
 #include "sim_cuda/solver/cpu_substep_runner.h"
 #include "sim_cuda/solver/device_solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs substeps on the CPU.
 #pragma once
 #include "sim_cuda/backend/cpu_backend.h"

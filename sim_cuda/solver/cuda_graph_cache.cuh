@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sequences of launches as CUDA graphs. A graph takes the host a microsecond to start, each launch of its own
 // two and a half or more, while a substep of few particles takes the GPU two. Lists and counts change with
 // every decision: then the arguments in a graph are changed, not the graph.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the search for pairs on the GPU.
 #pragma once
 #include "sim_cuda/backend/cuda_backend.cuh"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact steps of rigid fragments on the GPU: two kernels each, or, where substeps stand between them, the
 // first one together with the first substep.
 #pragma once

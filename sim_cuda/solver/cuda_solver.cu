@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solver on the GPU, and the question whether there is one.
 #include "sim_cuda/solver/cuda_pair_finder.cuh"
 #include "sim_cuda/solver/cuda_rigid_runner.cuh"

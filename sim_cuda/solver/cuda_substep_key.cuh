@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What every kind of step writes into a graph.
 #pragma once
 #include "sim_cuda/kernels/step_params.h"

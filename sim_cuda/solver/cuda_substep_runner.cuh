@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs substeps on the GPU: kSubstepsTogether of them as one CUDA graph, single launches for what is left
 // over and where lists are new.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The solver on one backend. What a frame does, in order:
 //
 //   set the state aside -> how each fragment is moved

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What is awake advances: what is moved with its bonds in substeps, rigid fragments in contact steps, and how
 // the two go together. Part of device_solver.h.
 #pragma once

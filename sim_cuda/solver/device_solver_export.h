@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fragments, and one frame written for drawing. Part of device_solver.h.
 #pragma once
 #include <algorithm>

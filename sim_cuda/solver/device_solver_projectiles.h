@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Projectiles: slots after the bodies' particles, inactive until their start. Part of device_solver.h.
 #pragma once
 #include <algorithm>

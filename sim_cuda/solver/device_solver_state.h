@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a solver tells about its state: sums, hash, snapshots, streams for drawing. Part of device_solver.h.
 #pragma once
 #include "sim_cuda/api/errors.h"

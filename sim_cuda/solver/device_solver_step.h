@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stepping: chunks of substeps between looks, contact lists, settling. Part of device_solver.h.
 #pragma once
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particles that have left the paths of the contact lists get new ones; the lists stay, as long as they can.
 // Part of device_solver.h.
 #pragma once

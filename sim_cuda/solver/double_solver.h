@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CPU solver in double precision: a measuring stick for tests, not for users.
 #pragma once
 #include "sim_cuda/api/solver.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface that fracture opens: which faces and cracks show, how fresh ones are bent, and what is written
 // for drawing.
 //

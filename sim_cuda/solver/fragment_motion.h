@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How each fragment moves as a rigid body: the transform it is drawn with, and its velocity by (16)-(18).
 //
 //   start sums -> fold 1, 8, 64 ... -> transforms;  spins about the centres -> fold -> rigid motions

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The highest frequency of a body's bonds at rest: power iteration on M^-1 K with translation and rotation
 // (physics B.3).
 #include <tbb/parallel_for.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which constants hold between whom: bodies, projectiles and planes.
 #include <algorithm>
 

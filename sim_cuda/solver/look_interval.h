@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How often a run is looked at.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact lists: which pairs may touch for a while, found on the paper's uniform grid (3.3.1).
 //
 //   start paths -> velocity ranges -> who is fast -> common velocity, horizon -> count in buckets -> scan ->

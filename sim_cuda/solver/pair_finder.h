@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs the search for pairs: how depends on the backend, here the CPU; for CUDA see cuda_pair_finder.cuh.
 #pragma once
 #include "sim_cuda/backend/cpu_backend.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Only what is breaking pays (architecture 9): decides which fragments are moved with their bonds, which as
 // rigid bodies and which not at all, and keeps the lists of each.
 //

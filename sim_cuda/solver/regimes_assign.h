@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The steps of a decision. Part of regimes.h.
 #pragma once
 #include "sim_cuda/kernels/in_turn.h"

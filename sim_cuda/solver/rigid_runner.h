@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact steps of rigid fragments. How they run depends on the backend: here the CPU, for CUDA see
 // cuda_rigid_runner.cuh.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // From a set-up to tables: particles in the world, bond rows, and the softening rule that ties stiffness to
 // the time step.
 #include "sim_cuda/solver/scene_tables.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene set-up worked out for the solver, on the host and in double: particles, bond rows, law constants,
 // time step.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // All that lives on the device: made once from the scene tables; the changing part can be set aside and put
 // back.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Step status in words: what happened, and which knob to turn.
 #include "sim_cuda/api/stats.h"
 

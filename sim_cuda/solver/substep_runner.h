@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs substeps: how depends on the backend, see cpu_substep_runner.h and cuda_substep_runner.cuh.
 #pragma once
 #include "sim_cuda/solver/solver_data.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the CUDA entry points say in a build without the toolkit.
 #if !defined(DEMOLISH_WITH_CUDA)
 #include "sim_cuda/api/errors.h"

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Measures everything that is kept in this folder: the four scenes, drawn, not drawn, drawn only and recorded
 # as in the window, and the substep alone.
 #   tests/bench_results/measure.sh FOLDER [options of `demolish bench` for the scenes]

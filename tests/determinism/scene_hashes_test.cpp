@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scenes that people see give the stored bits: all of their bodies at few particles, their balls brought
 // forward, stepped as the program steps them (balls between frames, hand-over and sleep). Twice: on the CPU,
 // by one thread and by two; and with label gpu on the GPU, against the same numbers.

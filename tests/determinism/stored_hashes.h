@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The file of state hashes: written by one machine, checked by all.
 #pragma once
 #include <cstdint>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The CPU gives the stored bits: 2,000 breaking substeps, in the same file that the GPU is checked against.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The page of sim_cuda/README.md that maps the paper's equations to functions and tests speaks of functions
 // and tests that exist.
 #include <gtest/gtest.h>

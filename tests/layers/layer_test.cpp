@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads every include line and fails on an arrow that the architecture forbids, on files and functions that
 // grew too long, and on habits that would break the equal bits of CPU and GPU.
 #include <gtest/gtest.h>

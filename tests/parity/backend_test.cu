@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the CUDA backend does by itself: prefix sums, work side by side.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every launch scheme of the substep's floor gives what the host gives: a scheme that skips work would make a
 // floor that nothing can stand on.
 #include <gtest/gtest.h>

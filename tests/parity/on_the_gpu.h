@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // For tests that need a GPU: skipped, with the reason, where there is none.
 #pragma once
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // CPU and GPU, step by step: the same bits through 2,000 breaking substeps, for any number of threads a
 // particle.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells are deformed cubes that share their corners, so the block is closed whatever the jitter.
 #include "tests/render/block_body.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A body made by hand for pictures and facts: a block of n x n x n cells with jittered corners, optionally
 // rounded towards a ball, whose cells can be grouped into fragments and moved. Needs no simulation.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Captured frames arrive complete, in order, and the right way up.
 #include <glad/gl.h>
 

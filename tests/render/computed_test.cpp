@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The body found in compute passes looks as it looks drawn, but for rounding at edges.
 #include <filesystem>
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Headless contexts: what they say of themselves, and living side by side.
 #include <glad/gl.h>
 

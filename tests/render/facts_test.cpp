@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must be true of the pictures on every driver: who covers which pixel, no holes, no seams, cracks only
 // when listed.
 #include <algorithm>

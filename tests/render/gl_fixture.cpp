@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The context has the debug flag, so that every GL mistake of a test run becomes a GlError.
 #include "tests/render/gl_fixture.h"
 

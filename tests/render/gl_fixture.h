@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One headless context and renderer for all tests of a program; making them anew for each test would be most
 // of the time.
 #pragma once

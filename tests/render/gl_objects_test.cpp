@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Owning GL objects: contents arrive, ownership moves, mistakes are named.
 #include <array>
 #include <fstream>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Comparison with a stored picture. A failure leaves new, reference and difference x 16 side by side in an
 // HTML page.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The golden test takes one flag of its own.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Every test scene against its stored picture, one set per class of renderer.
 #include "tests/render/golden_test.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How golden pictures are looked up, compared and reported.
 #pragma once
 #include <filesystem>

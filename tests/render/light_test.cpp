@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Light obeys geometry: shadow falls where the sun's ray meets the block, and only there; corners are dimmer.
 #include <glad/gl.h>
 

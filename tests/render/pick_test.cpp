@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A click finds what is drawn there: fragment, place, floor, ball or nothing.
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Flags of its own: --update-goldens, --record-states.
 #include <gtest/gtest.h>
 

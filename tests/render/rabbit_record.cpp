@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shot of the scene "bunny" at few particles. Not part of a test run: pictures must not depend on the
 // solver.
 #include "tests/render/rabbit_record.h"

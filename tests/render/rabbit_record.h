@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the stored states anew (--record-states): a ball hits the rabbit, lightly and hard.
 #pragma once
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The draw lists are made from the cells' faces here, so that a picture depends on cells and stored motions
 // alone.
 #include "tests/render/rabbit_replay.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rabbit of few particles in a state that was once simulated and stored: pictures of a really broken body
 // that do not change when the solver does.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rabbit that a ball once hit: pieces fill their places, no holes, cracks where they were and fading with
 // the gap.
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Each scene shows one thing that can go wrong.
 #include "tests/render/scenes.h"
 

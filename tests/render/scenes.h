@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The test pictures: named scenes that goldens, facts and the eye all use.
 #pragma once
 #include <memory>

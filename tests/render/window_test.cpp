@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The window: opens, draws what the headless context draws, and delivers events. Needs a display, if only
 // Xvfb.
 #include "engine/platform/window.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // main() of every test program: 77 when all its tests were skipped, so that CTest says Skipped, not Passed.
 #include <gmock/gmock.h>
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # Builds Debian's own oneTBB, of the version that is installed, under ThreadSanitizer, into build/tbb-tsan: the packaged
 # one is not instrumented, so that a correct tbb::parallel_for over a vector is reported as dozens of races.
 # Needs what the build needs, network for `apt-get source`, and some minutes. Run from anywhere, once, before

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Drives the real window program under Xvfb: moves both live sliders, fires, resets, scrubs; checks what it
 // says of itself and keeps screenshots.
 #include <gmock/gmock.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // When a bond breaks and what happens then: physics D 9, 10, 21, 24.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bond law on moving pairs: no force for rigid motion, exact opposites, conserved momenta: physics D 15,
 // 18, 22.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Constants of the solid bond: physics D 7, D 8, the table of f_N, ranges, dimensions, the beam law of models
 // E.1.
 #include "sim_cuda/physics/bond_stiffness.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A few bonded particles stepped with the laws themselves: the smallest solver that tests of chains and pairs
 // need.
 #pragma once

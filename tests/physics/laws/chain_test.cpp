@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Chains of bonds against beam and wave theory: physics D 11, 12, 13. Statics by the stiffness matrix of the
 // laws themselves.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plain contact: Hertz impact, restitution, wall factor, adhesion; physics D 1, 2, 3, 6, and dimensions of
 // each law.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which particle comes first must not matter, to any law: what one gets is the exact opposite of what the
 // other gets, and both decide alike.
 #include <gtest/gtest.h>

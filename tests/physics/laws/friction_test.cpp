@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Tangential spring, Coulomb cap and rolling resistance: magnitudes capped, directions right, odd under
 // exchange.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // main() of the law tests on the GPU: 77 where there is none, so that CTest says Skipped.
 #include <cuda_runtime.h>
 #include <gtest/gtest.h>

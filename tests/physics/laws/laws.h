@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The laws that run in kernels, as these tests call them: on the host or on the GPU (on_device.h).
 #pragma once
 #include "sim_cuda/kernels/touch_slots.h"

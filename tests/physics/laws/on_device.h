@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Where the laws of these tests are evaluated: plain C++ calls them here; compiled by nvcc the same bodies
 // call them on the GPU, one thread for one call, one thread an element for a batch.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Pairs of particles in random places, orientations and motion, for tests that hold for any pair.
 #pragma once
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact steps end slow bouncing: below a speed of approach their dampers go by the fragment's share.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rigid motion of fragments: momenta kept, kinetic energy never gained: physics D 23.
 #include "sim_cuda/physics/rigid_fit.h"
 #include "tests/physics/laws/laws.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Rigid bodies between two kinds of step: gravity, and a turn without a torque.
 #include <gtest/gtest.h>
 

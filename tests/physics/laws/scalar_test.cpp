@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The arithmetic under the laws: own inverse square root, quaternions, exact oddness.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Softening, strength, time step: formulas of models E.1-E.2 and physics B.3 against their own tables and
 // small exact cases.
 #include "sim_cuda/physics/softening.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scatter of strength and tough cells: means, reproducibility, shape of the labels.
 #include "sim_cuda/physics/strength.h"
 

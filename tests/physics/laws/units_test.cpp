@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same physics in metres, kilograms and seconds and in millimetres, grams and milliseconds: every law
 // must give the same numbers but for the factor of its dimension. (Contact laws and constants of bonds:
 // contact_test, bond_stiffness_test.)

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ringing of a bar on either device; bar_wave.h says what it is.
 #pragma once
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stiffness of whole bodies: bars and plates of Voronoi cells against the closed form of the beam law
 // (models.md E.1).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // First longitudinal mode of a free bar: on the CPU in double precision, on the GPU in the solver's single
 // one.
 #include "tests/physics/models/bar_wave.h"

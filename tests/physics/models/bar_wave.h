@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // How fast a wave runs along a bar, measured with the solver's own substep: from the bar's first longitudinal
 // mode.
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bar on the GPU.
 #include "sim_cuda/backend/cuda_backend.cuh"
 #include "sim_cuda/solver/cuda_pair_finder.cuh"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes filled with particles.
 #include "tests/physics/models/packed_body.h"
 

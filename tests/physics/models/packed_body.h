@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies as authoring makes them, for measurements of whole bodies: boxes, spheres and the models of the
 // assets.
 #pragma once

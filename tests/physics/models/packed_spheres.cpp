@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packing by pushing overlapping spheres apart in a periodic box, then cutting a bar out of it.
 #include "tests/physics/models/packed_spheres.h"
 

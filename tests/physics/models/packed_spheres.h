@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Random packings of spheres with bonds across their gaps: the bodies of the breakage experiment (physics.md
 // C.1), as bars.
 #pragma once

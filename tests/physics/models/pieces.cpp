@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Counting pieces in an exported frame.
 #include "tests/physics/models/pieces.h"
 

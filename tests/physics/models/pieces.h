@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a shot left: the pieces by mass, as the sheets count them (models.md E.2, E.3).
 #pragma once
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Standing still, coming to rest, and a minute of a pile (models.md E.4, E.5). Slow.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A piece of many cells that rolls comes to rest: what resists goes by what turns, not by one cell (models.md
 // E.5).
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Placement of bodies and balls, and the search for the speed that breaks.
 #include "tests/physics/models/shots.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Shots as the sheets describe them: a body dropped, or hit by an iron ball (models.md E.2, E.3).
 #pragma once
 #include <functional>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the shots of the models sheet leave, and what their ledgers say (models.md E.3, E.5). Slow.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Stiffness of packed bars of spheres that are bonded across their gaps by the paper's law (physics.md D 14,
 // A.3).
 #include <gtest/gtest.h>

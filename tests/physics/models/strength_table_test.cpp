@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thresholds of spheres and of the four models with the solver itself, beside the sheets' prototype
 // (models.md E.2). Slow.
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shots of the study, and one case of it.
 #include "tests/physics/models/threshold_study.h"
 

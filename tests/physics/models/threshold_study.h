@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Thresholds of six bodies, dropped and hit, over particle size: what the table of assets/strength is made
 // from, and what shows that strength means the same at every size (models.md E.2).
 #pragma once

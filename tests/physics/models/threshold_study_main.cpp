@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // threshold_study: the whole study or a part of it, a CSV row a body, kind of impact and particle size.
 #include <CLI/CLI.hpp>
 #include <algorithm>

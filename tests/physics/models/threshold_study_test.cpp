@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strength means the same at every particle size and step (models.md E.2). Slow: on the CPU few bodies and
 // sizes, on the GPU all six at N = 1,000, 3,000 and 10,000. The sums of the study are printed.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Strength means the same at any stiffness, and twice the strength bears twice the speed (physics.md D 25).
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The material presets: real values within the ranges of their sources, and books that close when such a body
 // breaks (physics.md D 20).
 #include <gmock/gmock.h>

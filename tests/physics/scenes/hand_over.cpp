@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Three runs of a scene side by side.
 #include "tests/physics/scenes/hand_over.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Does a scene tell whether hand-over and sleep were on? The same questions for a quick test and a thorough
 // one.
 #pragma once

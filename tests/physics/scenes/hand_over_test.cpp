@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Hand-over and sleep are not seen in books, momentum and fragments: few particles. Draft sizes are among the
 // slow tests.
 #include "tests/physics/scenes/hand_over.h"

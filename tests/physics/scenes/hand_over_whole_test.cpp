@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // As hand_over_test, at draft sizes: minutes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger closes to 1.00-1.05 in every scene with every material (physics.md D 20), with hand-over and
 // sleep as the scene has them.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs that end in numbers.
 #include "tests/physics/scenes/outcome.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What became of a scene: its books and its fragments, to be held against another run's.
 #pragma once
 #include <cstdint>

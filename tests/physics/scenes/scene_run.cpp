@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scenes for tests: fewer bodies, fewer particles, the same everything else.
 #include "tests/physics/scenes/scene_run.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A scene of assets/scenes made small enough for a test, run without drawing.
 #pragma once
 #include <string>

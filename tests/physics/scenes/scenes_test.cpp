@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One or two bodies of each scene: what the scene promises, at a few hundred particles.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Whole scenes and the wolf's two hits: minutes.
 #include <gtest/gtest.h>
 

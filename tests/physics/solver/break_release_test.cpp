@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A bond that is compressed and sheared until it breaks, in the solver's own substep: what it releases
 // (physics.md D 21).
 #include "sim_cuda/physics/bond_laws.h"

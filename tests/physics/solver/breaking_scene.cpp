@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The common scene of the determinism and parity tests.
 #include "tests/physics/solver/breaking_scene.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The scene that every device and thread count has to run alike: a brick that an iron ball and the floor
 // break.
 #pragma once

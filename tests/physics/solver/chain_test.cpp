@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A chain of cubes that spins, end over end: each bond is stretched by what the cubes beyond it pull
 // (physics.md D 12, on the device under test).
 #include <cmath>

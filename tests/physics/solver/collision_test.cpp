@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two bricks smash into each other: momenta of everything, through breaking, contact and friction (physics.md
 // D 17).
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two balls, or a ball and a wall, in the solver itself: Hertz impact, restitution, rigid wall, adhesion
 // (physics.md D 1, 2, 3, 6).
 #include <cmath>

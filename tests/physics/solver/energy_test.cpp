@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The ledger closes: what an impact brings in is found again as motion, heat and broken bonds (physics.md D
 // 20).
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A GPU cannot write into plain host memory: pinned memory is seen by both.
 #include "tests/physics/solver/exported_frame.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The particles of a frame, brought to the host from either device.
 #pragma once
 #include <vector>

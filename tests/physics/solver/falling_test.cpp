@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What falls as a rigid body falls as it does with its bonds, although its steps are ten times as long.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies on planes: standing still, static and sliding friction (physics.md D 4, models.md E.4).
 #include <cmath>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Free bodies: rigid invariance, spinning, flight, damping (physics.md D 15, 16, 18).
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Fragments that are handed over to rigid motion end as they do with their bonds (architecture 9).
 #include <gtest/gtest.h>
 

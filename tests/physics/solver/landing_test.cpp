@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A rigid piece that rocks, or comes down from a few millimetres, comes to rest (models.md E.5). What lands
 // faster bounces as it does with its bonds: regimes_test.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bricks of cubic cells; what a packing of the same brick would give, without the packing.
 #include "tests/physics/solver/lattice_body.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bodies made by hand for the solver's tests: bricks of cubic cells, exact in volume, area and distance.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A thousand revolutions in double, a hundred in single precision (physics.md D 16, at full length).
 #include <cmath>
 

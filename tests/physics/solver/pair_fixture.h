@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Two cubes and the record of their bond, stepped by the substep runner: what pair tests look into.
 #pragma once
 #include "sim_cuda/solver/cpu_substep_runner.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A single pair and its record: bonded, broken, plain contact (physics.md A.6, D 22).
 #include "tests/physics/solver/pair_fixture.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A set-up with hand-over and sleep as a test wants them.
 #pragma once
 #include "sim_cuda/api/params.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Only what is breaking pays: sleeping, waking, rigid motion of what no longer vibrates (architecture 9).
 #include <gtest/gtest.h>
 

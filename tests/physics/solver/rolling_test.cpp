@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A ball on a floor and on a slope: from sliding to rolling, and rolling down (physics.md D 4, 5).
 #include <cmath>
 #include <vector>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A sleeper that a ball flies at: it sleeps until its bonds are needed, and breaks as if it had never slept.
 #include <gtest/gtest.h>
 

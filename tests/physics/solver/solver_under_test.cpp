@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // One body of tests for two devices.
 #include "tests/physics/solver/solver_under_test.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Which solver the tests of this folder ask: the CPU's, or the GPU's when the same program is run a second
 // time with DEMOLISH_TEST_DEVICE=cuda (CTest label gpu).
 #pragma once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The stable step: power iteration against what the integrator really bears (physics.md D 19).
 #include "sim_cuda/physics/random.h"
 #include "sim_cuda/physics/time_step.h"

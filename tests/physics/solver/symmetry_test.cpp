@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What must not matter: which body or particle comes first, and the units that everything is measured in.
 #include <algorithm>
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Balls: which come when, and that each touches its body in time with its velocity.
 #include "app/session/ball_flight.h"
 

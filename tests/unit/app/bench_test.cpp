@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // demolish bench as a user meets it: phases of a scene, the three ways to time it, files beside the table.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bridges' arithmetic: stream layouts, how much of the draw lists is in use, device ordinals.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A capture from start to end: pictures, contact sheet, film, report.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

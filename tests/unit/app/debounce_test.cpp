@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A value is released once, after it has rested.
 #include "app/session/debounce.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The balance that reports show: what came in against what is found again.
 #include "app/session/energy_balance.h"
 

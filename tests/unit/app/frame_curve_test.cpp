@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The curve as a drawing: areas that add up to the frame times, phases in their places, words escaped.
 #include "app/commands/frame_curve.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the FPS numbers mean.
 #include "app/session/frame_times.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A body without authoring: particles on a grid in a cube.
 #pragma once
 #include <algorithm>

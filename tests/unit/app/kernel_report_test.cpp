@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Times of the substep as table, JSON and CSV.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

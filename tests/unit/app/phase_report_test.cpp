@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The benchmark's rows as table, JSON and CSV: the numbers that were summed up, and nothing where there are
 // none.
 #include "app/commands/phase_report.h"

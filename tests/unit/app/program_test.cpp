@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The command line as a user meets it: help, exit codes, one sentence for each failure, the report's keys.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

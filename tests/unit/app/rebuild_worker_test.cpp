@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Builds beside the caller: what comes of them, and of those that nobody wants any more.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Megabytes that several threads copy: all of them, whatever is left over at the end.
 #include "app/session/recorded_array.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A recorded frame shows what it showed when it was new, in every colour of the particle view. On the CPU,
 // and through interop, or the way that DEMOLISH_TRANSFER names, when the same program is run with
 // DEMOLISH_TEST_DEVICE=cuda (CTest label gpu).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // fork, exec, two files for what it says.
 #include "tests/unit/app/run_program.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Starts the built program and waits for it.
 #pragma once
 #include <string>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Scene and material files: what is read, and what is refused with file and line.
 #include "app/session/scene_file.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a session keeps when another scene or model is asked for and does not come, and what it refuses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Substeps, places of bodies and drops, checked by the mechanics they promise.
 #include "app/session/shot_setup.h"
 

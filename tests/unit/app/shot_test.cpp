@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ranges of a shot's values, and what a change of each costs.
 #include "app/session/shot.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // `demolish breakage` as a user meets it: interrupted and resumed, by single items, by several processes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

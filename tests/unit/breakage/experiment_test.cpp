@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Experiment files, plans and their portions.
 #include "app/breakage/experiment.h"
 

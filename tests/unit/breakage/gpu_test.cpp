@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same item on the GPU: the same bytes.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What counts as broken, on cuts known beforehand.
 #include "app/breakage/outcome.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Specimens of packed spheres: the statistics that physics C.1 gives, and what may never be.
 #include <gtest/gtest.h>
 

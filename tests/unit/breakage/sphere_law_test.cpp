@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The paper's bonds between spheres in the solver's tables: (5)-(10), (13), walls, and the real stiffness.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Wilson's interval against its closed form and published values, and counts from outcomes made by hand.
 #include "app/breakage/statistics.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The experiment itself, small: specimens hold below and break above, items do not depend on who computes
 // them.
 #include <gtest/gtest.h>

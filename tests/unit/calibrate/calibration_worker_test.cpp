@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The window's measurement: beside the thread that draws, and cancelled at once.
 #include "app/calibrate/calibration_worker.h"
 

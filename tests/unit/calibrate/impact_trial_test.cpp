@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Real trials on a small block: the solver decides what breaks.
 #include "app/calibrate/impact_trial.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The search in strength by itself, on bodies whose answer is a formula.
 #include "app/calibrate/strength_search.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What was measured is found again, for the same body and setting alone.
 #include "app/session/threshold_cache.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bisection by itself, on bodies that break at a known speed.
 #include <gtest/gtest.h>
 

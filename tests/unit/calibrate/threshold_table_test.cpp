@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Predictions: rows, interpolation, the rule for other bodies, and what follows for a shot.
 #include "app/session/threshold_table.h"
 

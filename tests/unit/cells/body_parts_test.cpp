@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Mass properties against closed forms, bonds against the statistics of geometry.md 5.
 #include <gtest/gtest.h>
 

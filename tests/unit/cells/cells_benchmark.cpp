@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Time of a rebuild after the particle size has changed: glmark2's bunny, or a model file given as argument.
 #include <benchmark/benchmark.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over pieces, loops and triangles of a cell complex.
 #include "tests/unit/cells/complex_checks.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Measures of a cell complex that the tests compare with those of the mesh.
 #pragma once
 #include <vector>

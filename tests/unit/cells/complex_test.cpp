@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells are closed and fill the mesh, whatever the mesh and the number of seeds (geometry.md 7).
 #include <gtest/gtest.h>
 

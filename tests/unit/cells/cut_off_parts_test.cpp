@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Parts of a cell that the shape of the solid cuts off from it go to a neighbour (geometry.md 2.6); volumes
 // follow from the bisectors.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Seeds in special position: the re-jitter repairs them; hardly disturbed ones need no repair
 // (geometry.md 2.5).
 #include <gtest/gtest.h>

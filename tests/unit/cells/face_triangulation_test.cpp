@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Ear clipping: exact cover, proper triangles, holes.
 #include <gtest/gtest.h>
 

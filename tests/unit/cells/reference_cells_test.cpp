@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Cells of a box against voro++, an independent implementation.
 #include <gtest/gtest.h>
 

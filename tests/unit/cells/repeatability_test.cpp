@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The same bits for one thread and for two, and whatever the order in which the seeds are numbered.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Meshes made by formula or read from files, kept for the whole test program.
 #include "tests/unit/cells/test_bodies.h"
 

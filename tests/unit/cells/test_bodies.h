@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The bodies that the cell tests are run on, by name.
 #pragma once
 #include <memory>

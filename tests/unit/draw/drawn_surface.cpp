@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Plays the parts of solver and renderer round the fracture surface.
 #include "tests/unit/draw/drawn_surface.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A fracture surface on the CPU with streams of its own, and what a renderer would make of them.
 #pragma once
 #include <memory>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draw data of hand-made slabs: what can be counted and computed on paper.
 #include <gtest/gtest.h>
 

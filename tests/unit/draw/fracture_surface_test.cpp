@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The surface that fracture opens: lists by hand on slabs, and invariants on real bodies broken step by step.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Reads fragments off the draw data by the plain rule "a face shows when its two cells are in different
 // fragments".
 #include "tests/unit/draw/fragment_surfaces.h"

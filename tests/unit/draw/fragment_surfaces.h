@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The closed surface of every fragment, put together as the renderer would, and what makes it a solid.
 #pragma once
 #include <array>

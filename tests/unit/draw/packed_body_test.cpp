@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Draw data of real bodies: fragments of any shape are closed solids of the right volume.
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clips every triangle by the slabs and chains the cuts round the body into one loop a plane.
 #include "tests/unit/draw/slab_complex.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // A convex body cut into slabs by planes x = const: a cell complex made by hand, with surface vertices only.
 #pragma once
 #include "sim_cuda/authoring/cell_complex.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The roughness noise is bounded, smooth, centred, and the same on every machine.
 #include "sim_cuda/physics/value_noise.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packed directions and halves come back as they went in, within the step of their format.
 #include "sim_cuda/physics/vertex_packing.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Camera: matrices agree with rays, moves keep what they promise.
 #include "engine/scene/camera.h"
 

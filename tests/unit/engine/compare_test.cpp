@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The golden rule: small noise passes; a few wrong pixels, a shift or another size do not.
 #include "engine/image/compare.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact sheets: every picture in its place, shrunk by exact areas.
 #include "engine/image/contact_sheet.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // PNG files: what goes in comes out; a failed write says so and leaves nothing half done.
 #include "engine/image/png.h"
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: Apache-2.0
 # The set-up script on a machine that lacks packages: names them, installs nothing when told so, and fails with code 4.
 set -u
 script=$1

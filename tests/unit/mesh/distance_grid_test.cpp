@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The distance grid against closed forms, and its independence of the number of threads.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The whole way from a model file to a breakable body: conserved figures, progress, cancel, refusals.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

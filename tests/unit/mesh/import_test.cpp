@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Good files: what comes in is the same solid, whatever the format and the scene around it.
 #include <gtest/gtest.h>
 

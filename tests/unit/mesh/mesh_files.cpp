@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Text and exported model files for the import tests.
 #include "tests/unit/mesh/mesh_files.h"
 

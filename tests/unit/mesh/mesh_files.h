@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Writes model files for the import tests into a folder of their own.
 #pragma once
 #include <gtest/gtest.h>

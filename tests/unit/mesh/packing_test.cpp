@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Packing: exactly N seeds, all inside, evenly spread in every direction, the same for any number of threads.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

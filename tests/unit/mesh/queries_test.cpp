@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Winding number and closest point against closed forms and brute force.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Makes the closed test meshes: cube, torus, sphere, vase.
 #include "tests/unit/meshes/mesh_makers.h"
 

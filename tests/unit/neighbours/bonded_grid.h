@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Bond rows of a block of particles on a lattice, and of chains, for tests of clustering and fragments.
 #pragma once
 #include <algorithm>

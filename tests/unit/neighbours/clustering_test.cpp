@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Clustering on cuts whose fragments are known (physics D 24), against a plain search, for any number of
 // threads.
 #include "sim_cuda/solver/clustering.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The rule of predicted_path.h at work: fast debris that collides, curves and is kicked about never touches
 // unlisted.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Sums over fragments: momenta kept by the rigid fit, transforms of known motions, ages, any number of
 // threads.
 #include "sim_cuda/solver/fragment_motion.h"

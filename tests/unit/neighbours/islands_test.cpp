@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What a decision finds must not depend on how many threads share a particle's rows: the GPU has eight, the
 // CPU one.
 #include <gtest/gtest.h>

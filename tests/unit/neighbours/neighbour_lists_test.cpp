@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Contact lists against brute force: the same pairs, sorted, at both ends, for any number of threads.
 #include "sim_cuda/solver/neighbour_lists.h"
 

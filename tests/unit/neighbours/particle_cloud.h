@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Particles on the CPU backend for tests of lists and fragments: positions, velocities, radii and bond rows
 // made by hand.
 #pragma once

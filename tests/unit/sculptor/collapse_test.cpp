@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Edge collapse: exact counts, manifold, genus kept, shape kept.
 #include "assets/models/collapse.h"
 

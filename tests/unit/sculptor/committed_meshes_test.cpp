@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The meshes in assets/models, read back: closed, one part, no handle, exact counts, expected size.
 #include <gtest/gtest.h>
 

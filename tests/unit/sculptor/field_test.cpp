@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Joined parts: order, mirroring, carving, and the short cut past far parts.
 #include "assets/models/field.h"
 

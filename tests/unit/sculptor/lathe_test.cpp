@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Turned bodies: exact counts, closed, and the shapes of the recipes.
 #include "assets/models/lathe.h"
 

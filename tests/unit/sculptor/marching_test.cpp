@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Marched surfaces are closed manifolds of the right shape, and relaxing keeps them on the field.
 #include "assets/models/marching.h"
 

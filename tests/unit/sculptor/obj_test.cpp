@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Normals, texture coordinates and the OBJ text.
 #include "assets/models/obj_writer.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The shapes' distances against closed forms and against measured distances.
 #include "assets/models/primitives.h"
 

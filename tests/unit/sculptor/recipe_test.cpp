@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Recipe files: read right, and refused with the name of what is wrong.
 #include "assets/models/recipe.h"
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The recipes make the committed meshes again, byte for byte, on one thread and on many.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

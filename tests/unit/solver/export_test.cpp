@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the solver writes for drawing: particles, fragments, transforms.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // Runs: the same for any number of threads, restorable, and stopped before anything bad reaches a buffer.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // What the solver makes of a set-up, and what it refuses.
 #include <gtest/gtest.h>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The floor's substep is a real one: it pushes back, keeps both momenta, loses energy only to its dampers,
 // and breaks what is stretched too far.
 #include <gtest/gtest.h>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: Apache-2.0
 // The block of stone: whole, bonded as it says, and a body that the solver takes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
