@@ -3,7 +3,7 @@
 // moves.
 #pragma once
 #include "sim_cuda/kernels/bond_lanes.h"
-#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/move_particle.h"
 #include "sim_cuda/kernels/partial_sums.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
@@ -19,20 +19,9 @@ class CpuParticleStep {
     [[gnu::flatten]] void operator()(uint32_t i) const {
         const OwnParticle<Real> own = loadOwn(arrays_, i);
         Tally<Real> tally;
-        Wrench<Real> load =
+        const Wrench<Real> load =
             i < params_.in_bodies ? sumRow<kPartials>(own, tally) : sumRow<kLongPartials>(own, tally);
-        if (own.constants.inverse_mass > Real(0))
-            for (uint32_t p = 0; p < params_.planes.count; ++p)
-                add(load, planeContact<kLedger>(arrays_, params_, own, p, tally, TurnsAlone<Real>{}));
-        const LoadedState<Real> next =
-            own.isCarried() ? carryOn(arrays_, own, load, params_) : kickAndDrift(own, load, params_);
-        if constexpr (kLedger) {
-            if (own.isCarried())
-                bookCarried(arrays_, i, tally);
-            else
-                bookLedger(arrays_.ledger[i], tally, own.state, next, params_.dt);
-        }
-        storeState(arrays_.out, i, next);
+        moveParticle<kLedger>(arrays_, params_, own, load, tally);
     }
 
   private:

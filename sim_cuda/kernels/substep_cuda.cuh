@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "sim_cuda/backend/cuda_chained_launch.cuh"
-#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/move_particle.h"
 #include "sim_cuda/kernels/partial_sums.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
@@ -233,25 +233,6 @@ __device__ __forceinline__ void sumTally(Tally<Real>& tally) {
     }
 }
 
-/// Planes, kick and drift, ledger: what the first thread of a particle does once the sum is there.
-template <bool kLedger, class Real>
-__device__ __forceinline__ void finishParticle(const SubstepArrays<Real>& arrays,
-                                               const StepParams<Real>& params, const OwnParticle<Real>& own,
-                                               Wrench<Real> load, Tally<Real>& tally) {
-    if (own.constants.inverse_mass > Real(0))
-        for (uint32_t p = 0; p < params.planes.count; ++p)
-            add(load, planeContact<kLedger>(arrays, params, own, p, tally, TurnsAlone<Real>{}));
-    const LoadedState<Real> next =
-        own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
-    if constexpr (kLedger) {
-        if (own.isCarried())
-            bookCarried(arrays, own.id, tally);
-        else
-            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
-    }
-    storeState(arrays.out, own.id, next);
-}
-
 /// A projectile: its row is long, so that a whole block gathers it into kLongPartials sums.
 template <bool kLedger, class Real>
 __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
@@ -285,7 +266,7 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
         add(sums[lane], sums[lane + step]);
         if constexpr (kLedger) tallies[lane] += tallies[lane + step];
     }
-    if (lane == 0) finishParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
+    if (lane == 0) moveParticle<kLedger>(arrays, params, own, sums[0], kLedger ? tallies[0] : tally);
 }
 
 /// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
@@ -357,7 +338,7 @@ __device__ __forceinline__ void substepBlock(const SubstepArrays<Real>& arrays,
     if constexpr (kLedger) sumTally<T>(tally);
     if (!present || lane != 0) return;
     if (touching > 0) arrays.carried[2 * size_t{id}].w += static_cast<Real>(touching);
-    finishParticle<kLedger>(arrays, params, own, load, tally);
+    moveParticle<kLedger>(arrays, params, own, load, tally);
 }
 
 template <uint32_t T, bool kLedger, class Real>

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// What moves a particle in a substep once the loads of its bonds and contacts are summed: planes, kick and
+// drift, ledger. The same text on the CPU and in the first of the threads that share a particle on the GPU.
+#pragma once
+#include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+/// Writes the particle's state after the substep. `load`: of its slots, N, N m; `tally`: what they book.
+template <bool kLedger, class Real>
+DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                         const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
+    if (own.constants.inverse_mass > Real(0))
+        for (uint32_t p = 0; p < params.planes.count; ++p)
+            add(load, planeContact<kLedger>(arrays, params, own, p, tally, TurnsAlone<Real>{}));
+    const LoadedState<Real> next =
+        own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
+    if constexpr (kLedger) {
+        if (own.isCarried())
+            bookCarried(arrays, own.id, tally);
+        else
+            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+    }
+    storeState(arrays.out, own.id, next);
+}
+
+}  // namespace demolish
