@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// posix_spawn of /proc/self/exe.
+// A thread for each job, which starts one process after the other.
 #include "app/breakage/jobs.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <map>
+#include <mutex>
+#include <optional>
+#include <thread>
 
+#include "app/process/child_process.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -20,40 +16,64 @@ namespace {
 
 constexpr const char* kVisible = "CUDA_VISIBLE_DEVICES";
 
-std::vector<std::string> environmentWith(const std::string& devices) {
-    std::vector<std::string> all;
-    for (char** entry = environ; *entry != nullptr; ++entry)
-        if (devices.empty() || std::strncmp(*entry, kVisible, std::strlen(kVisible)) != 0)
-            all.emplace_back(*entry);
-    if (!devices.empty()) all.push_back(std::string(kVisible) + "=" + devices);
-    return all;
-}
+/// The items that wait, and what became of those that do not.
+class JobQueue {
+  public:
+    JobQueue(const std::vector<std::vector<std::string>>& arguments,
+             const std::function<void(size_t done)>& done)
+        : arguments_(arguments), done_(done) {}
 
-std::vector<char*> pointersTo(std::vector<std::string>& words) {
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    return pointers;
-}
+    /// One process after the other, until none is left or one has failed. `device`: empty, or the GPU that
+    /// they see.
+    void work(const std::string& device) {
+        while (const auto* arguments = next()) {
+            try {
+                note(run(*arguments, device));
+            } catch (const ChildError& error) {
+                fail(DeviceError(std::string("could not start a job: ") + error.what()));
+            }
+        }
+    }
 
-/// Its stdout is closed to the table of the parent; stderr is shared.
-pid_t start(std::vector<std::string> arguments, const std::string& devices) {
-    arguments.insert(arguments.begin(), "demolish");
-    std::vector<std::string> environment = environmentWith(devices);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, "/proc/self/exe", &actions, nullptr, pointersTo(arguments).data(),
-                                  pointersTo(environment).data());
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw DeviceError(std::string("could not start a job: ") + std::strerror(error));
-    return child;
-}
+    /// Throws what the first one that failed has left.
+    void requireAllWell() const {
+        if (error_) throw Error(*error_);
+    }
 
-int exitCode(int status) {
-    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-}
+  private:
+    /// Its exit code. Its stdout is closed to the table of the parent; stderr is shared.
+    static int run(const std::vector<std::string>& arguments, const std::string& device) {
+        ChildPlan plan{
+            .words = {"demolish"}, .program = kOwnProgram, .variables = {}, .output = ChildStream::kNothing};
+        plan.words.insert(plan.words.end(), arguments.begin(), arguments.end());
+        if (!device.empty()) plan.variables.push_back(std::string(kVisible) + "=" + device);
+        return ChildProcess(plan).wait().code();
+    }
+
+    const std::vector<std::string>* next() {
+        const std::lock_guard lock(mutex_);
+        const bool goes_on = next_ < arguments_.size() && !error_;
+        return goes_on ? &arguments_[next_++] : nullptr;
+    }
+    void note(int code) {
+        if (code != 0)
+            return fail(Error(static_cast<ExitCode>(code),
+                              "a job ended with exit code " + std::to_string(code) +
+                                  "; what is done stays, the same command goes on from there"));
+        const std::lock_guard lock(mutex_);
+        done_(++ended_);
+    }
+    void fail(const Error& error) {
+        const std::lock_guard lock(mutex_);
+        if (!error_) error_ = error;
+    }
+
+    const std::vector<std::vector<std::string>>& arguments_;
+    const std::function<void(size_t done)>& done_;
+    std::mutex mutex_;
+    size_t next_ = 0, ended_ = 0;
+    std::optional<Error> error_;
+};
 
 }  // namespace
 
@@ -82,31 +102,11 @@ void runJobs(const std::vector<std::vector<std::string>>& arguments, size_t jobs
     std::vector<std::string> devices(std::min(jobs, arguments.size()));
     for (size_t slot = 0; on_gpu && slot < devices.size(); ++slot)
         devices[slot] = visibleDevice(slot, std::getenv(kVisible));
-    std::map<pid_t, size_t> slot_of;
-    size_t next = 0, ended = 0;
-    int failure = 0;
-    const auto fill = [&](size_t slot) {
-        if (next < arguments.size() && failure == 0) slot_of[start(arguments[next++], devices[slot])] = slot;
-    };
-    for (size_t slot = 0; slot < devices.size(); ++slot) fill(slot);
-    while (!slot_of.empty()) {
-        int status = 0;
-        const pid_t child = wait(&status);
-        if (child < 0 && errno == EINTR) continue;
-        const auto entry = slot_of.find(child);
-        if (entry == slot_of.end()) continue;
-        const size_t slot = entry->second;
-        slot_of.erase(entry);
-        if (const int code = exitCode(status); code == 0)
-            done(++ended);
-        else if (failure == 0)
-            failure = code;
-        fill(slot);
-    }
-    if (failure != 0)
-        throw Error(static_cast<ExitCode>(failure),
-                    "a job ended with exit code " + std::to_string(failure) +
-                        "; what is done stays, the same command goes on from there");
+    JobQueue queue(arguments, done);
+    std::vector<std::jthread> slots;
+    for (const std::string& device : devices) slots.emplace_back([&] { queue.work(device); });
+    slots.clear();
+    queue.requireAllWell();
 }
 
 }  // namespace demolish

@@ -17,7 +17,7 @@ void checkGpus(size_t jobs, size_t gpus);
 /// Starts this program once for each list of arguments, at most `jobs` at a time, each with a GPU of its own
 /// (CUDA_VISIBLE_DEVICES) when `on_gpu`, and waits for all. After a failure no more are started, and the exit
 /// code of the first one that failed is thrown as an Error; what it said stands on stderr. `done` hears how
-/// many have ended well.
+/// many have ended well, one call at a time, on threads of the jobs.
 void runJobs(const std::vector<std::vector<std::string>>& arguments, size_t jobs, bool on_gpu,
              const std::function<void(size_t done)>& done);
 

@@ -83,8 +83,7 @@ std::vector<std::string> argumentsFor(const BreakageOptions& options, size_t ite
     std::vector<std::string> words{"breakage"};
     words.insert(words.end(), options.experiments.begin(), options.experiments.end());
     const auto add = [&](const char* name, const std::string& value) {
-        words.emplace_back(name);
-        words.push_back(value);
+        words.push_back(std::string(name) + "=" + value);  // in one word, since a folder may begin with '-'
     };
     const auto addNumber = [&](const char* name, const std::optional<double>& value) {
         if (value) add(name, std::to_string(static_cast<uint64_t>(*value)));

@@ -2,22 +2,13 @@
 // ffmpeg as a child process that reads raw frames from a pipe.
 #include "app/commands/video_pipe.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
 #include <vector>
 
 #include "sim_cuda/api/errors.h"
-
-extern char** environ;
 
 namespace demolish {
 namespace {
@@ -66,7 +57,7 @@ std::vector<std::string> arguments(const std::filesystem::path& file, int width,
             "18",
             "-movflags",
             "+faststart",
-            file.string()};
+            "file:" + file.string()};  // else "take:1.mp4" is a protocol and "-x.mp4" an option
 }
 
 }  // namespace
@@ -78,63 +69,38 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, d
         std::fclose(probe);
     else
         failVideo(file, std::string(std::strerror(errno)) + "; choose another place");
-    std::signal(SIGPIPE, SIG_IGN);  // a dead ffmpeg must become an error, not the end of the program
-    std::array<int, 2> ends{};
-    if (pipe2(ends.data(), O_CLOEXEC) != 0) failVideo(file, std::strerror(errno));
-
-    std::vector<std::string> words = arguments(temporary_, width, height, fps);
-    std::vector<char*> pointers;
-    for (auto& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
-    // A group of its own: Ctrl-C is for us, and ffmpeg ends when the pipe does.
-    posix_spawnattr_t attributes;
-    posix_spawnattr_init(&attributes);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
-    const int error = posix_spawnp(&process_, "ffmpeg", &actions, &attributes, pointers.data(), environ);
-    posix_spawnattr_destroy(&attributes);
-    posix_spawn_file_actions_destroy(&actions);
-    close(ends[0]);
-    pipe_ = ends[1];
-    if (error == 0) return;
-    close(pipe_);
-    std::filesystem::remove(temporary_);
-    failVideo(file, error == ENOENT
-                        ? "the ffmpeg program is missing; install the package ffmpeg or leave --video out"
-                        : std::string("ffmpeg did not start: ") + std::strerror(error));
+    try {
+        // A group of its own: Ctrl-C is for us, and ffmpeg ends when its input does.
+        ffmpeg_.emplace(ChildPlan{.words = arguments(temporary_, width, height, fps),
+                                  .program = "",
+                                  .variables = {},
+                                  .input = ChildStream::kPiped,
+                                  .own_group = true});
+    } catch (const ChildError& error) {
+        std::filesystem::remove(temporary_);
+        failVideo(file, error.is_missing
+                            ? "the ffmpeg program is missing; install the package ffmpeg or leave --video out"
+                            : std::string("ffmpeg did not start: ") + error.what());
+    }
 }
 
 VideoPipe::~VideoPipe() {
-    if (pipe_ >= 0) close(pipe_);
-    if (process_ > 0) {
-        waitpid(process_, nullptr, 0);
-        std::error_code ignored;
-        std::filesystem::remove(temporary_, ignored);
-    }
+    if (!ffmpeg_) return;
+    ffmpeg_.reset();
+    std::error_code ignored;
+    std::filesystem::remove(temporary_, ignored);
 }
 
 void VideoPipe::write(std::span<const uint8_t> pixels) {
-    while (!pixels.empty()) {
-        const ssize_t written = ::write(pipe_, pixels.data(), pixels.size());
-        if (written < 0 && errno == EINTR) continue;
-        if (written < 0) failVideo(file_, kAskFfmpeg);
-        pixels = pixels.subspan(static_cast<size_t>(written));
-    }
+    if (!ffmpeg_->write(pixels)) failVideo(file_, kAskFfmpeg);
 }
 
 void VideoPipe::finish() {
-    close(pipe_);
-    pipe_ = -1;
-    int status = 0;
-    waitpid(process_, &status, 0);
-    process_ = -1;
+    const bool made = ffmpeg_->wait().well();
+    ffmpeg_.reset();
     std::error_code error;
-    if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-        std::filesystem::rename(temporary_, file_, error);
-        if (!error) return;
-    }
+    if (made) std::filesystem::rename(temporary_, file_, error);
+    if (made && !error) return;
     const std::string why = error ? error.message() : kAskFfmpeg;
     std::filesystem::remove(temporary_, error);
     failVideo(file_, why);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Raw frames to the ffmpeg program. Its file appears under its name only when it is whole.
 #pragma once
-#include <sys/types.h>
-
-#include <cstddef>
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
+
+#include "app/process/child_process.h"
 
 namespace demolish {
 
@@ -25,8 +26,7 @@ class VideoPipe {
 
   private:
     std::filesystem::path file_, temporary_;
-    pid_t process_ = -1;
-    int pipe_ = -1;
+    std::optional<ChildProcess> ffmpeg_;  ///< none when the film is done
 };
 
 }  // namespace demolish

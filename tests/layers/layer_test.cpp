@@ -34,6 +34,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"engine/passes", {"engine"}},
     {"engine/image", {"engine"}},
     {"app/bridge", {"engine", "sim_cuda/api"}},
+    {"app/process", {}},
     {"app/session", {"app/bridge", "engine", "sim_cuda/api"}},
     {"app/panel", {"app/session", "engine", "sim_cuda/api"}},
     {"app/commands", {"app", "engine", "sim_cuda/api"}},

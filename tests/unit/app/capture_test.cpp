@@ -93,6 +93,32 @@ TEST(Capture, AFilmThatDoesNotFitOnTheDiskIsCodeSix) {
     EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << "nothing that looks like a film";
 }
 
+TEST(Capture, AFilmThatFailsIsCodeSixWhereChildrenAreIgnored) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    std::filesystem::permissions(folder.write("ffmpeg", "#!/bin/sh\ncat > /dev/null\nexit 1\n"),
+                                 std::filesystem::perms::owner_all);
+    const ProgramRun run = runProgram({"capture", "block", "--particles", "50", "--frames", "2", "--size",
+                                       "96x54", "--video", folder.path() / "film.mp4"},
+                                      {"PATH=" + folder.path().string() + ":" + std::getenv("PATH")},
+                                      {"env", "--ignore-signal=CHLD"});
+    EXPECT_EQ(run.exit_code, 6) << run.err;
+    EXPECT_THAT(run.err, testing::HasSubstr("could not write the video"));
+}
+
+TEST(Capture, FilmsMayHaveNamesThatLookLikeOptionsOrProtocols) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";
+    const TemporaryFolder folder;
+    for (const char* name : {"take:1.mp4", "-x.mp4", "file:a.mp4", "50%d.mp4"}) {
+        const ProgramRun run = runProgram({"capture", "block", "--particles", "50", "--frames", "2", "--size",
+                                           "96x54", std::string("--video=") + name},
+                                          {}, {"env", "--chdir", folder.path()});
+        EXPECT_EQ(run.exit_code, 0) << name << ": " << run.err;
+        EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
+    }
+}
+
 TEST(Capture, ParticlesAreColouredByWhatTheViewNames) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;

@@ -27,12 +27,14 @@ class BreakageProgram : public testing::Test {
                                     "[specimen]\ngrains = 40\npackings = 2\n[impact]\nslowest_mps = 10\n"
                                     "fastest_mps = 90\nvelocities = 2\nduration_s = 40e-9\n");
     }
-    ProgramRun run(const std::string& out, std::vector<std::string> more = {}) {
-        std::vector<std::string> words{"breakage", experiment_, "--device",
-                                       "cpu",      "--full",    "--batch",
-                                       "3",        "--out",     folder_.path() / out};
+    ProgramRun run(const std::string& out, const std::vector<std::string>& more = {}) {
+        std::vector<std::string> words = tiny();
+        words.insert(words.end(), {"--out", folder_.path() / out});
         words.insert(words.end(), more.begin(), more.end());
         return runProgram(words);
+    }
+    std::vector<std::string> tiny() const {
+        return {"breakage", experiment_, "--device", "cpu", "--full", "--batch", "3"};
     }
     std::string text(const std::string& out, const std::string& name) {
         return readText(folder_.path() / out / name);
@@ -82,6 +84,29 @@ TEST_F(BreakageProgram, ResumedByItemsAndByProcessesItGivesTheSameBytes) {
     expectSame("whole", "jobs");
 }
 
+TEST_F(BreakageProgram, JobsEndWhereTheParentOfAllIgnoresItsChildren) {
+    std::vector<std::string> words = tiny();
+    words.insert(words.end(), {"--jobs", "2", "--out", folder_.path() / "ignored"});
+    const ProgramRun jobs = runProgram(words, {}, {"timeout", "120", "env", "--ignore-signal=CHLD"});
+    EXPECT_EQ(jobs.exit_code, 0) << jobs.err;
+    EXPECT_FALSE(text("ignored", "breakage.json").empty());
+}
+
+TEST_F(BreakageProgram, AJobThatFailsGivesItsExitCode) {
+    ASSERT_EQ(run("taken").exit_code, 0);
+    fs::remove(folder_.path() / "taken" / "items" / "item_00001.json");
+    std::vector<std::string> words = tiny();
+    words.insert(words.end(), {"--jobs", "2", "--out", folder_.path() / "taken"});
+    // Files of no bytes at all, which a write is told of as of a full disk.
+    const ProgramRun jobs = runProgram(words, {},
+                                       {"bash", "-c",
+                                        "trap '' XFSZ; (ulimit -f 0; exec \"$@\") 2>&1 > /dev/null | cat "
+                                        ">&2; exit ${PIPESTATUS[0]}",
+                                        "bash"});
+    EXPECT_EQ(jobs.exit_code, 6) << jobs.err;
+    EXPECT_THAT(jobs.err, HasSubstr("the same command goes on from there"));
+}
+
 /// The width and height that a PNG file's first chunk tells; 0 if it is none.
 std::pair<uint32_t, uint32_t> sizeOfPng(const std::string& bytes) {
     if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {0, 0};
@@ -102,6 +127,14 @@ TEST_F(BreakageProgram, FiguresArePicturesToo) {
         const auto [width, height] = sizeOfPng(text("drawn", name));
         EXPECT_EQ(width, 1800u) << name;
         EXPECT_GT(height, 1000u) << name;
+    }
+    // Folders that look like a URL and an option.
+    for (const char* out : {"take:1", "-x"}) {
+        std::vector<std::string> words = tiny();
+        words.insert(words.end(), {"--jobs", "2", std::string("--out=") + out});
+        const ProgramRun named = runProgram(words, {}, {"env", "--chdir", folder_.path()});
+        EXPECT_EQ(named.exit_code, 0) << named.err;
+        EXPECT_EQ(sizeOfPng(text(out, "figure_1.png")).first, 1800u) << out;
     }
     // A folder in the figure's place.
     fs::remove(folder_.path() / "drawn" / "figure_1.png");
