@@ -48,9 +48,9 @@ struct ColourBytes {
     std::span<const uint8_t> damage, stress, speed;
 };
 /// Takes copies of a frame on its way to the mesh, for a recording. GL's buffers are better not read: a
-/// driver moves what is read back into the host's memory, where the GPU then writes it slowly (measured in
-/// app/README.md). The streams that `change` speaks of can be read, and there are colours, unless only
-/// projectiles have moved.
+/// driver moves what is read back into the host's memory, where the GPU then writes it slowly (measured:
+/// docs/decisions/recording.md). The streams that `change` speaks of can be read, and there are colours,
+/// unless only projectiles have moved.
 using FrameTap = std::function<void(FrameChange, const ReadStream&, const ColourBytes&)>;
 
 struct FrameRequest {

@@ -63,7 +63,7 @@ inline double cellsThroughWall(double volume, double area, double spacing) {
 /// Share of the strength by E.2 that holds the critical velocity of a thin-walled body at every particle
 /// size: 1 from 1.2 cells through the wall on. Below, one layer of cells that are wider than the wall is
 /// thick breaks too late: a vase by (1.2/cells)^0.8 in speed when dropped and more when hit, plates and tubes
-/// by (1.2/cells)^0.35 (app/README.md). Not measured below 0.6 cells: stays there.
+/// by (1.2/cells)^0.35 (docs/measurements/thresholds.md). Not measured below 0.6 cells: stays there.
 inline double thinWallShare(double cells) {
     constexpr double kMeasured = 0.6, kThin = 1.2, kExponent = 0.75;
     return cells < kThin ? std::pow(std::fmax(cells, kMeasured) / kThin, kExponent) : 1;

@@ -201,7 +201,8 @@ state kept
     EXPECT_TRUE(predicted["measured"].is_null());
     EXPECT_TRUE(predicted["break_at"].is_null());
     ASSERT_TRUE(measured["measured"].is_number()) << read("measured")["message"];
-    // The table's word for any packing, against this one's (app/README: a sixth for the cube).
+    // The table's word for any packing, against this one's (measurements/thresholds.md: a sixth for the
+    // cube).
     EXPECT_NEAR(measured["measured"].get<double>() / predicted["predicted"].get<double>(), 1, 0.5);
     EXPECT_EQ(read("measured")["time"], 0.0) << "measuring must not touch the body on screen";
     EXPECT_EQ(chosen["break_at"], 20.0);
