@@ -222,6 +222,7 @@ TEST(References, NamePagesThatExist) {
     static const std::regex kName(R"([\w./-]*\b(\w+\.md|[\w/]+/README)\b)");
     for (const fs::path& file : filesWithReferences()) {
         const std::string text = contentOf(file);
+        if (text.find(".md") == std::string::npos && text.find("/README") == std::string::npos) continue;
         for (auto it = std::sregex_iterator(text.begin(), text.end(), kName); it != std::sregex_iterator();
              ++it) {
             std::string name = it->str();
@@ -233,6 +234,39 @@ TEST(References, NamePagesThatExist) {
             EXPECT_TRUE(found) << fs::relative(file, kRoot).string() << " speaks of " << name;
         }
     }
+}
+
+/// What stands in `backquotes` and looks like a file of ours, with or without its folder.
+TEST(References, NameFilesThatExist) {
+    static const std::regex kName(R"(`([\w./-]+\.(h|cpp|cu|cuh|toml|glsl|comp|frag|vert|sh|cmake|json))`)");
+    static const std::regex kOthers("cuda_gl_interop.h|.*(NAME|SCENE).*");
+    std::set<std::string> endings;
+    for (auto entry = fs::recursive_directory_iterator(kRoot); entry != fs::recursive_directory_iterator();
+         ++entry) {
+        const fs::path file = fs::relative(entry->path(), kRoot);
+        if (file == "build" || file == ".git") {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        std::string ending;
+        for (fs::path rest = file; !rest.empty(); rest = rest.parent_path()) {
+            ending = rest.filename().string() + (ending.empty() ? "" : "/" + ending);
+            endings.insert(ending);
+        }
+    }
+    size_t count = 0;
+    for (const fs::path& file : filesWithReferences()) {
+        if (!isPage(file)) continue;
+        const std::string text = contentOf(file);
+        for (auto it = std::sregex_iterator(text.begin(), text.end(), kName); it != std::sregex_iterator();
+             ++it) {
+            const std::string name = (*it)[1];
+            EXPECT_TRUE(endings.count(name) || std::regex_match(name, kOthers))
+                << fs::relative(file, kRoot) << " speaks of " << name;
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 60u);
 }
 
 TEST(References, LinksLeadToFilesAndAnchorsOfTheRepository) {
