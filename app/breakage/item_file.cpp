@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -88,7 +89,7 @@ std::string itemJson(const BreakagePlan& plan, size_t item, const std::vector<Br
 
 void writeItem(const fs::path& folder, const BreakagePlan& plan, size_t item,
                const std::vector<BreakageRun>& runs, const ItemResult& result) {
-    writeSharedFile(itemFile(folder, item), itemJson(plan, item, runs, result));
+    writeTextFile(itemFile(folder, item), itemJson(plan, item, runs, result));
 }
 
 std::optional<ItemResult> readItem(const fs::path& folder, const BreakagePlan& plan, size_t item,

@@ -2,8 +2,6 @@
 // Plans as JSON; a fingerprint that results carry.
 #include "app/breakage/plan.h"
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <fstream>
 #include <iterator>
@@ -60,7 +58,7 @@ std::string BreakagePlan::fingerprint() const {
 
 void settlePlan(const BreakagePlan& plan, const fs::path& folder) {
     makeOutputFolder(folder / "items");
-    if (!fs::exists(planFile(folder))) return writeSharedFile(planFile(folder), plan.json());
+    if (!fs::exists(planFile(folder))) return writeTextFile(planFile(folder), plan.json());
     if (readTextFile(planFile(folder)) != plan.json())
         throw UsageError(folder.string() +
                          " holds results of other settings; choose another --out, or remove that folder");
@@ -78,16 +76,6 @@ BreakagePlan readPlan(const fs::path& folder) {
     } catch (const Json::exception&) {
     }
     throw InputFileError(planFile(folder).string() + " is not a plan of demolish breakage");
-}
-
-void writeSharedFile(const fs::path& file, const std::string& text) {
-    const fs::path own = file.string() + "." + std::to_string(getpid());
-    writeTextFile(own, text);
-    std::error_code error;
-    fs::rename(own, file, error);
-    if (error)
-        throw OutputError("could not write " + file.string() + ": " + error.message() +
-                          "; choose another place");
 }
 
 std::string readTextFile(const fs::path& file) {

@@ -37,8 +37,6 @@ void settlePlan(const BreakagePlan& plan, const std::filesystem::path& folder);
 /// Throws InputFileError.
 BreakagePlan readPlan(const std::filesystem::path& folder);
 
-/// As writeTextFile, for a file that several processes may write at once.
-void writeSharedFile(const std::filesystem::path& file, const std::string& text);
 /// The whole file; throws InputFileError.
 std::string readTextFile(const std::filesystem::path& file);
 

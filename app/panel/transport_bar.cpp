@@ -47,16 +47,17 @@ void showSlowMotion(PanelContext& context) {
 
 void showTimeline(PanelContext& context) {
     const SessionStatus& status = context.status;
-    const int last = status.recorded_frames > 0 ? static_cast<int>(status.recorded_frames) - 1 : 0;
+    const int last = static_cast<int>(status.newest);
     int frame = static_cast<int>(status.cursor);
     ImGui::SetNextItemWidth(-1);
-    char format[64], tip[192];
+    char format[64], tip[256];
     std::snprintf(format, sizeof format, "%%d / %d   %.3f s", last, status.stats.time);
     std::snprintf(
         tip, sizeof tip,
-        "Recorded frames (%zu MB of %zu): drag to look back. Play goes on from there, and simulates on "
+        "Recorded frames (%zu MB of %zu%s): drag to look back. Play goes on from there, and simulates on "
         "from the last one.",
-        status.recorded_bytes >> 20, status.memory_limit >> 20);
+        status.recorded_bytes >> 20, status.memory_limit >> 20,
+        status.recorded_frames <= status.newest ? "; full, only the newest frame follows" : "");
     ImGui::BeginDisabled(last == 0);
     if (ImGui::SliderInt("##timeline", &frame, 0, std::max(1, last), format, ImGuiSliderFlags_AlwaysClamp))
         context.commands.emplace_back(command::Scrub{static_cast<size_t>(frame)});

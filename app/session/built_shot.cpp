@@ -67,9 +67,17 @@ void chooseVelocity(Shot& shot, const BreakableBody& body) {
 }
 
 uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
-    if (shot.fineness.particles) return *shot.fineness.particles;
-    if (shot.fineness.particle_size) return particlesForSize(mesh, *shot.fineness.particle_size);
-    return on_gpu ? shot.fineness.full : shot.fineness.draft;
+    const uint32_t each = shot.fineness.particles       ? *shot.fineness.particles
+                          : shot.fineness.particle_size ? particlesForSize(mesh, *shot.fineness.particle_size)
+                          : on_gpu                      ? shot.fineness.full
+                                                        : shot.fineness.draft;
+    const uint64_t bodies = std::max<size_t>(1, shot.bodies.size());
+    if (bodies * each > kMaxSceneParticles)
+        throw UsageError(std::to_string(bodies) + " bodies of " + std::to_string(each) + " particles are " +
+                         std::to_string(bodies * each) + "; at most " + std::to_string(kMaxSceneParticles) +
+                         " are possible: choose at most " + std::to_string(kMaxSceneParticles / bodies) +
+                         " of each body");
+    return each;
 }
 
 BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {

@@ -40,8 +40,11 @@ bool choosesCuda(const Shot& shot);
 /// table).
 void chooseVelocity(Shot& shot, const BreakableBody& body);
 
+/// Of all bodies together: a scene's triangles are indexed by 32 bits, with some 135 indices a particle.
+inline constexpr uint32_t kMaxSceneParticles = 16'000'000;
+
 /// Particles of each body: as chosen, else by device. Throws UsageError when a size gives too few or too
-/// many.
+/// many, or when they are too many for all bodies together.
 uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu);
 
 /// Throws the errors of authoring and solver; Cancelled when `progress` says so.

@@ -23,7 +23,7 @@ struct CancelRebuild {};
 struct MeasureEnergy {  ///< after every simulated frame, or no more
     bool on = false;
 };
-struct Scrub {  ///< shows a recorded frame and pauses
+struct Scrub {  ///< shows a recorded frame, or SessionStatus::newest, and pauses
     size_t frame = 0;
 };
 

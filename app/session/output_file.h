@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Text files that are whole or not there: written under a temporary name, then renamed.
+// Text files that are whole or not there: written under a temporary name of their own in the same folder,
+// then renamed.
 #pragma once
 #include <filesystem>
 #include <string>
 
 namespace demolish {
 
-/// Throws OutputError that names the file and the reason (no such folder, no permission, disk full).
+/// What is there stays until the whole text can take its place; of several writers the last one wins. A link
+/// stays one, pipes and devices are written into. Throws OutputError that names the file and the reason (no
+/// such folder, no permission, disk full).
 void writeTextFile(const std::filesystem::path& file, const std::string& text);
 /// Throws OutputError if the file could not be written as things are now: before hours of work, not after.
 /// Leaves nothing behind.

@@ -32,7 +32,12 @@ void RebuildWorker::start(const Shot& shot, const BuiltShot& reuse) {
 
 void RebuildWorker::cancel() {
     for (Worker& worker : workers_) worker.thread.request_stop();
-    job_.reset();
+    if (!job_) return;
+    // Ready, and not taken: the solver must not wait for the next build to go.
+    const std::shared_ptr<Job> job = std::exchange(job_, nullptr);
+    std::optional<BuiltShot> unwanted;
+    const std::lock_guard lock(job->mutex);
+    unwanted.swap(job->result);
 }
 
 /// Forgets the finished ones, and waits where there would be too many.
@@ -65,8 +70,10 @@ void RebuildWorker::run(const std::stop_token& stop, Job& job, const Shot& shot,
         error = std::current_exception();
     }
     const std::lock_guard lock(job.mutex);
-    job.result = std::move(built);
-    job.error = error;
+    if (!stop.stop_requested()) {  // else after the last look at the progress
+        job.result = std::move(built);
+        job.error = error;
+    }
     job.done = true;
 }
 

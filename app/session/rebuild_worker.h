@@ -26,6 +26,7 @@ class RebuildWorker {
     /// to.
     void start(const Shot& shot, const BuiltShot& reuse);
     /// Returns at once, since whoever draws must not wait for the end of a stage; the thread ends by itself.
+    /// What is built already goes.
     void cancel();
     bool busy() const { return job_ && !job_->done; }
 

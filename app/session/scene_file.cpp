@@ -14,6 +14,9 @@ namespace demolish {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
+constexpr double kLeastLength = 1e-3;    ///< of a direction; m between eye and target
+constexpr Range kAngleRange{-100, 100};  // rad
+constexpr Range kColourRange{0, 1000};   // linear; the sun's is above 1
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -41,25 +44,31 @@ void readImpact(TomlReader& reader, Impact& impact) {
         reader.fail("impact.kind", "must be \"ball\", \"drop\" or \"none\"");
     reader.read("impact.velocity_mps", impact.velocity, kVelocityRange);
     reader.read("impact.ball_radius_m", impact.ball_radius, {0, 100});
-    reader.read("impact.direction", impact.direction);
+    reader.read("impact.direction", impact.direction, kDirectionRange);
     reader.read("impact.height_fraction", impact.height_fraction, {0, 1});
     reader.read("impact.arrival_s", impact.arrival_time, {0.01, 2});
-    reader.read("impact.tilt_rad", impact.tilt);
+    reader.read("impact.tilt_rad", impact.tilt, kAngleRange);
+}
+
+engine::Camera readCamera(TomlReader& reader) {
+    engine::Camera camera;
+    reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
+    reader.readVector("camera.target_m", camera.target, kPlaceRange);
+    if (glm::distance(camera.eye, camera.target) < kLeastLength)
+        reader.fail("camera.eye_m", "must be apart from camera.target_m, or it looks nowhere");
+    double degrees = camera.field_of_view / kDegree;
+    reader.read("camera.field_of_view_deg", degrees, {5, 120});
+    camera.field_of_view = static_cast<float>(degrees * kDegree);
+    return camera;
 }
 
 void readPicture(TomlReader& reader, Shot& shot) {
-    if (reader.has("camera")) {
-        engine::Camera camera;
-        reader.readVector("camera.eye_m", camera.eye);
-        reader.readVector("camera.target_m", camera.target);
-        double degrees = camera.field_of_view / kDegree;
-        reader.read("camera.field_of_view_deg", degrees, {5, 120});
-        camera.field_of_view = static_cast<float>(degrees * kDegree);
-        shot.camera = camera;
-    }
-    reader.readVector("light.sun_direction", shot.lighting.sun_direction);
-    reader.readVector("light.sun_colour", shot.lighting.sun_colour);
-    reader.readVector("light.floor_colour", shot.lighting.floor_colour);
+    if (reader.has("camera")) shot.camera = readCamera(reader);
+    reader.readVector("light.sun_direction", shot.lighting.sun_direction, kDirectionRange);
+    if (glm::length(shot.lighting.sun_direction) < kLeastLength)
+        reader.fail("light.sun_direction", "must have a length: it is the way that the light travels");
+    reader.readVector("light.sun_colour", shot.lighting.sun_colour, kColourRange);
+    reader.readVector("light.floor_colour", shot.lighting.floor_colour, {0, 1});
     double exposure = shot.lighting.exposure;
     reader.read("light.exposure", exposure, {0.01, 20});
     shot.lighting.exposure = static_cast<float>(exposure);

@@ -43,11 +43,11 @@ TimedBall readBall(TomlReader& reader, const std::string& at, const BodiesOfFile
     readOptional(reader, at + "height_fraction", ball.height_fraction, {0, 1});
     if (reader.has(at + "direction")) {
         ball.direction.emplace();
-        reader.read(at + "direction", *ball.direction);
+        reader.read(at + "direction", *ball.direction, kDirectionRange);
     }
     if (reader.has(at + "aim_m")) {
         Double3 metres;
-        reader.read(at + "aim_m", metres);
+        reader.read(at + "aim_m", metres, kPlaceRange);
         ball.aim = inHeights(metres, bodies.height);
     }
     return ball;
@@ -60,7 +60,7 @@ std::vector<Placement> readBodies(TomlReader& reader, double height) {
     for (size_t i = 0; i < bodies.size(); ++i) {
         const std::string at = element("body", i);
         Double3 metres;
-        reader.read(at + "position_m", metres);
+        reader.read(at + "position_m", metres, kPlaceRange);
         bodies[i].position = inHeights(metres, height);
         double degrees = 0;
         reader.read(at + "yaw_deg", degrees, {-360, 360});

@@ -31,7 +31,7 @@ struct Session::Obey {
     void operator()(const command::Step&) const {
         session.playing_ = false;
         if (!session.atEnd())
-            session.showRecorded(session.cursor_ + 1);
+            session.show(session.cursor_ + 1);
         else
             session.advance();
     }
@@ -62,7 +62,7 @@ struct Session::Obey {
     }
     void operator()(const command::Scrub& scrub) const {
         session.playing_ = false;
-        if (scrub.frame < session.recording_.size()) session.showRecorded(scrub.frame);
+        session.show(scrub.frame);
     }
 };
 
@@ -165,7 +165,7 @@ void Session::restartIfNotHit() {
 
 void Session::fire(const Projectile& ball) {
     try {
-        if (!atEnd()) showRecorded(recording_.size() - 1);
+        if (!atEnd()) show(newest_);
         built_.solver->fire(ball);
         ++projectiles_;
     } catch (const UsageError& error) {
@@ -188,12 +188,11 @@ void Session::bringFrame(bool fresh) {
     bridge.transfer(*built_.solver, {colour_, projectiles_, fresh, tap});
     spheres_ = spheresOf(bridge.projectiles());
     last_transfer_ms_ = msSince(begun);
-    if (!options_.record) return;
-    if (tap) {
-        frame.projectiles.assign(bridge.projectiles().begin(), bridge.projectiles().end());
-        recording_.add(std::move(frame));
-    }
-    cursor_ = recording_.size() - 1;
+    newest_ = recording_.size();
+    cursor_ = newest_;
+    if (!tap) return;
+    frame.projectiles.assign(bridge.projectiles().begin(), bridge.projectiles().end());
+    recording_.add(std::move(frame));
 }
 
 StepStatus Session::advance() {
@@ -224,22 +223,27 @@ void Session::update(double now, bool may_step) {
     last_sim_ms_ = last_transfer_ms_ = 0;
     if (!playing_ || !may_step) return;
     if (!atEnd())
-        showRecorded(cursor_ + 1);
+        show(cursor_ + 1);
     else
         advance();
 }
 
-void Session::showRecorded(size_t frame) {
-    if (!output_ || frame >= recording_.size()) return;
+void Session::show(size_t frame) {
+    if (!output_ || frame > newest_) return;
     recording_.finishCopies();
+    cursor_ = frame;
+    last_sim_ms_ = last_transfer_ms_ = 0;
+    if (atEnd()) {
+        // Replayed frames have overwritten it, perhaps in another colour: stepping goes on from it.
+        output_->bridge().transfer(*built_.solver, {colour_, projectiles_, true});
+        spheres_ = spheresOf(output_->bridge().projectiles());
+        shown_ = built_.solver->stats();
+        return;
+    }
     recording_.replay(frame, output_->mesh(), built_.setup, colour_);
     const RecordedFrame& recorded = recording_.frame(frame);
     spheres_ = spheresOf(recorded.projectiles);
     shown_ = recorded.stats;
-    cursor_ = frame;
-    last_sim_ms_ = last_transfer_ms_ = 0;
-    // The newest frame may be coloured by another channel: bring it afresh so that stepping goes on from it.
-    if (atEnd()) output_->bridge().transfer(*built_.solver, {colour_, projectiles_, true});
 }
 
 void Session::change(const Shot& shot, double now) {
@@ -284,7 +288,7 @@ void Session::setColour(ParticleColour colour) {
     if (atEnd())
         output_->bridge().transfer(*built_.solver, {colour_, projectiles_, false});
     else
-        showRecorded(cursor_);
+        show(cursor_);
 }
 
 const char* Session::transfer() const {
@@ -304,6 +308,7 @@ SessionStatus Session::status() const {
     status.playing = playing_;
     status.replaying = !atEnd();
     status.cursor = cursor_;
+    status.newest = newest_;
     status.recorded_frames = recording_.size();
     status.recorded_bytes = recording_.bytes();
     status.memory_limit = recording_.memoryLimit();

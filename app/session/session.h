@@ -30,7 +30,8 @@ struct SessionStatus {
     std::string device, transfer, transfer_note;
     bool on_gpu = false;
     bool playing = false, replaying = false;
-    size_t cursor = 0, recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
+    size_t cursor = 0, newest = 0;  ///< frame on screen, and the solver's, which follows a full recording
+    size_t recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
     uint32_t substeps_per_frame = 0;
     size_t bodies = 1;
     double particle_size = 0;      ///< m, h
@@ -88,11 +89,11 @@ class Session {
     void startDueBalls();
     void fireByHand();
     void bringFrame(bool fresh);
-    void showRecorded(size_t frame);
+    void show(size_t frame);
     void change(const Shot& shot, double now);
     void takeRebuild();
     void adopt(BuiltShot built);
-    bool atEnd() const { return !options_.record || cursor_ + 1 >= recording_.size(); }
+    bool atEnd() const { return cursor_ == newest_; }
 
     SessionOptions options_;
     BuiltShot built_;
@@ -111,7 +112,9 @@ class Session {
     uint32_t projectiles_ = 0;
     std::vector<bool> balls_started_;  ///< of ballsOf(shotOfBalls()), those that need not start any more
     size_t fired_by_hand_ = 0;
-    size_t cursor_ = 0;
+    size_t cursor_ = 0;  ///< frame on screen: a recorded one, or newest_
+    size_t newest_ =
+        0;  ///< the solver's frame: the last recorded one, or one more where that is not recorded
     double last_sim_ms_ = 0, last_transfer_ms_ = 0;
     bool playing_ = false;
     bool measuring_ = false;

@@ -86,6 +86,8 @@ inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};
 inline constexpr Range kTimeScaleRange{0.01, 1};
 inline constexpr Range kSubstepRange{1, 20000};
+inline constexpr Range kPlaceRange{-1e4, 1e4};      // m, each coordinate of a point
+inline constexpr Range kDirectionRange{-1e6, 1e6};  // each coordinate; only the way counts
 
 /// Whole numbers in all their digits, others in six.
 std::string plainNumber(double value);

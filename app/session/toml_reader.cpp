@@ -13,14 +13,28 @@
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
+namespace {
+
+/// False for NaN.
+bool isWithin(double number, const Range& range) {
+    return number >= range.least && number <= range.most;
+}
+
+}  // namespace
 
 struct TomlReader::State {
     std::filesystem::path file;
     toml::table table;
-    std::set<std::string> asked;
+    std::set<std::string> asked;             ///< paths, whether there is something or not
+    std::set<const toml::node*> on_the_way;  ///< what lies on the way to them
 
     toml::node_view<toml::node> at(std::string_view path) {
-        asked.emplace(path);
+        for (size_t end = 0; end != std::string_view::npos;) {
+            end = path.find_first_of(".[", end + 1);
+            const std::string_view part = path.substr(0, end);
+            if (!part.ends_with(']')) asked.emplace(part);
+            on_the_way.insert(table.at_path(part).node());
+        }
         return table.at_path(path);
     }
     std::string place(const toml::node* node) const {
@@ -43,18 +57,23 @@ struct TomlReader::State {
         }
         return nearest.empty() ? "remove it or mend its name" : "is '" + nearest + "' meant?";
     }
-    void requireAsked(const toml::table& level, const std::string& prefix) const {
+    [[noreturn]] void refuse(const toml::node& node, const std::string& path) const {
+        const bool is_quoted = path.ends_with('"');
+        throw InputFileError(place(&node) + ": there is no setting '" + path + "'; " +
+                             (is_quoted ? "write it without quotes, or remove it" : remedy(path)));
+    }
+    /// Goes by nodes, not by names: a key in quotes may hold dots and brackets itself.
+    void requireKnown(const toml::table& level, const std::string& prefix) const {
         for (const auto& [key, node] : level) {
-            const std::string path = prefix + std::string(key.str());
-            if (const auto* below = node.as_table()) {
-                requireAsked(*below, path + ".");
-            } else if (const auto* list = node.as_array();
-                       list != nullptr && list->is_homogeneous<toml::table>()) {
-                for (size_t i = 0; i < list->size(); ++i)
-                    requireAsked(*list->get_as<toml::table>(i), path + "[" + std::to_string(i) + "].");
-            } else if (!asked.count(path)) {
-                throw InputFileError(place(&node) + ": there is no setting '" + path + "'; " + remedy(path));
-            }
+            const std::string name(key.str());
+            const bool is_bare = name.find_first_of(".[") == std::string::npos;
+            const std::string path = prefix + (is_bare ? name : '"' + name + '"');
+            if (on_the_way.count(&node) == 0) refuse(node, path);
+            if (const auto* below = node.as_table()) requireKnown(*below, path + ".");
+            const auto* list = node.as_array();
+            for (size_t i = 0; list != nullptr && i < list->size(); ++i)
+                if (const auto* element = list->get(i)->as_table())
+                    requireKnown(*element, path + "[" + std::to_string(i) + "].");
         }
     }
 };
@@ -77,6 +96,7 @@ TomlReader::TomlReader(const std::filesystem::path& file) : state_(std::make_uni
 TomlReader::~TomlReader() = default;
 
 bool TomlReader::has(std::string_view path) const {
+    state_->asked.emplace(path);
     return static_cast<bool>(state_->table.at_path(path));
 }
 
@@ -102,7 +122,7 @@ void TomlReader::read(std::string_view path, double& value, const Range& range) 
     const auto node = state_->at(path);
     if (!node) return;
     const auto number = node.value<double>();
-    if (!number || !std::isfinite(*number) || *number < range.least || *number > range.most)
+    if (!number || !isWithin(*number, range))
         fail(path, range.least == range.most ? "must be " + plainNumber(range.least)
                                              : "must be a number between " + plainNumber(range.least) +
                                                    " and " + plainNumber(range.most));
@@ -124,37 +144,37 @@ void TomlReader::read(std::string_view path, std::string& value) {
     value = *text;
 }
 
-void TomlReader::read(std::string_view path, Double3& value) {
+void TomlReader::read(std::string_view path, Double3& value, const Range& range) {
     const auto node = state_->at(path);
     if (!node) return;
+    const std::string wanted =
+        "must be three numbers between " + plainNumber(range.least) + " and " + plainNumber(range.most);
     const auto* list = node.as_array();
-    if (list == nullptr || list->size() != 3) fail(path, "must be three numbers, [x, y, z]");
+    if (list == nullptr || list->size() != 3) fail(path, wanted);
     double* const parts[3] = {&value.x, &value.y, &value.z};
     for (size_t i = 0; i < 3; ++i) {
         const auto number = list->get(i)->value<double>();
-        if (!number || !std::isfinite(*number)) fail(path, "must be three numbers, [x, y, z]");
+        if (!number || !isWithin(*number, range)) fail(path, wanted);
         *parts[i] = *number;
     }
 }
 
-void TomlReader::readVector(std::string_view path, glm::vec3& value) {
+void TomlReader::readVector(std::string_view path, glm::vec3& value, const Range& range) {
     Double3 numbers{value.x, value.y, value.z};
-    read(path, numbers);
+    read(path, numbers, range);
     value = glm::vec3(numbers.x, numbers.y, numbers.z);
 }
 
 void TomlReader::readColour(std::string_view path, float (&colour)[3]) {
     Double3 numbers{colour[0], colour[1], colour[2]};
-    read(path, numbers);
-    for (const double part : {numbers.x, numbers.y, numbers.z})
-        if (part < 0 || part > 1) fail(path, "must be three numbers between 0 and 1");
+    read(path, numbers, {0, 1});
     colour[0] = static_cast<float>(numbers.x);
     colour[1] = static_cast<float>(numbers.y);
     colour[2] = static_cast<float>(numbers.z);
 }
 
 void TomlReader::requireAllRead() const {
-    state_->requireAsked(state_->table, "");
+    state_->requireKnown(state_->table, "");
 }
 
 }  // namespace demolish

@@ -12,7 +12,7 @@
 namespace demolish {
 
 /// Paths are dotted ("impact.velocity_mps"). Throws InputFileError: unreadable, bad TOML, wrong type, out of
-/// range, key that nobody asked for (a misspelt key must not be ignored).
+/// range, key, table or list that nobody asked for (a misspelt one must not be ignored).
 class TomlReader {
   public:
     explicit TomlReader(const std::filesystem::path& file);
@@ -24,9 +24,9 @@ class TomlReader {
     void read(std::string_view path, double& value, const Range& range);
     void read(std::string_view path, uint32_t& value, const Range& range);
     void read(std::string_view path, std::string& value);
-    void read(std::string_view path, Double3& value);
-    void readColour(std::string_view path, float (&colour)[3]);  ///< linear, each 0..1
-    void readVector(std::string_view path, glm::vec3& value);
+    void read(std::string_view path, Double3& value, const Range& range);  ///< of each of the three numbers
+    void readColour(std::string_view path, float (&colour)[3]);            ///< linear, each 0..1
+    void readVector(std::string_view path, glm::vec3& value, const Range& range);
 
     /// A complaint about one value of this file.
     [[noreturn]] void fail(std::string_view path, const std::string& what) const;

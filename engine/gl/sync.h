@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "engine/gl/error.h"
+
 namespace demolish::engine::gl {
 
 class Sync {
@@ -25,10 +27,15 @@ class Sync {
         if (sync_ != nullptr) glDeleteSync(sync_);
     }
 
-    /// True when passed; waits `nanoseconds` at most. An empty fence has always passed.
+    /// True when passed; waits `nanoseconds` at most. An empty fence has always passed. Throws GlError when
+    /// the driver cannot wait (a lost context), since then it never passes.
     bool wait(uint64_t nanoseconds) const {
         if (sync_ == nullptr) return true;
         const GLenum result = glClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, nanoseconds);
+        if (result == GL_WAIT_FAILED) {
+            throwIfError("Waiting for the GPU");
+            throw GlError("Waiting for the GPU failed; was its driver reset?");
+        }
         return result == GL_ALREADY_SIGNALED || result == GL_CONDITION_SATISFIED;
     }
 

@@ -57,7 +57,7 @@ Pick IdPass::pick(const IdScene& scene, const FrameView& view, int x, int y) {
     const float range = camera.far_plane - camera.near_plane;
     const float along_axis = camera.near_plane * camera.far_plane / (camera.near_plane + depth * range);
     const Ray ray = pixelRay(camera, view.width, view.height, static_cast<float>(x), static_cast<float>(y));
-    const glm::vec3 axis = glm::normalize(camera.target - camera.eye);
+    const glm::vec3 axis = camera.direction();
     const glm::vec3 position = ray.origin + ray.direction * (along_axis / glm::dot(ray.direction, axis));
     for (int i = 0; i < 3; ++i) pick.position[i] = position[i];
     return pick;

@@ -31,6 +31,12 @@ struct ShadowRegion {
     float depth;   // m, range along the light, centred
 };
 
+/// Unit; a light without a way to travel falls from the zenith.
+glm::vec3 towardsSun(const Lighting& light) {
+    const float length = glm::length(light.sun_direction);
+    return length > 1e-12f ? -light.sun_direction / length : glm::vec3(0, 1, 0);
+}
+
 /// Across the light, and towards the sun.
 glm::mat3 sunAxes(glm::vec3 to_sun) {
     const glm::vec3 up = std::abs(to_sun.y) > 0.98f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
@@ -73,7 +79,7 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     const Lighting& light = view.lighting;
     const float aspect = static_cast<float>(view.width) / static_cast<float>(view.height);
     const glm::vec3 centre(view.scene_centre[0], view.scene_centre[1], view.scene_centre[2]);
-    const glm::vec3 to_sun = -glm::normalize(light.sun_direction);
+    const glm::vec3 to_sun = towardsSun(light);
     const float slope = camera.halfHeight(aspect);
 
     FrameUniforms frame;

@@ -14,19 +14,35 @@ namespace {
 constexpr glm::vec3 kUp{0, 1, 0};
 constexpr float kSteepest =
     1.55f;  // rad; short of the pole, where the view direction would be parallel to "up"
-constexpr float kNearestDistance = 1e-3f;  // m
+constexpr float kNearestDistance = 1e-3f;                // m
+constexpr float kLeastAngle = 1e-3f, kMostAngle = 3.1f;  // rad, of a field of view; its tangent is finite
+constexpr float kLeastAspect = 1e-4f;
+constexpr float kParallel = 1e-4f;  // sine between two directions that count as one
+
+/// A field of view that can be drawn.
+float drawnAngle(float field_of_view) {
+    return std::clamp(field_of_view, kLeastAngle, kMostAngle);
+}
 
 }  // namespace
 
+glm::vec3 Camera::direction() const {
+    const glm::vec3 offset = target - eye;
+    const float length = glm::length(offset);
+    return length > 1e-12f ? offset / length : glm::vec3(0, 0, -1);
+}
+
 glm::mat4 Camera::view() const {
-    return glm::lookAt(eye, target, kUp);
+    const glm::vec3 forward = direction();
+    const bool vertical = glm::length(glm::cross(forward, kUp)) < kParallel;
+    return glm::lookAt(eye, eye + forward, vertical ? glm::vec3(0, 0, -1) : kUp);
 }
 
 glm::mat4 Camera::projection(float aspect) const {
     const float f = 1.0f / halfHeight(aspect);
     const float range = far_plane - near_plane;
     glm::mat4 m(0.0f);
-    m[0][0] = f / aspect;
+    m[0][0] = f / std::max(aspect, kLeastAspect);
     m[1][1] = f;
     m[2][2] = near_plane / range;
     m[2][3] = -1.0f;
@@ -35,7 +51,7 @@ glm::mat4 Camera::projection(float aspect) const {
 }
 
 float Camera::halfHeight(float aspect) const {
-    return std::tan(0.5f * field_of_view) / std::min(aspect, 1.0f);
+    return std::tan(0.5f * drawnAngle(field_of_view)) / std::clamp(aspect, kLeastAspect, 1.0f);
 }
 
 void Camera::orbit(float yaw, float pitch) {
@@ -52,7 +68,7 @@ void Camera::pan(float right, float up) {
     const glm::mat4 v = view();
     const glm::vec3 right_axis(v[0][0], v[1][0], v[2][0]);
     const glm::vec3 up_axis(v[0][1], v[1][1], v[2][1]);
-    const float side = 2.0f * glm::length(target - eye) * std::tan(0.5f * field_of_view);
+    const float side = 2.0f * glm::length(target - eye) * std::tan(0.5f * drawnAngle(field_of_view));
     const glm::vec3 move = side * (right * right_axis + up * up_axis);
     eye += move;
     target += move;
@@ -68,19 +84,19 @@ void Camera::dolly(float factor) {
 }
 
 void Camera::frame(glm::vec3 centre, float radius) {
-    const glm::vec3 offset = eye - target;
-    const float length = glm::length(offset);
-    const glm::vec3 direction = length > 0.0f ? offset / length : glm::vec3(0, 0, 1);
+    const glm::vec3 away = -direction();
     target = centre;
-    eye = centre + direction * (std::max(radius, kNearestDistance) / std::sin(0.5f * field_of_view));
+    eye = centre + away * (std::max(radius, kNearestDistance) / std::sin(0.5f * drawnAngle(field_of_view)));
 }
 
 Ray pixelRay(const Camera& camera, int width, int height, float x, float y) {
     const glm::mat4 v = camera.view();
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const auto across = static_cast<float>(std::max(width, 1)),
+               down = static_cast<float>(std::max(height, 1));
+    const float aspect = across / down;
     const float half = camera.halfHeight(aspect);
-    const float ndc_x = 2.0f * (x + 0.5f) / static_cast<float>(width) - 1.0f;
-    const float ndc_y = 1.0f - 2.0f * (y + 0.5f) / static_cast<float>(height);
+    const float ndc_x = 2.0f * (x + 0.5f) / across - 1.0f;
+    const float ndc_y = 1.0f - 2.0f * (y + 0.5f) / down;
     const glm::vec3 in_view(ndc_x * half * aspect, ndc_y * half, -1.0f);
     return {camera.eye, glm::normalize(glm::transpose(glm::mat3(v)) * in_view)};
 }

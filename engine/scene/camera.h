@@ -12,6 +12,9 @@ struct Camera {
     float near_plane = 0.01f;         ///< m
     float far_plane = 1000.0f;        ///< m; reversed float depth stays precise, so far costs nothing
 
+    // Finite numbers for any finite place and angle: with the eye in the target it looks along -z, straight
+    // down with -z upwards, and angles that cannot be drawn become the nearest that can.
+    glm::vec3 direction() const;  ///< that it looks in, unit
     glm::mat4 view() const;
     glm::mat4 projection(float aspect) const;  ///< `aspect`: width over height
     float halfHeight(float aspect) const;      ///< of what the picture shows, at distance 1

@@ -9,6 +9,7 @@
 #include "engine/gl/pass_clock.h"
 #include "engine/gl/program.h"
 #include "engine/gl/shader_source.h"
+#include "engine/gl/sync.h"
 #include "tests/render/gl_fixture.h"
 
 namespace demolish::engine::test {
@@ -100,6 +101,17 @@ TEST_F(GlObjects, MissingShaderIsNamed) {
     } catch (const gl::GlError& error) {
         EXPECT_NE(std::string(error.what()).find("absent.frag"), std::string::npos);
     }
+}
+
+TEST_F(GlObjects, AFenceThatCannotBeWaitedForIsAnError) {
+    const gl::Sync fence = gl::Sync::fence();
+    EXPECT_TRUE(gl::Sync().wait(0)) << "no fence";
+    const PFNGLCLIENTWAITSYNCPROC driver = glad_glClientWaitSync;
+    glad_glClientWaitSync = [](GLsync, GLbitfield, GLuint64) -> GLenum { return GL_WAIT_FAILED; };
+    EXPECT_THROW(fence.wait(0), gl::GlError);
+    glad_glClientWaitSync = driver;
+    glFinish();
+    EXPECT_TRUE(fence.wait(1'000'000'000));
 }
 
 TEST_F(GlObjects, ClockReportsEachPassAfterAFewFrames) {

@@ -2,7 +2,14 @@
 // Files are whole or not there.
 #include "app/session/output_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
 
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -55,6 +62,76 @@ TEST(OutputFile, MakesFoldersAndLeavesThemEmpty) {
     makeOutputFolder(folder.path() / "a" / "b");
     EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "a" / "b"));
     EXPECT_EQ(filesIn(folder.path() / "a" / "b"), 0u);
+}
+
+TEST(OutputFile, LeavesFilesOfOtherNamesAlone) {
+    const test::TemporaryFolder folder;
+    const auto neighbour = folder.write("report.json.tmp", "mine");
+    requireWritable(folder.path() / "report.json");
+    EXPECT_EQ(test::readText(neighbour), "mine");
+    writeTextFile(folder.path() / "report.json", "text");
+    EXPECT_EQ(test::readText(neighbour), "mine");
+    makeOutputFolder(folder.path());
+    const auto probe = folder.write(".writable.tmp", "mine, too");
+    makeOutputFolder(folder.path());
+    EXPECT_EQ(test::readText(probe), "mine, too");
+}
+
+TEST(OutputFile, TwoWritersOfOneFileDoNotMeet) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / "threshold.json";
+    const auto textOf = [](char writer) { return std::string(100'000, writer); };
+    writeTextFile(file, textOf('a'));
+    std::atomic<int> complaints = 0;
+    {
+        std::vector<std::jthread> writers;
+        for (const char writer : {'a', 'b', 'c', 'd'})
+            writers.emplace_back([&, writer] {
+                for (int time = 0; time < 50; ++time) try {
+                        writeTextFile(file, textOf(writer));
+                        const std::string text = test::readText(file);
+                        if (text.size() != 100'000 || text != textOf(text[0])) ++complaints;
+                    } catch (const OutputError&) {
+                        ++complaints;
+                    }
+            });
+    }
+    EXPECT_EQ(complaints, 0);
+    EXPECT_EQ(filesIn(folder.path()), 1u);
+}
+
+TEST(OutputFile, TakesTheLongestNameThatThereCanBe) {
+    const test::TemporaryFolder folder;
+    const auto file = folder.path() / std::string(255, 'n');
+    writeTextFile(file, "text");
+    EXPECT_EQ(test::readText(file), "text");
+}
+
+TEST(OutputFile, WritesIntoPipesAndThroughLinks) {
+    const test::TemporaryFolder folder;
+    const auto pipe = folder.path() / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const int reader = open(pipe.c_str(), O_RDWR | O_NONBLOCK);
+    ASSERT_GE(reader, 0);
+    requireWritable(pipe);
+    writeTextFile(pipe, "text");
+    char read_back[8] = {};
+    EXPECT_EQ(read(reader, read_back, sizeof read_back), 4);
+    close(reader);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+
+    const auto there = folder.write("there.json", "old"), link = folder.path() / "link.json";
+    std::filesystem::create_symlink(there, link);
+    writeTextFile(link, "new");
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_EQ(test::readText(there), "new");
+}
+
+TEST(OutputFile, FailsWithoutTraceWhereNothingCanBePut) {
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directories(folder.path() / "taken" / "full");
+    EXPECT_THROW(writeTextFile(folder.path() / "taken", "text"), OutputError) << "a folder";
+    EXPECT_EQ(filesIn(folder.path()), 1u);
 }
 
 }  // namespace

@@ -61,6 +61,24 @@ TEST(RebuildWorker, CancelledBuildGivesNothingAndTheNextOneIsNotDisturbed) {
     EXPECT_EQ(built->body->particles.size(), 80u);
 }
 
+/// A finished build holds a solver, gigabytes of GPU memory perhaps; nobody can take it any more.
+TEST(RebuildWorker, CancelLetsGoOfAFinishedBuild) {
+    const BuiltShot present = buildShot(blockOf(60), {}, {});
+    const auto holders = present.mesh.use_count();
+    RebuildWorker worker;
+    worker.start(blockOf(90), present);
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    const auto waitWhile = [&](const auto& condition) {
+        while (condition() && std::chrono::steady_clock::now() < patience)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    };
+    waitWhile([&] { return worker.busy(); });
+    worker.cancel();
+    waitWhile([&] { return present.mesh.use_count() > holders; });
+    EXPECT_EQ(present.mesh.use_count(), holders) << "the build shares its mesh";
+    EXPECT_FALSE(worker.take());
+}
+
 TEST(RebuildWorker, ErrorsArriveWhereTheResultIsTaken) {
     const BuiltShot present = buildShot(blockOf(60), {}, {});
     RebuildWorker worker;

@@ -100,6 +100,64 @@ TEST_F(RecordingTest, KeepsEveryColourOfEveryFrame) {
     }
 }
 
+std::vector<float> numbersOf(const std::vector<engine::SphereDraw>& spheres) {
+    std::vector<float> numbers;
+    for (const engine::SphereDraw& sphere : spheres) {
+        numbers.insert(numbers.end(), std::begin(sphere.position), std::end(sphere.position));
+        numbers.push_back(sphere.radius);
+    }
+    return numbers;
+}
+
+/// What one sees of a frame: its number, its spheres, its balls.
+struct Sight {
+    uint64_t frame = 0;
+    Seen pieces;
+    std::vector<float> balls;
+};
+
+Sight sightOf(Session& session) {
+    return {session.status().stats.frame, look(session), numbersOf(session.spheres())};
+}
+
+void expectSame(const Sight& seen, const Sight& then) {
+    EXPECT_EQ(seen.frame, then.frame);
+    EXPECT_EQ(seen.balls, then.balls);
+    for (size_t c = 0; c < kChannels.size(); ++c)
+        for (size_t i = 0; i < then.pieces[c].size(); ++i) {
+            const ParticleInstance &now = seen.pieces[c][i], &before = then.pieces[c][i];
+            ASSERT_EQ(now.fragment, before.fragment) << "particle " << i;
+            ASSERT_EQ(now.position.x, before.position.x) << "particle " << i;
+            ASSERT_EQ(now.position.y, before.position.y) << "particle " << i;
+        }
+}
+
+TEST_F(RecordingTest, AFullOneShowsItsLastFrameAsItWasAndThenTheNewest) {
+    constexpr size_t kRecorded = 3;
+    for (size_t frame = 0; frame < kRecorded; ++frame) ASSERT_EQ(session_->advance(), StepStatus::kOk);
+    const SessionOptions until_here{
+        .draw = true, .record = true, .memory_limit = session_->status().recorded_bytes};
+    ASSERT_EQ(session_->advance(), StepStatus::kOk);
+    session_->apply(command::Scrub{kRecorded}, 0);
+    const Sight last_recorded = sightOf(*session_);
+
+    Session full(buildShot(blockHitSoon(), {}, {}), until_here);
+    for (size_t frame = 0; frame < kRecorded + 5; ++frame) ASSERT_EQ(full.advance(), StepStatus::kOk);
+    ASSERT_EQ(full.status().recorded_frames, kRecorded + 1);
+    EXPECT_FALSE(full.status().replaying);
+    const Sight newest = sightOf(full);
+    ASSERT_NE(newest.balls, last_recorded.balls);
+
+    full.apply(command::Scrub{kRecorded}, 0);
+    EXPECT_TRUE(full.status().replaying);
+    expectSame(sightOf(full), last_recorded);
+    full.apply(command::Step{}, 0);
+    EXPECT_FALSE(full.status().replaying);
+    expectSame(sightOf(full), newest);
+    full.apply(command::Step{}, 0);
+    EXPECT_EQ(full.status().stats.frame, newest.frame + 1);
+}
+
 TEST_F(RecordingTest, ColoursOfAFrameTakeTwoBytesAParticle) {
     const auto bytes = [&] { return session_->status().recorded_bytes; };
     const size_t before = bytes();

@@ -136,6 +136,41 @@ TEST(SceneFile, RefusesListsThatMakeNoSense) {
     EXPECT_THAT(complaintAbout(kHead + many), HasSubstr("ball has 33 entries; at most 32"));
 }
 
+TEST(SceneFile, RefusesCameraAndLightThatShowNothing) {
+    EXPECT_THAT(complaintAbout(kHead + "[light]\nsun_direction = [0, 0, 0]\n"),
+                HasSubstr("scene.toml:4: light.sun_direction must have a length"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [1, 2, 3]\ntarget_m = [1, 2, 3]\n"),
+                HasSubstr("scene.toml:4: camera.eye_m must be apart from camera.target_m"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\nfield_of_view_deg = 0\n"), HasSubstr("between 5 and 120"));
+    EXPECT_EQ(complaintAbout(kHead + "[camera]\neye_m = [0, 3, 0]\ntarget_m = [0, 0, 0]\n"), "")
+        << "straight down";
+    for (const char* number : {"1e39", "-1e39", "inf", "nan"}) {
+        const std::string vector = std::string("[0, ") + number + ", 1]\n";
+        for (const char* key : {"[camera]\neye_m = ", "[camera]\ntarget_m = ", "[light]\nsun_direction = ",
+                                "[light]\nsun_colour = ", "[light]\nfloor_colour = ",
+                                "[impact]\ndirection = ", "[impact]\ntilt_rad = ", "[[body]]\nposition_m = "})
+            EXPECT_THAT(complaintAbout(kHead + key + vector), HasSubstr("three numbers")) << key << vector;
+    }
+    EXPECT_THAT(complaintAbout(kHead + "[light]\nsun_colour = [-1, 1, 1]\n"), HasSubstr("light.sun_colour"));
+}
+
+/// TOML tells a key with a dot in it, in quotes, from a key of a table; whoever writes one means the other.
+TEST(SceneFile, RefusesQuotedKeysWithDotsAtEveryLevel) {
+    EXPECT_THAT(complaintAbout(kHead + "\"impact.velocity_mps\" = 3\n"),
+                testing::AllOf(HasSubstr("scene.toml:3: there is no setting '\"impact.velocity_mps\"'"),
+                               HasSubstr("without quotes")));
+    EXPECT_EQ(complaintAbout(kHead + "impact.velocity_mps = 3\n"), "");
+    EXPECT_THAT(complaintAbout(kHead + "[\"light.x\"]\n"), HasSubstr("'\"light.x\"'"));
+    EXPECT_THAT(complaintAbout("\"version.x\" = 1\n" + kHead), HasSubstr("'\"version.x\"'"));
+    EXPECT_THAT(complaintAbout(kHead + "[impact]\n\"velocity_mps.x\" = 1\n"),
+                HasSubstr("'impact.\"velocity_mps.x\"'"));
+    EXPECT_THAT(complaintAbout(kHead + "\"ball[0].at_s\" = 1\n"), HasSubstr("'\"ball[0].at_s\"'"));
+    EXPECT_THAT(complaintAbout(kHead + "[[ball]]\nat_s = 1\nvelocity_mps = 2\n\"aim_m[0]\" = 1\n"),
+                HasSubstr("'ball[0].\"aim_m[0]\"'"));
+    EXPECT_THAT(complaintAbout(kHead + "bodies = [{}, {}]\n"), HasSubstr("no setting 'bodies'"));
+    EXPECT_THAT(complaintAbout(kHead + "[camra]\n"), HasSubstr("is 'camera' meant?"));
+}
+
 TEST(SceneFile, WantsAVersionAndAModel) {
     EXPECT_THAT(complaintAbout("model = \"models/block.obj\"\n"), HasSubstr("'version' is missing"));
     EXPECT_THAT(complaintAbout("version = 2\nmodel = \"a.obj\"\n"), HasSubstr("version"));

@@ -2,11 +2,16 @@
 // Substeps, places of bodies and drops, checked by the mechanics they promise.
 #include "app/session/shot_setup.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
+#include "app/session/built_shot.h"
+#include "app/session/scene_file.h"
+#include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/errors.h"
 #include "tests/unit/app/grid_cube.h"
 
 namespace demolish {
@@ -83,6 +88,22 @@ TEST(ShotSetup, TheBoxHoldsAllBodiesTurned) {
     EXPECT_NEAR(box.low.z, -0.1, 1e-12);
     EXPECT_NEAR(box.high.z, 6, 1e-12);
     EXPECT_NEAR(box.high.y, 1, 1e-12);
+}
+
+TEST(ShotSetup, BodiesAreCountedTogether) {
+    Shot shot = loadScene("vase");
+    const auto mesh = loadSolidMesh(shot.model, {.height = shot.height});
+    shot.fineness.particles = 100'000;
+    EXPECT_EQ(particlesWanted(shot, *mesh, false), 100'000u);
+    shot.fineness.particles = kMaxParticles;
+    try {
+        particlesWanted(shot, *mesh, false);
+        FAIL() << "no complaint";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), testing::HasSubstr("20 bodies of 4000000 particles are 80000000"));
+    }
+    shot.bodies.clear();
+    EXPECT_EQ(particlesWanted(shot, *mesh, false), kMaxParticles);
 }
 
 TEST(ShotSetup, EveryBodyOfADropFalls) {

@@ -62,6 +62,7 @@ TEST(Experiment, ComplaintsNameFileAndLine) {
     };
     EXPECT_THAT(wrong("[material]\nfriction = 9\n"), testing::HasSubstr("bad.toml:2"));
     EXPECT_THAT(wrong("[material]\nfrictoin = 0.1\n"), testing::HasSubstr("frictoin"));
+    EXPECT_THAT(wrong("\"material.friction\" = 0.1\n"), testing::HasSubstr("material.friction"));
     EXPECT_THAT(wrong("[broken]\nrule = \"maybe\"\n"), testing::HasSubstr("crack"));
     EXPECT_THAT(wrong("[specimen]\nsmall_m = 4e-5\n"), testing::HasSubstr("small_m below large_m"));
     EXPECT_THAT(wrong("[impact]\nslowest_mps = 90\n"), testing::HasSubstr("slowest_mps below"));

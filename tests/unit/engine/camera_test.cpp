@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "engine/render/frame_uniforms.h"
+
 namespace demolish::engine {
 namespace {
 
@@ -107,6 +109,61 @@ TEST(Camera, FrameMakesTheSphereTouchThePictureEdge) {
     camera.frame(centre, 0.7f);
     EXPECT_EQ(camera.target, centre);
     EXPECT_NEAR(std::asin(0.7f / glm::distance(camera.eye, centre)), 0.5f * camera.field_of_view, 1e-5f);
+}
+
+template <class Matrix>
+bool finite(const Matrix& matrix) {
+    for (int column = 0; column < Matrix::length(); ++column)
+        for (int row = 0; row < Matrix::col_type::length(); ++row)
+            if (!std::isfinite(matrix[column][row])) return false;
+    return true;
+}
+
+bool finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+TEST(Camera, NoPlaceAndNoAngleOfItGivesNumbersThatAreNone) {
+    const glm::vec3 target(0.1f, 0.4f, -0.2f);
+    for (const glm::vec3 away :
+         {glm::vec3(0), glm::vec3(0, 2, 0), glm::vec3(0, -2, 0), glm::vec3(1e-30f, 0, 0)})
+        for (const float angle : {0.0f, 0.7f, 3.15f, 7.0f}) {
+            Camera camera;
+            camera.target = target;
+            camera.eye = target + away;
+            camera.field_of_view = angle;
+            EXPECT_TRUE(finite(camera.view()));
+            EXPECT_NEAR(glm::determinant(glm::mat3(camera.view())), 1.0f, 1e-4f) << "turns, and no more";
+            EXPECT_TRUE(finite(camera.projection(1.5f)));
+            EXPECT_TRUE(finite(camera.projection(0.0f)));
+            EXPECT_TRUE(finite(pixelRay(camera, 64, 48, 3, 4).direction));
+            EXPECT_TRUE(finite(pixelRay(camera, 0, 0, 0, 0).direction));
+            Camera moved = camera;
+            moved.orbit(0.1f, 0.1f);
+            moved.pan(0.1f, 0.1f);
+            moved.dolly(2);
+            EXPECT_TRUE(finite(moved.eye) && finite(moved.target));
+            moved.frame(target, 0.5f);
+            EXPECT_TRUE(finite(moved.eye) && finite(moved.target));
+        }
+}
+
+TEST(Camera, LooksStraightDownOnWhatIsBelow) {
+    Camera camera;
+    camera.eye = glm::vec3(0, 3, 0);
+    camera.target = glm::vec3(0);
+    const glm::vec4 seen = camera.projection(1) * camera.view() * glm::vec4(0, 0, 0, 1);
+    EXPECT_NEAR(seen.x, 0, 1e-5f);
+    EXPECT_NEAR(seen.y, 0, 1e-5f);
+    EXPECT_GT(seen.w, 0);
+}
+
+TEST(FrameUniforms, ASunWithoutADirectionStandsInTheZenith) {
+    FrameView view;
+    view.width = 64;
+    view.height = 48;
+    view.lighting.sun_direction = glm::vec3(0);
+    EXPECT_EQ(glm::vec3(makeFrameUniforms(view, 1024).to_sun), glm::vec3(0, 1, 0));
 }
 
 }  // namespace
