@@ -7,6 +7,7 @@
 #include "app/session/data_folder.h"
 #include "app/session/material_file.h"
 #include "app/session/scene_parts_file.h"
+#include "app/session/threshold_table.h"
 #include "app/session/toml_reader.h"
 #include "sim_cuda/api/errors.h"
 
@@ -29,6 +30,14 @@ std::filesystem::path findAsset(const std::string& folder, const std::string& ki
     if (std::find(names.begin(), names.end(), name) == names.end())
         throw UsageError("there is no " + kind + " '" + name + "'; choose one of: " + listed(names));
     return dataFolder() / "assets" / folder / (name + ".toml");
+}
+
+void readStrengthRow(TomlReader& reader, std::string& row) {
+    if (!reader.has("strength_row")) return;
+    reader.read("strength_row", row);
+    const auto rows = ThresholdTable::ofAssets().rows();
+    if (std::find(rows.begin(), rows.end(), row) == rows.end())
+        reader.fail("strength_row", "must be one of " + listed(rows));
 }
 
 void readImpact(TomlReader& reader, Impact& impact) {
@@ -110,6 +119,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
         reader.read("paper_model", model);
         shot.paper_model = dataFolder() / "assets" / model;
     }
+    readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);
     reader.read("material_preset", preset);
     try {

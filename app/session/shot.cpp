@@ -120,6 +120,7 @@ Change changeBetween(const Shot& before, const Shot& after) {
     const bool same_solver = sameStrength(before, after) && before.wave_speed == after.wave_speed &&
                              before.substeps == after.substeps && before.settle_time == after.settle_time &&
                              before.scene_radius == after.scene_radius && before.fps == after.fps &&
+                             before.strength_row == after.strength_row &&
                              before.hand_over == after.hand_over && before.sleeping == after.sleeping &&
                              sameImpactForSolver(before.impact, after.impact);
     if (!same_solver) return Change::kSolver;

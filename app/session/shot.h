@@ -48,6 +48,8 @@ struct Shot {
     std::filesystem::path model;  ///< mesh file
     /// The same model with the paper's number of triangles, where the scene names one: benchmarks take it.
     std::optional<std::filesystem::path> paper_model;
+    /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.
+    std::string strength_row;
     double height = 1.0;  ///< m
     std::string material_name = "ceramic";
     Material material;

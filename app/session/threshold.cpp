@@ -14,7 +14,7 @@ namespace {
 constexpr Range kCriticalVelocity{0.01, 1000};  // m/s, as in a material's file
 
 ThresholdTable::Prediction predictionOf(const Shot& shot, const BreakableBody& body, ImpactKind kind) {
-    return ThresholdTable::ofAssets().predict(shot.model.stem().string(), shot.material,
+    return ThresholdTable::ofAssets().predict(shot.strength_row, shot.material,
                                               impactFeatures(shot, body, kind));
 }
 

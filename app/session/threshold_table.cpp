@@ -15,18 +15,9 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kReferenceRatio = 12.4;  // D/h of `at_12`: 1,000 particles
 constexpr Range kFactor{1e-3, 1e3}, kExponent{-10, 10}, kShare{1e-3, 1};
-// The paper's mesh of a model and the fine one differ by up to 5 % in slimness.
-constexpr double kSlimnessDiffers = 0.1;
 
 double interpolated(double low, double high, double t) {
     return low + t * (high - low);
-}
-
-/// "rabbit" of "rabbit_paper": one body in two meshes.
-std::string bodyName(std::string model) {
-    const std::string paper = "_paper";
-    if (model.size() > paper.size() && model.ends_with(paper)) model.resize(model.size() - paper.size());
-    return model;
 }
 
 }  // namespace
@@ -61,8 +52,7 @@ ThresholdTable::ThresholdTable(const std::filesystem::path& file) {
     for (size_t i = 0; i < bodies_.size(); ++i) {
         const std::string at = "body[" + std::to_string(i) + "].";
         BodyRow& row = bodies_[i];
-        reader.read(at + "model", row.model);
-        reader.read(at + "slimness", row.slimness, {1e-3, 1});
+        reader.read(at + "name", row.name);
         reader.read(at + "drop", row.drop, kFactor);
         reader.read(at + "drop_scatter", row.drop_scatter, kShare);
         reader.read(at + "ball", row.ball, kFactor);
@@ -96,20 +86,25 @@ double ThresholdTable::sphereBeta(const Material& material, double size_ratio) c
            std::pow(size_ratio / kReferenceRatio, interpolated(low.exponent, high.exponent, t));
 }
 
-const ThresholdTable::BodyRow* ThresholdTable::rowOf(const std::string& model, double slimness) const {
-    const std::string name = bodyName(model);
-    for (const BodyRow& row : bodies_)
-        if (row.model == name && std::abs(slimness / row.slimness - 1) < kSlimnessDiffers) return &row;
-    return nullptr;
+std::vector<std::string> ThresholdTable::rows() const {
+    std::vector<std::string> names;
+    for (const BodyRow& row : bodies_) names.push_back(row.name);
+    return names;
 }
 
-ThresholdTable::Prediction ThresholdTable::predict(const std::string& model, const Material& material,
+const ThresholdTable::BodyRow* ThresholdTable::rowOf(const std::string& name) const {
+    const auto found =
+        std::find_if(bodies_.begin(), bodies_.end(), [&](const BodyRow& row) { return row.name == name; });
+    return found == bodies_.end() ? nullptr : &*found;
+}
+
+ThresholdTable::Prediction ThresholdTable::predict(const std::string& row_name, const Material& material,
                                                    const ImpactFeatures& features) const {
     const bool drop = !(features.mass_ratio > 0);
     const Rule& rule = drop ? drop_ : ball_;
     Prediction prediction;
     double factor = 0, wakes = 0;
-    if (const BodyRow* row = rowOf(model, features.slimness)) {
+    if (const BodyRow* row = rowOf(row_name)) {
         prediction.is_known = true;
         prediction.scatter = 1 + (drop ? row->drop_scatter : row->ball_scatter);
         factor = drop ? row->drop

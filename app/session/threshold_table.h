@@ -35,23 +35,25 @@ class ThresholdTable {
         bool is_known = false;  ///< the body has a row of its own; else from its shape and the ball's mass
         double wake_share = 0;  ///< as `share`; what the speed goes by at which rigid pieces wake
     };
-    /// `model`: stem of the mesh's file name.
-    Prediction predict(const std::string& model, const Material& material,
+    /// `row`: one of rows(); any other, and the body goes by its shape and the ball's mass.
+    Prediction predict(const std::string& row, const Material& material,
                        const ImpactFeatures& features) const;
+    /// Names of the bodies that the table knows.
+    std::vector<std::string> rows() const;
 
   private:
     struct BetaRow {
         double tough_factor = 1, at_12 = 0, exponent = 0;
     };
     struct BodyRow {
-        std::string model;
-        double slimness = 1, drop = 0, drop_scatter = 0, ball = 0, ball_mass_ratio = 0, ball_scatter = 0;
+        std::string name;
+        double drop = 0, drop_scatter = 0, ball = 0, ball_mass_ratio = 0, ball_scatter = 0;
         double wake_drop = 0;  ///< in place of `drop` for waking; 0: the same
     };
     struct Rule {
         double scale = 1, slimness_exponent = 0, mass_exponent = 0, scatter = 1;
     };
-    const BodyRow* rowOf(const std::string& model, double slimness) const;
+    const BodyRow* rowOf(const std::string& name) const;
 
     std::vector<BetaRow> betas_;
     std::vector<BodyRow> bodies_;

@@ -31,6 +31,7 @@ Shot sphereShot(const std::filesystem::path& folder) {
     Shot shot = loadScene("block");
     shot.scene = "sphere";
     shot.model = writeSphere(folder);
+    shot.strength_row = "sphere";
     shot.settle_time = 0;
     shot.material = Material{};
     shot.material.critical_velocity = 4;

@@ -60,6 +60,15 @@ TEST(SceneFile, ReadsTheVelocityToBreakAt) {
     EXPECT_THROW(loadSceneFile(folder.write("c.toml", "break_at_mps = -1\n" + kHead)), InputFileError);
 }
 
+TEST(SceneFile, NamesItsRowOfTheStrengthTable) {
+    const TemporaryFolder folder;
+    EXPECT_EQ(loadSceneFile(folder.write("block.toml", kHead)).strength_row, "");
+    EXPECT_EQ(loadSceneFile(folder.write("a.toml", kHead + "strength_row = \"wolf\"\n")).strength_row,
+              "wolf");
+    EXPECT_THAT(complaintAbout(kHead + "strength_row = \"bear\"\n"),
+                testing::AllOf(HasSubstr("scene.toml:3: strength_row must be one of"), HasSubstr("wolf")));
+}
+
 TEST(SceneFile, NamesFileAndLineOfAMistake) {
     EXPECT_THAT(complaintAbout(kHead + "height_m = \"tall\"\n"), HasSubstr("scene.toml:3"));
     EXPECT_THAT(complaintAbout(kHead + "\nheight_m = -1\n"),
