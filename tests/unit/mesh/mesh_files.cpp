@@ -9,6 +9,7 @@
 #include <fstream>
 #include <memory>
 #include <sstream>
+#include <stdexcept>
 
 namespace demolish::test {
 namespace {
@@ -69,11 +70,16 @@ std::filesystem::path FileTest::write(const std::string& name, const std::string
 
 std::filesystem::path FileTest::exportMesh(const TriangleMesh& mesh, const std::string& name,
                                            const std::string& format, bool mirrored) const {
+    test::exportMesh(mesh, folder_ / name, format, mirrored);
+    return folder_ / name;
+}
+
+void exportMesh(const TriangleMesh& mesh, const std::filesystem::path& file, const std::string& format,
+                bool mirrored) {
     const auto scene = sceneOf(mesh, mirrored);
     Assimp::Exporter exporter;
-    const auto result = exporter.Export(scene.get(), format, (folder_ / name).string());
-    EXPECT_EQ(result, aiReturn_SUCCESS) << exporter.GetErrorString();
-    return folder_ / name;
+    if (exporter.Export(scene.get(), format, file.string()) != aiReturn_SUCCESS)
+        throw std::runtime_error(exporter.GetErrorString());
 }
 
 std::string objText(const TriangleMesh& mesh, size_t skip) {

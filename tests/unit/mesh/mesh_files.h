@@ -18,13 +18,18 @@ class FileTest : public ::testing::Test {
     FileTest();
     ~FileTest() override;
     std::filesystem::path write(const std::string& name, const std::string& text) const;
-    /// The mesh through assimp's exporter under a node that moves, turns and stretches it, or mirrors it.
+    /// test::exportMesh() into the folder.
     std::filesystem::path exportMesh(const TriangleMesh& mesh, const std::string& name,
                                      const std::string& format, bool mirrored = false) const;
 
   private:
     std::filesystem::path folder_;
 };
+
+/// The mesh as assimp's exporter writes it, in one of its formats ("ply", "glb2"), under a node that moves,
+/// turns and stretches it, or mirrors it. Throws std::runtime_error.
+void exportMesh(const TriangleMesh& mesh, const std::filesystem::path& file, const std::string& format,
+                bool mirrored = false);
 
 /// Wavefront text; triangles[i] is left out when i < skip.
 std::string objText(const TriangleMesh& mesh, size_t skip = 0);

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+// fuzz_shots: random shots for a given time, each in a process of its own, run twice and compared.
+// One line of JSON a shot and a finding; the commands in them show a finding again.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "sim_cuda/api/solver.h"
+#include "tests/fuzz/shots/findings.h"
+#include "tests/fuzz/support/child_program.h"
+
+namespace demolish::fuzz {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Clock = std::chrono::steady_clock;
+constexpr int kSkipped = 77;
+
+struct Options {
+    uint64_t seed = 1;
+    double seconds = 120;
+    std::optional<uint64_t> only;
+    std::string device = "cpu";
+    double cost = 0;  ///< 0: what suits the device
+    bool record = false, strict = false, in_process = false;
+    std::filesystem::path models = std::filesystem::temp_directory_path() / "demolish_fuzz_models";
+};
+
+RandomShotLimits limitsOf(const Options& options) {
+    RandomShotLimits limits;
+    limits.device = options.device;
+    limits.may_record = options.record;
+    limits.cost = options.cost > 0 ? options.cost : options.device == "cuda" ? 3e7 : 3e6;
+    return limits;
+}
+
+/// The words that show shot `index` again, in a process of its own or in this one.
+std::vector<std::string> ownWords(const Options& options, uint64_t index) {
+    std::vector<std::string> words = {"fuzz_shots", "--seed", std::to_string(options.seed), "--only",
+                                      std::to_string(index)};
+    if (options.device != "cpu") words.insert(words.end(), {"--device", options.device});
+    if (options.cost > 0) words.insert(words.end(), {"--cost", std::to_string(options.cost)});
+    if (options.record) words.emplace_back("--record");
+    words.insert(words.end(), {"--models", options.models.string()});
+    return words;
+}
+
+void print(const Json& line) {
+    // What a program says of itself may be cut within a letter.
+    std::puts(line.dump(-1, ' ', false, Json::error_handler_t::replace).c_str());
+    std::fflush(stdout);
+}
+
+void printFinding(const Options& options, uint64_t index, const RandomShot& random, const Finding& finding) {
+    Json line{{"finding", finding.kind},
+              {"shot", index},
+              {"what", finding.sentence},
+              {"command", commandLine(ownWords(options, index))}};
+    std::vector<std::string> bench = random.benchWords();
+    if (!bench.empty()) line["bench"] = "demolish " + commandLine(bench);
+    print(line);
+}
+
+Json summaryOf(uint64_t index, const RandomShot& random, const ShotRun& run) {
+    const ShotOptions& options = random.options;
+    Json line{
+        {"shot", index},
+        {"of", options.scene.empty() ? std::filesystem::path(options.model).stem().string() : options.scene},
+        {"particles", run.particles},
+        {"frames", run.frames},
+        {"broken", run.broken},
+        {"made_s", run.built_seconds},
+        {"seconds", run.seconds},
+        {"cost", random.cost},
+        {"watched", random.watching.inWords()}};
+    if (run.brought_in > 0) line["closure"] = run.closure;
+    if (!run.refused.empty()) line["refused"] = run.refused;
+    if (!run.stopped.empty()) line["stopped"] = run.stopped;
+    return line;
+}
+
+/// Both runs here; a crash ends this process.
+int runHere(const Options& options, uint64_t index, const RandomShot& random) {
+    const ShotRun alone = runShot(random, {}), watched = runShot(random, random.watching);
+    print(summaryOf(index, random, watched));
+    for (const Finding& finding : findingsOf(alone, watched)) printFinding(options, index, random, finding);
+    return 0;
+}
+
+/// Wall time that nothing excuses: making, and a rate that the slowest machine beats.
+double secondsAllowed(const RandomShot& random) {
+    return 120 + 2 * random.cost / 2e4;
+}
+
+/// Counts what the shots of a run showed.
+class Tally {
+  public:
+    explicit Tally(bool strict) : strict_(strict) {}
+    void addShot(const Json& line) {
+        ++shots_;
+        if (line.contains("refused")) ++refused_;
+        if (line.contains("stopped")) ++stopped_;
+    }
+    void add(const Finding& finding) {
+        ++kinds_[finding.kind];
+        if (strict_ || !failsWhenStrictOnly(finding)) failed_ = true;
+    }
+    bool failed() const { return failed_; }
+    Json json(double seconds) const {
+        return {{"shots", shots_},
+                {"seconds", seconds},
+                {"refused", refused_},
+                {"stopped", stopped_},
+                {"findings", kinds_}};
+    }
+
+  private:
+    bool strict_, failed_ = false;
+    uint64_t shots_ = 0, refused_ = 0, stopped_ = 0;
+    std::map<std::string, uint64_t> kinds_;
+};
+
+void takeLines(const ChildEnd& end, Tally& tally) {
+    std::istringstream lines(end.out);
+    for (std::string text; std::getline(lines, text);) {
+        const Json line = Json::parse(text, nullptr, false);
+        if (!line.is_object()) continue;
+        print(line);
+        if (line.contains("finding"))
+            tally.add({line["finding"], ""});
+        else
+            tally.addShot(line);
+    }
+}
+
+/// Last line of what a child said, where it says why it ended.
+std::string lastLine(const std::string& text) {
+    const size_t end = text.find_last_not_of('\n');
+    if (end == std::string::npos) return "";
+    const size_t begin = text.find_last_of('\n', end);
+    return text.substr(begin == std::string::npos ? 0 : begin + 1, end - begin);
+}
+
+void runApart(const Options& options, uint64_t index, Tally& tally) {
+    const RandomShot random = randomShot(options.seed, index, limitsOf(options), options.models);
+    std::vector<std::string> words = ownWords(options, index);
+    words[0] = ownProgram();
+    words.emplace_back("--in-process");
+    const ChildEnd end = runChild(words, {.seconds = secondsAllowed(random)});
+    takeLines(end, tally);
+    if (end.endedWith(0)) return;
+    const Finding finding{end.timed_out ? "hang" : "crash", describe(end) + ": " + lastLine(end.err)};
+    printFinding(options, index, random, finding);
+    tally.add(finding);
+}
+
+int run(const Options& options) {
+    if (options.in_process)
+        return runHere(options, *options.only,
+                       randomShot(options.seed, *options.only, limitsOf(options), options.models));
+    if (options.device == "cuda" && !findCudaDevice().usable) {
+        std::puts("there is no usable GPU: skipped");
+        return kSkipped;
+    }
+    Tally tally(options.strict);
+    const auto begun = Clock::now();
+    const auto elapsed = [begun] { return std::chrono::duration<double>(Clock::now() - begun).count(); };
+    if (options.only)
+        runApart(options, *options.only, tally);
+    else
+        for (uint64_t index = 0; elapsed() < options.seconds; ++index) runApart(options, index, tally);
+    print(tally.json(elapsed()));
+    return tally.failed() ? 1 : 0;
+}
+
+int parseAndRun(int argument_count, char** arguments) {
+    Options options;
+    CLI::App app{"Random shots, each in a process of its own, run twice and compared.", "fuzz_shots"};
+    app.add_option("--seed", options.seed, "Which shots");
+    app.add_option("--seconds", options.seconds, "How long; a shot that has begun is finished");
+    app.add_option("--device", options.device)->check(CLI::IsMember({"cpu", "cuda"}));
+    app.add_option("--only", options.only, "This shot of the seed alone");
+    app.add_option("--cost", options.cost, "Particles x substeps of a run, about");
+    app.add_option("--models", options.models, "Folder for the models that are made");
+    app.add_flag("--record", options.record, "Some shots are recorded; needs OpenGL");
+    app.add_flag("--strict", options.strict, "Hashes that differ and books that do not close fail, too");
+    app.add_flag("--in-process", options.in_process, "With --only: no process of its own, for a debugger");
+    CLI11_PARSE(app, argument_count, arguments);
+    if (options.in_process && !options.only) options.only = 0;
+    return run(options);
+}
+
+}  // namespace
+}  // namespace demolish::fuzz
+
+int main(int argc, char** argv) {
+    return demolish::fuzz::parseAndRun(argc, argv);
+}
