@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "app/session/data_folder.h"
+#include "app/session/scene_file.h"
 #include "app/session/shot_setup.h"
 #include "tests/fuzz/shots/fuzz_models.h"
 #include "tests/fuzz/support/dice.h"
@@ -106,11 +107,11 @@ Cost expectedCost(const Shot& shot, const Size& size) {
 void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject, RandomShot& random) {
     ShotOptions& options = random.options;
     const Shot shot = random.shot();
-    const double own_scale = subject.is_scene && options.height ? *options.height / shot.height : 1;
     Size size;
     size.bodies = static_cast<double>(std::max<size_t>(1, shot.bodies.size()));
     size.height = shot.height;
-    size.volume = subject.volume * (subject.is_scene ? std::pow(own_scale, 3) : std::pow(shot.height, 3));
+    const double scale = subject.is_scene ? shot.height / loadScene(subject.name).height : shot.height;
+    size.volume = subject.volume * std::pow(scale, 3);
     size.particles = std::max(2 * size.bodies, wholeNumber(dice, 2, limits.most_particles));
     const auto cost = [&] { return expectedCost(random.shot(), size); };
     const auto affordable = [&] {

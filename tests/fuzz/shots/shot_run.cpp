@@ -112,6 +112,7 @@ void closeBooks(Session& session, ShotRun& run) {
     const EnergyBalance energy = session.energy();
     run.brought_in = energy.broughtIn();
     run.closure = energy.closure();
+    run.weight_energy = session.solver().stats().mass * kGravity * session.built().shot.height;
 }
 
 }  // namespace
