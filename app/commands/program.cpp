@@ -16,6 +16,7 @@
 #include "app/commands/help_text.h"
 #include "app/commands/info_command.h"
 #include "app/commands/interrupt.h"
+#include "app/commands/one_sentence.h"
 #include "app/commands/view_command.h"
 #include "engine/gl/error.h"
 #include "engine/image/png.h"
@@ -25,7 +26,7 @@ namespace demolish {
 namespace {
 
 int fail(ExitCode code, const std::string& sentence) {
-    std::fprintf(stderr, "demolish: %s\n", sentence.c_str());
+    std::fprintf(stderr, "demolish: %s\n", oneSentence(sentence).c_str());
     return static_cast<int>(code);
 }
 

@@ -53,7 +53,7 @@ std::string fault(const ChildEnd& end) {
     if (last == std::string::npos) return describe(end) + " without a sentence";
     const std::string sentence = end.err.substr(last);
     if (std::count(sentence.begin(), sentence.end(), '\n') != 1) return "more than one line for one fault";
-    constexpr size_t kLongest = 600;
+    constexpr size_t kLongest = 1100;
     return sentence.size() > kLongest ? "a sentence of " + std::to_string(sentence.size()) + " letters" : "";
 }
 

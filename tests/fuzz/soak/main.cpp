@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <ios>
 #include <iterator>
 #include <sstream>
 #include <thread>
@@ -45,11 +46,20 @@ std::string roundOf(size_t number, const fs::path& folder) {
     return script.str();
 }
 
+/// A file of /proc; "" where its process has gone.
+std::string procText(const fs::path& file) {
+    try {
+        return test::readText(file);
+    } catch (const std::ios_base::failure&) {
+        return "";
+    }
+}
+
 /// The process that runs the program with this script; 0 while there is none.
 pid_t processWith(const std::string& script) {
     std::error_code error;
     for (const auto& entry : fs::directory_iterator("/proc", error)) {
-        const std::string words = test::readText(entry.path() / "cmdline");
+        const std::string words = procText(entry.path() / "cmdline");
         if (words.find(script) == std::string::npos) continue;
         std::error_code ignored;
         if (fs::equivalent(entry.path() / "exe", test::programPath(), ignored))
@@ -75,7 +85,7 @@ Usage usageOf(pid_t process, bool on_gpu) {
     const fs::path folder = "/proc/" + std::to_string(process);
     std::error_code error;
     const auto files = fs::directory_iterator(folder / "fd", error);
-    return {mebibytes(test::readText(folder / "status"), "VmRSS"), on_gpu ? gpuMebibytes() : 0,
+    return {mebibytes(procText(folder / "status"), "VmRSS"), on_gpu ? gpuMebibytes() : 0,
             static_cast<double>(std::distance(begin(files), end(files)))};
 }
 
