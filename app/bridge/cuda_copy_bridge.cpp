@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/bridge/cuda_check.h"
+#include "app/bridge/cuda_stream.h"
 
 namespace demolish {
 using engine::StreamId;
@@ -27,8 +28,9 @@ struct CudaCopyBridge::Memory {
     }
 };
 
-CudaCopyBridge::CudaCopyBridge(engine::FractureMesh& mesh, const std::string& why_not_interop)
-    : mesh_(mesh), memory_(std::make_unique<Memory>(streamBytes(mesh))) {
+CudaCopyBridge::CudaCopyBridge(engine::FractureMesh& mesh, const Solver& solver,
+                               const std::string& why_not_interop)
+    : mesh_(mesh), stream_(streamOf(solver)), memory_(std::make_unique<Memory>(streamBytes(mesh))) {
     note_ = why_not_interop;
     memory_->allocate();
 }
@@ -40,7 +42,7 @@ const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements) {
     const size_t wanted = std::min(elements * kStreamElementBytes[index], memory_->bytes[index]);
     if (wanted == 0) return nullptr;
     auto* host = static_cast<std::byte*>(memory_->pinned[index].atLeast(wanted));
-    checkCuda(cudaMemcpy(host, memory_->device[index], wanted, cudaMemcpyDeviceToHost), "copying the frame");
+    copyToHost(host, memory_->device[index], wanted, stream_, "copying the frame");
     mesh_.stream(id).upload({host, wanted});
     return host;
 }

@@ -9,12 +9,15 @@
 #include "app/bridge/frame_bridge.h"
 #include "app/bridge/stream_layout.h"
 
+struct CUstream_st;
+
 namespace demolish {
 
 class CudaCopyBridge : public FrameBridge {
   public:
     /// `why_not_interop`: one clause. Throws DeviceError when the GPU's memory does not suffice.
-    CudaCopyBridge(engine::FractureMesh& mesh, const std::string& why_not_interop);
+    /// Copies on the solver's stream.
+    CudaCopyBridge(engine::FractureMesh& mesh, const Solver& solver, const std::string& why_not_interop);
     ~CudaCopyBridge() override;
 
     void transfer(Solver& solver, const FrameRequest& request) override;
@@ -27,6 +30,7 @@ class CudaCopyBridge : public FrameBridge {
     void bringStreams(FrameChange change);
 
     engine::FractureMesh& mesh_;
+    CUstream_st* stream_;  ///< cudaStream_t
     std::unique_ptr<Memory> memory_;
     ExportHistory history_;
     CudaProjectiles projectile_block_;

@@ -3,6 +3,7 @@
 #include "app/bridge/cuda_fragment_reader.h"
 
 #include "app/bridge/cuda_check.h"
+#include "app/bridge/cuda_stream.h"
 
 namespace demolish {
 namespace {
@@ -30,9 +31,7 @@ std::vector<uint32_t> readFragmentsFromGpu(Solver& solver) {
     RenderStreams streams;
     streams.particle_fragment = {static_cast<uint32_t*>(block.memory()), fragments.size()};
     solver.exportFrame(streams);
-    solver.synchronize();
-    checkCuda(cudaMemcpy(fragments.data(), block.memory(), bytes, cudaMemcpyDeviceToHost),
-              "copying fragments");
+    copyToHost(fragments.data(), block.memory(), bytes, streamOf(solver), "copying fragments");
     return fragments;
 }
 

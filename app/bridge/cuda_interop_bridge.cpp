@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/bridge/cuda_check.h"
+#include "app/bridge/cuda_stream.h"
 
 namespace demolish {
 namespace {
@@ -51,9 +52,9 @@ cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
 }  // namespace
 
 std::unique_ptr<CudaInteropBridge> CudaInteropBridge::tryMake(engine::FractureMesh& mesh,
-                                                              std::string& why_not) {
+                                                              const Solver& solver, std::string& why_not) {
     if (!contextIsOnCudaDevice(why_not)) return nullptr;
-    std::unique_ptr<CudaInteropBridge> bridge(new CudaInteropBridge(mesh));
+    std::unique_ptr<CudaInteropBridge> bridge(new CudaInteropBridge(mesh, streamOf(solver)));
     for (size_t i = 0; i < kStreamCount; ++i) {
         const cudaError_t error =
             registerBuffer(bridge->resources_[i], mesh.stream(static_cast<engine::StreamId>(i)).id());
@@ -73,7 +74,7 @@ void CudaInteropBridge::map(std::span<const engine::StreamId> ids) {
     if (ids.empty()) return;
     std::vector<cudaGraphicsResource*> mapped;
     for (const engine::StreamId id : ids) mapped.push_back(resources_[static_cast<size_t>(id)]);
-    checkCuda(cudaGraphicsMapResources(static_cast<int>(mapped.size()), mapped.data(), nullptr),
+    checkCuda(cudaGraphicsMapResources(static_cast<int>(mapped.size()), mapped.data(), stream_),
               "mapping GL's buffers");
     mapped_ = std::move(mapped);
 }
@@ -86,7 +87,7 @@ void CudaInteropBridge::prepare() {
 int CudaInteropBridge::unmap() {
     if (mapped_.empty()) return cudaSuccess;
     auto mapped = std::exchange(mapped_, {});
-    return cudaGraphicsUnmapResources(static_cast<int>(mapped.size()), mapped.data(), nullptr);
+    return cudaGraphicsUnmapResources(static_cast<int>(mapped.size()), mapped.data(), stream_);
 }
 
 void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::StreamId> ids,
@@ -104,11 +105,11 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
     const size_t tapped = request.tap && !ids.empty() ? mesh_.particleCount() : 0;
     if (tapped > 0) streams.colours = colourStreamsAt(colours_.atLeast(kColours * tapped), tapped);
     solver.exportFrame(streams, request.fresh);
-    solver.synchronize();  // the solver's stream is its own; unmapping orders only stream 0
+    solver.synchronize();
     const auto read = [&](engine::StreamId id, size_t size) {
         const auto i = static_cast<size_t>(id);
         auto* copy = static_cast<std::byte*>(copies_[i].atLeast(size));
-        checkCuda(cudaMemcpy(copy, data[i], size, cudaMemcpyDeviceToHost), "copying the frame");
+        copyToHost(copy, data[i], size, stream_, "copying the frame");
         return std::span<const std::byte>(copy, size);
     };
     if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));

@@ -11,13 +11,16 @@
 #include "app/bridge/stream_layout.h"
 
 struct cudaGraphicsResource;
+struct CUstream_st;
 
 namespace demolish {
 
 class CudaInteropBridge : public FrameBridge {
   public:
     /// Null, with the reason in one clause, when the GPU that draws is another one or registration fails.
-    static std::unique_ptr<CudaInteropBridge> tryMake(engine::FractureMesh& mesh, std::string& why_not);
+    /// Maps on the solver's stream.
+    static std::unique_ptr<CudaInteropBridge> tryMake(engine::FractureMesh& mesh, const Solver& solver,
+                                                      std::string& why_not);
     ~CudaInteropBridge() override;
     CudaInteropBridge(const CudaInteropBridge&) = delete;
     CudaInteropBridge& operator=(const CudaInteropBridge&) = delete;
@@ -28,7 +31,7 @@ class CudaInteropBridge : public FrameBridge {
     Transfer kind() const override { return Transfer::kInterop; }
 
   private:
-    explicit CudaInteropBridge(engine::FractureMesh& mesh) : mesh_(mesh) {}
+    CudaInteropBridge(engine::FractureMesh& mesh, CUstream_st* stream) : mesh_(mesh), stream_(stream) {}
     void map(std::span<const engine::StreamId> streams);
     int unmap();  ///< cudaError_t
     /// Maps these streams unless all are mapped, lets the solver write them and the tap read them, and unmaps
@@ -37,6 +40,7 @@ class CudaInteropBridge : public FrameBridge {
                       const FrameRequest& request);
 
     engine::FractureMesh& mesh_;
+    CUstream_st* stream_;  ///< cudaStream_t
     std::array<cudaGraphicsResource*, kStreamCount> resources_{};
     std::vector<cudaGraphicsResource*> mapped_;
     CudaProjectiles projectile_block_;

@@ -57,9 +57,9 @@ std::unique_ptr<FrameBridge> makeFrameBridge(engine::FractureMesh& mesh, const S
 #if DEMOLISH_WITH_CUDA
     if (solver.onGpu()) {
         std::string why_not = kCopyAskedFor;
-        if (copyAskedFor()) return std::make_unique<CudaCopyBridge>(mesh, why_not);
-        if (auto bridge = CudaInteropBridge::tryMake(mesh, why_not)) return bridge;
-        return std::make_unique<CudaCopyBridge>(mesh, why_not);
+        if (copyAskedFor()) return std::make_unique<CudaCopyBridge>(mesh, solver, why_not);
+        if (auto bridge = CudaInteropBridge::tryMake(mesh, solver, why_not)) return bridge;
+        return std::make_unique<CudaCopyBridge>(mesh, solver, why_not);
     }
 #else
     (void)solver;

@@ -88,6 +88,9 @@ class Solver {
     virtual bool onGpu() const = 0;
     /// Waits until everything asked for has happened (benchmarks).
     virtual void synchronize() = 0;
+    /// The cudaStream_t on which the solver works; null on the CPU. Who maps or copies what a frame is
+    /// exported to does so on it, so that nothing needs the legacy stream.
+    virtual void* workStream() const = 0;
 };
 
 /// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.

@@ -168,6 +168,7 @@ class CpuBackend {
     }
 
     void synchronize() {}
+    static std::nullptr_t stream() { return nullptr; }
     std::string deviceName() const { return "CPU"; }
 
     /// Words that come back while later work goes on.

@@ -62,7 +62,7 @@ CudaBackend::CudaBackend() {
     device_name_ = properties.name;
     multiprocessors_ = properties.multiProcessorCount;
     for (cudaStream_t* stream : {&stream_, &side_stream_})
-        checkCuda(cudaStreamCreate(stream), "making a stream");
+        checkCuda(cudaStreamCreateWithFlags(stream, cudaStreamNonBlocking), "making a stream");
     for (cudaEvent_t* event : {&forked_, &joined_})
         checkCuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "making an event");
     few_words_ = std::make_unique<Reader>(*this);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The GPU: device memory, one stream, kernels from function objects. Compiled by nvcc only.
+// The GPU: device memory, one stream, kernels from function objects. Compiled by nvcc only. No stream here
+// waits for the legacy stream, which is not used anywhere: work on it while another thread records a graph
+// would end the recording.
 #pragma once
 #include <cuda_runtime.h>
 

@@ -46,6 +46,7 @@ class DeviceSolver final : public Solver {
     std::string deviceName() const override { return backend_.deviceName(); }
     bool onGpu() const override { return Backend::kOnGpu; }
     void synchronize() override { backend_.synchronize(); }
+    void* workStream() const override { return backend_.stream(); }
 
   private:
     template <class T>

@@ -53,7 +53,8 @@ template <class Law>
 void forEach(size_t n, const Law& law) {
     constexpr unsigned kThreads = 128;
     if (n == 0) return;
-    eachKernel<<<static_cast<unsigned>((n + kThreads - 1) / kThreads), kThreads>>>(n, law);
+    eachKernel<<<static_cast<unsigned>((n + kThreads - 1) / kThreads), kThreads, 0, cudaStreamPerThread>>>(
+        n, law);
     check(cudaGetLastError());
     check(cudaDeviceSynchronize());
 }
@@ -71,7 +72,7 @@ template <class Law, class... Arguments>
 auto evaluate(const Law& law, const Arguments&... arguments) {
     using Result = std::remove_cvref_t<decltype(law(arguments...))>;
     static Shared<Boxed<Result>> result(1);
-    oneKernel<<<1, 1>>>(result.data(), law, arguments...);
+    oneKernel<<<1, 1, 0, cudaStreamPerThread>>>(result.data(), law, arguments...);
     check(cudaGetLastError());
     check(cudaDeviceSynchronize());
     return result[0].value;
