@@ -78,11 +78,6 @@ class CpuBackend {
     void copy(Span<const T> from, Span<T> to) {
         if (from.count > 0) std::memcpy(to.data, from.data, from.count * sizeof(T));
     }
-    /// All of them; none overlaps another.
-    void copyAll(const std::vector<CopyRange>& ranges) {
-        for (const CopyRange& range : ranges)
-            if (range.bytes > 0) std::memcpy(range.to, range.from, range.bytes);
-    }
     template <class T>
     void fill(Span<T> to, const T& value) {
         std::fill(to.data, to.data + to.count, value);

@@ -102,55 +102,6 @@ void CudaBackend::exclusiveScan(Span<const uint32_t> in, Span<uint32_t> out) {
 }
 
 namespace {
-
-/// Bytes that a block copies: some 16 by each thread.
-constexpr size_t kCopiedAtOnce = 4, kBlockBytes = kCopiedAtOnce * kCudaBlock * sizeof(uint4);
-
-struct CopyRanges {
-    static constexpr uint32_t kMost = 24;
-    CopyRange range[kMost];
-    uint32_t blocks_to[kMost];  ///< of this range and those before
-};
-
-__global__ void __launch_bounds__(kCudaBlock) copyRanges(const CopyRanges ranges) {
-    letNextStart();
-    uint32_t which = 0;
-    while (blockIdx.x >= ranges.blocks_to[which]) ++which;
-    const CopyRange range = ranges.range[which];
-    const size_t first = (blockIdx.x - (which > 0 ? ranges.blocks_to[which - 1] : 0)) * kBlockBytes;
-    const size_t wide = range.bytes / sizeof(uint4), thread = first / sizeof(uint4) + threadIdx.x;
-    const auto* from = reinterpret_cast<const uint4*>(range.from);
-    auto* to = reinterpret_cast<uint4*>(range.to);
-    awaitPrevious();
-    uint4 held[kCopiedAtOnce];
-#pragma unroll
-    for (size_t k = 0; k < kCopiedAtOnce; ++k)
-        if (thread + k * kCudaBlock < wide) held[k] = from[thread + k * kCudaBlock];
-#pragma unroll
-    for (size_t k = 0; k < kCopiedAtOnce; ++k)
-        if (thread + k * kCudaBlock < wide) to[thread + k * kCudaBlock] = held[k];
-    const size_t rest = wide * sizeof(uint4) + threadIdx.x;
-    if (rest >= first && rest < first + kBlockBytes && rest < range.bytes) range.to[rest] = range.from[rest];
-}
-
-}  // namespace
-
-void CudaBackend::copyAll(const std::vector<CopyRange>& ranges) {
-    for (size_t first = 0; first < ranges.size(); first += CopyRanges::kMost) {
-        const size_t count = std::min<size_t>(CopyRanges::kMost, ranges.size() - first);
-        CopyRanges part;
-        size_t blocks = 0;
-        for (size_t k = 0; k < count; ++k) {
-            part.range[k] = ranges[first + k];
-            blocks += (part.range[k].bytes + kBlockBytes - 1) / kBlockBytes;
-            part.blocks_to[k] = static_cast<uint32_t>(blocks);
-        }
-        if (blocks > 0)
-            launch(true, copyRanges, static_cast<unsigned>(blocks), kCudaBlock, "copying memory", part);
-    }
-}
-
-namespace {
 struct CountUp {
     uint32_t* ids;
     DEM_FN void operator()(uint32_t i) const { ids[i] = i; }

@@ -126,8 +126,6 @@ class CudaBackend {
     void copy(Span<const T> from, Span<T> to) {
         if (from.count > 0) transfer(to.data, from.data, from.count * sizeof(T), cudaMemcpyDeviceToDevice);
     }
-    /// All of them, in one launch; none overlaps another. Memory comes from Buffer, so that it is aligned.
-    void copyAll(const std::vector<CopyRange>& ranges);
     template <class T>
     struct FillKernel {
         Span<T> to;

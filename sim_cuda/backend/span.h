@@ -26,11 +26,4 @@ struct Span {
     DEM_FN Span part(size_t first, size_t n) const { return Span(data + first, n); }
 };
 
-/// Bytes to be copied on a device.
-struct CopyRange {
-    const unsigned char* from = nullptr;
-    unsigned char* to = nullptr;
-    size_t bytes = 0;
-};
-
 }  // namespace demolish

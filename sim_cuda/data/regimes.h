@@ -65,9 +65,6 @@ struct RigidWork {
     Span<const Vec3<double>> arm;      ///< per particle: from the centre at the start, m
     Span<const uint32_t> label;        ///< per particle: its fragment's slot
     uint32_t active_at_most = 0, fragments_at_most = 0, large_at_most = 0;
-    Span<const uint32_t> carried_sums{};  ///< of the carried before each particle
-
-    DEM_FN bool carries(uint32_t i) const { return carried_sums[i + 1] != carried_sums[i]; }
 };
 
 /// Constants of all particles in contact steps, and in substeps where rigid fragments move too.

@@ -35,26 +35,22 @@ template <class Real>
 DEM_FN bool keepsTouching(const ParticleConstants<Real>& other, const Vec4<Real>& spring) {
     return other.inverse_mass < Real(0) && spring.w > Real(0);
 }
-/// Who counts those. Where a substep is done at the same time and changes what carried particles touch, they
-/// count it before.
-enum class KeptTouches : uint32_t { kCountedHere, kLeftToSubstep };
 
 /// A slot of either list. `other`: the other end.
 template <class Real, class Slot>
 DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4<Real>& spring,
-                                KeptTouches kept, uint32_t& touching, const Slot& slot) {
-    if (kept == KeptTouches::kCountedHere && keepsTouching(other, spring)) ++touching;
+                                uint32_t& touching, const Slot& slot) {
+    if (keepsTouching(other, spring)) ++touching;
     return counted(slot(), touching);
 }
 /// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                     const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                    uint32_t slot, const LinkEnd& end, KeptTouches kept,
-                                    RigidLoad<Real>& load) {
+                                    uint32_t slot, const LinkEnd& end, RigidLoad<Real>& load) {
     if (isBonded(end.link) || label[end.id] == label[own.id]) return {};
     const ParticleConstants<Real> other = asConstants(arrays.constants[end.id]);
-    return countedSlot(other, arrays.bond_spring[slot], kept, load.touching, [&] {
+    return countedSlot(other, arrays.bond_spring[slot], load.touching, [&] {
         return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
@@ -72,11 +68,10 @@ DEM_FN ContactFragment contactFragment(const SubstepArrays<Real>& arrays, const 
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                        uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
-                                       const ContactFragment& other, KeptTouches kept,
-                                       RigidLoad<Real>& load) {
+                                       const ContactFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
-    return countedSlot(end.constants, arrays.contact_spring[slot], kept, load.touching, [&] {
+    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching, [&] {
         return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
@@ -134,14 +129,13 @@ struct GatherRigidLoad {
         PartialSums<kPartials, Real> sums;
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            sums.add(slot - first_bond,
-                     countedBondSlot<kLedger>(arrays, params, work.label, own, slot, linkEnd(arrays, slot),
-                                              KeptTouches::kCountedHere, out));
+            sums.add(slot - first_bond, countedBondSlot<kLedger>(arrays, params, work.label, own, slot,
+                                                                 linkEnd(arrays, slot), out));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
-            sums.add(slot - first, countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
-                                                               contactFragment(arrays, work.label, slot),
-                                                               KeptTouches::kCountedHere, out));
+            sums.add(slot - first,
+                     countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
+                                                 contactFragment(arrays, work.label, slot), out));
         out.wrench = sums.total();
         addPlanes<kLedger>(arrays, params, work, own, out);
         load[place] = out;

@@ -122,26 +122,19 @@ struct StepRigid {
         RigidSums sums;
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
-            const Carried felt = carried(seat.particle);
-            const Wrench<Real> wrench = load[seat.place].wrench;
-            if (isNullWrench(wrench) && isNullWrench(felt.wrench)) continue;
-            const Vec3<double> force =
-                axpy(carried_share, asDouble(felt.wrench.force), asDouble(wrench.force));
-            const Vec3<double> torque =
-                axpy(carried_share, asDouble(felt.wrench.torque), asDouble(wrench.torque));
+            const Wrench<Real> felt = carried(seat.particle), wrench = load[seat.place].wrench;
+            if (isNullWrench(wrench) && isNullWrench(felt)) continue;
+            const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(wrench.force));
+            const Vec3<double> torque = axpy(carried_share, asDouble(felt.torque), asDouble(wrench.torque));
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            add(sums, {force, torque + cross(arm, force), load[seat.place].touching + felt.touching});
+            add(sums, {force, torque + cross(arm, force), load[seat.place].touching});
         }
         return sums;
     }
-    struct Carried {
-        Wrench<Real> wrench;    ///< added up over the substeps
-        uint32_t touching = 0;  ///< contacts that a substep has counted
-    };
-    DEM_FN Carried carried(uint32_t i) const {
+    /// Added up over the substeps.
+    DEM_FN Wrench<Real> carried(uint32_t i) const {
         if (!(carried_share > 0)) return {};
-        const Vec4<Real> force = arrays.carried[2 * size_t{i}], torque = arrays.carried[2 * size_t{i} + 1];
-        return {{xyz(force), xyz(torque)}, static_cast<uint32_t>(force.w)};
+        return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride;

@@ -72,38 +72,30 @@ __device__ __forceinline__ Wrench<Real> shuffledDown(const Wrench<Real>& value, 
          __shfl_down_sync(kAll, value.torque.z, by, width)}};
 }
 
-/// The partial sums that one of T threads keeps: those whose number is its own modulo T; with T above
-/// kPartials the first kPartials threads keep one each and are handed the slots of the others.
+/// The partial sum that one of T threads keeps: of T = kPartials threads that with its own number; of more
+/// the first kPartials keep one each and are handed the slots of the others.
 template <uint32_t T, class Real>
-class LanePartials {
-  public:
-    static constexpr uint32_t kKept = T < kPartials ? kPartials / T : 1;
+class LanePartial {
+    static_assert(T >= kPartials);
 
+  public:
     /// Round r of a row: this thread's slot is r T + lane. All threads of the warp take part; an absent slot
     /// is null.
-    template <uint32_t kWhich>
     __device__ __forceinline__ void add(const Wrench<Real>& term) {
-        demolish::add(sums_[kWhich], term);
-        if constexpr (T > kPartials)
-            for (uint32_t from = kPartials; from < T; from += kPartials)
-                demolish::add(sums_[0], shuffledDown(term, from, T));
+        demolish::add(sum_, term);
+        for (uint32_t from = kPartials; from < T; from += kPartials)
+            demolish::add(sum_, shuffledDown(term, from, T));
     }
     /// In the row's first thread.
     __device__ __forceinline__ Wrench<Real> total() {
 #pragma unroll
-        for (uint32_t step = kPartials / 2; step > 0; step /= 2) {
-            if (step >= T) {
-#pragma unroll
-                for (uint32_t l = 0; l < step / T; ++l) demolish::add(sums_[l], sums_[l + step / T]);
-            } else {
-                demolish::add(sums_[0], shuffledDown(sums_[0], step, T));
-            }
-        }
-        return sums_[0];
+        for (uint32_t step = kPartials / 2; step > 0; step /= 2)
+            demolish::add(sum_, shuffledDown(sum_, step, T));
+        return sum_;
     }
 
   private:
-    Wrench<Real> sums_[kKept];
+    Wrench<Real> sum_;
 };
 
 /// Slots first .. last-1 of one list as one of T threads goes through them. peek(k) reads what the way to
@@ -150,19 +142,11 @@ class RowCursor {
     Seen ahead_{};
 };
 
-/// Adds all slots of a list, T at a time, to the right partials.
+/// Adds all slots of a list, T at a time, to the right partial sums.
 template <uint32_t T, class Real, class Peek, class Slot>
-__device__ __forceinline__ void gatherRow(RowCursor<T, Peek>& row, LanePartials<T, Real>& sums,
+__device__ __forceinline__ void gatherRow(RowCursor<T, Peek>& row, LanePartial<T, Real>& sum,
                                           const Slot& slot) {
-    constexpr uint32_t kKept = LanePartials<T, Real>::kKept;
-    while (row.more()) {
-        sums.template add<0>(row.next(slot));
-        if constexpr (kKept > 1) sums.template add<1>(row.next(slot));
-        if constexpr (kKept > 2) {
-            sums.template add<2>(row.next(slot));
-            sums.template add<3>(row.next(slot));
-        }
-    }
+    while (row.more()) sum.add(row.next(slot));
 }
 
 /// Where the rows of a particle begin and end.
@@ -200,7 +184,7 @@ __device__ __forceinline__ FirstEnds firstEnds(const SubstepArrays<Real>& arrays
 template <uint32_t T, class Real, class BondSlot, class ContactSlot>
 __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, const RowEnds& ends,
                                            const FirstEnds& first_ends, uint32_t lane,
-                                           LanePartials<T, Real>& sums, const BondSlot& bond_slot,
+                                           LanePartial<T, Real>& sum, const BondSlot& bond_slot,
                                            const ContactSlot& contact_slot) {
     const auto link_end = [&](uint32_t slot) { return linkEnd(arrays, slot); };
     const auto contact_end = [&](uint32_t slot) {
@@ -216,8 +200,8 @@ __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, co
             return ContactEnd<Real>{j, first_ends.contact_owner, arrays.in.position[j],
                                     asConstants(arrays.constants[j])};
         });
-    gatherRow<T>(bonds, sums, bond_slot);
-    gatherRow<T>(contacts, sums, contact_slot);
+    gatherRow<T>(bonds, sum, bond_slot);
+    gatherRow<T>(contacts, sum, contact_slot);
 }
 
 /// In the row's first thread; the ledger is no part of the state, so that its order may depend on T.
@@ -289,22 +273,14 @@ __device__ __forceinline__ uint32_t workAt(const SubstepArrays<Real>& arrays, co
     return arrays.work.all() ? place : arrays.work.ids[place];
 }
 
-/// No contacts of carried particles are counted.
-struct CountsNothing {
-    template <class Real>
-    __device__ __forceinline__ uint32_t operator()(const OwnParticle<Real>&, const RowEnds&, uint32_t) const {
-        return 0;
-    }
-};
-
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
 /// bodies' particles: all, or those of the work list. Started while the substep before still runs:
-/// what no substep changes is read before its end is waited for. `counts(own, ends, lane)`: of a carried
-/// particle, contacts to be told to its fragment.
-template <uint32_t T, bool kLedger, class Real, class Counts>
-__device__ __forceinline__ void substepBlock(const SubstepArrays<Real>& arrays,
-                                             const StepParams<Real>& params, uint32_t block,
-                                             const Counts& counts) {
+/// what no substep changes is read before its end is waited for.
+template <uint32_t T, bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
+    substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
+    const uint32_t block = blockIdx.x;
+    letNextStart();
     constexpr uint32_t kParticles = kSubstepBlock / T;
     if (block < kMaxProjectiles) {
         awaitPrevious();
@@ -322,30 +298,21 @@ __device__ __forceinline__ void substepBlock(const SubstepArrays<Real>& arrays,
     const FirstEnds first_ends = firstEnds<T>(arrays, ends, lane);
     awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
-    const uint32_t touching = counts(own, ends, lane);
-    LanePartials<T, Real> sums;
+    LanePartial<T, Real> sum;
     Tally<Real> tally;
     gatherRows<T>(
-        arrays, ends, first_ends, lane, sums,
+        arrays, ends, first_ends, lane, sum,
         [&](uint32_t slot, const LinkEnd& end) {
             return bondSlot<T, kLedger>(arrays, params, own, law, slot, end, tally);
         },
         [&](uint32_t slot, const ContactEnd<Real>& end) {
             return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
         });
-    if constexpr (T > 1) __syncwarp();
-    const Wrench<Real> load = sums.total();
+    __syncwarp();
+    const Wrench<Real> load = sum.total();
     if constexpr (kLedger) sumTally<T>(tally);
     if (!present || lane != 0) return;
-    if (touching > 0) arrays.carried[2 * size_t{id}].w += static_cast<Real>(touching);
     moveParticle<kLedger>(arrays, params, own, load, tally);
-}
-
-template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : blocksAtOnce(T))
-    substepKernel(const SubstepArrays<Real> arrays, const StepParams<Real> params) {
-    letNextStart();
-    substepBlock<T, kLedger>(arrays, params, blockIdx.x, CountsNothing{});
 }
 
 }  // namespace demolish

@@ -90,26 +90,22 @@ class Checkpoint {
         current_ = data.current;
         used_ = lists.contacts().used;
         horizon_ = lists.horizon();
-        std::vector<CopyRange> ranges;
+        size_t place = 0;
         visitAll(data, lists, regimes, [&](auto span) {
-            const size_t bytes = span.count * sizeof(span[0]);
-            ranges.push_back({reinterpret_cast<const unsigned char*>(span.data),
-                              room(backend, ranges.size(), bytes), bytes});
+            const Span<unsigned char> bytes = bytesOf(span);
+            backend.copy(Span<const unsigned char>(bytes), room(backend, place++, bytes.count));
         });
-        backend.copyAll(ranges);
     }
 
     void putBack(Backend& backend, SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                  Regimes<Backend, Real>& regimes) {
         data.current = current_;
         lists.adopt(used_, horizon_);
-        std::vector<CopyRange> ranges;
+        size_t place = 0;
         visitAll(data, lists, regimes, [&](auto span) {
-            const size_t bytes = span.count * sizeof(span[0]);
-            ranges.push_back(
-                {buffers_[ranges.size()].view().data, reinterpret_cast<unsigned char*>(span.data), bytes});
+            const Span<unsigned char> bytes = bytesOf(span);
+            backend.copy(buffers_[place++].view().part(0, bytes.count), bytes);
         });
-        backend.copyAll(ranges);
     }
 
   private:
@@ -122,13 +118,17 @@ class Checkpoint {
         visit(contacts.neighbour.span().part(0, used_));
         visit(contacts.spring.span().part(0, used_));
     }
-    unsigned char* room(Backend& backend, size_t place, size_t bytes) {
+    template <class T>
+    static Span<unsigned char> bytesOf(Span<T> span) {
+        return {reinterpret_cast<unsigned char*>(span.data), span.count * sizeof(T)};
+    }
+    Span<unsigned char> room(Backend& backend, size_t place, size_t bytes) {
         if (buffers_.size() <= place) buffers_.resize(place + 1);
         if (buffers_[place].size() < bytes) {
             backend.synchronize();
             buffers_[place] = backend.template allocate<unsigned char>(bytes + bytes / 4);
         }
-        return buffers_[place].span().data;
+        return buffers_[place].span().part(0, bytes);
     }
 
     std::vector<Buffer<unsigned char>> buffers_;

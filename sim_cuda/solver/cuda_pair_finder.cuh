@@ -11,22 +11,9 @@ template <class Real>
 struct PairFinder<CudaBackend, Real> {
     static void find(CudaBackend& backend, const NeighbourSearch<Real>& search, const RowDrafts& drafts,
                      const ProjectileBits& projectiles) {
-        if (search.in_bodies <= kFew)
-            launch<1>(backend, search, drafts, projectiles);
-        else
-            launch<8>(backend, search, drafts, projectiles);
-    }
-
-  private:
-    /// Particles up to which every one gets a warp: fewer cannot keep the GPU busy otherwise.
-    static constexpr uint32_t kFew = 30'000;
-
-    template <uint32_t kGroup>
-    static void launch(CudaBackend& backend, const NeighbourSearch<Real>& search, const RowDrafts& drafts,
-                       const ProjectileBits& projectiles) {
-        const uint32_t warps = searchWarps<kGroup>(search.in_bodies, search.total - search.in_bodies);
-        backend.launch(true, findPairsKernel<kGroup, Real>, (warps + kSearchWarps - 1) / kSearchWarps,
-                       kSearchBlock, "find pairs", search, drafts, projectiles);
+        const uint32_t warps = searchWarps(search.in_bodies, search.total - search.in_bodies);
+        backend.launch(true, findPairsKernel<Real>, (warps + kSearchWarps - 1) / kSearchWarps, kSearchBlock,
+                       "find pairs", search, drafts, projectiles);
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact steps of rigid fragments on the GPU: two kernels each, or, where substeps stand between them, the
-// first one together with the first substep.
+// Contact steps of rigid fragments on the GPU: two kernels each, with substeps between them where these carry
+// some of the particles.
 #pragma once
 #include "sim_cuda/kernels/rigid_load_cuda.cuh"
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
@@ -49,13 +49,6 @@ class RigidRunner<CudaBackend, Real> {
         launchGather(backend, follows, gatherOf(step, stride), roundedUp(step.work.active_at_most),
                      step.ledger);
     }
-    /// gather(), and one substep of the runner, as one kernel.
-    template <class Runner>
-    void gatherBesideSubstep(CudaBackend& backend, const Step& step, Runner& runner,
-                             const StepParams<Real>& params, uint32_t stride, bool follows) {
-        runner.runOneBeside(backend, step.data, step.contacts, params, step.ledger, gatherOf(step, stride),
-                            roundedUp(step.work.active_at_most), follows);
-    }
     /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
         step.ledger ? launchMove(backend, step.template mover<true>(load_.view(), stride, carried))
@@ -70,7 +63,7 @@ class RigidRunner<CudaBackend, Real> {
             ledger ? launchMove(backend, StepRigid<true, Real>{})
                    : launchMove(backend, StepRigid<false, Real>{});
         };
-        for (uint32_t active : {kFewActive, kManyActive, kManyActive + 1})
+        for (uint32_t active : {kFewActive, kFewActive + 1})
             for (uint32_t substeps : {kRigidStretch.first, kShortBondedStretch.first, kRigidStretch.second})
                 if (active == kFewActive || active < 2 * particles)
                     graphs_.recordAhead(backend, [&] {
@@ -83,8 +76,8 @@ class RigidRunner<CudaBackend, Real> {
             for (uint32_t active : {kFewActive, kFewActive + 1})
                 if (active == kFewActive || active < 2 * particles)
                     graphs_.recordAhead(backend, [&] {
-                        Runner::launchBeside(backend, false, threads, {}, {}, ledger, {}, active);
-                        for (uint32_t k = 1; k < kRigidStride; ++k)
+                        launchGather(backend, false, {}, active, ledger);
+                        for (uint32_t k = 0; k < kRigidStride; ++k)
                             Runner::launchOne(backend, true, threads, {}, {}, ledger);
                         move_nothing();
                     });
@@ -101,9 +94,6 @@ class RigidRunner<CudaBackend, Real> {
     }
 
   private:
-    /// Particles up to which eight threads share the rows of one where there are more than few, else four.
-    static constexpr uint32_t kManyActive = 65'536;
-
     static constexpr uint32_t kLeastLarge = 16;
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
@@ -122,10 +112,8 @@ class RigidRunner<CudaBackend, Real> {
                                  uint32_t active) {
         if (active <= kFewActive)
             launchGatherT<16, kLedger>(backend, follows, gather, active);
-        else if (active <= kManyActive)
-            launchGatherT<8, kLedger>(backend, follows, gather, active);
         else
-            launchGatherT<4, kLedger>(backend, follows, gather, active);
+            launchGatherT<8, kLedger>(backend, follows, gather, active);
     }
     template <uint32_t T, bool kLedger>
     static void launchGatherT(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,

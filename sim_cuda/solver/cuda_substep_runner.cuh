@@ -3,10 +3,9 @@
 // over and where lists are new.
 #pragma once
 #include <algorithm>
-#include <bit>
 #include <cstdlib>
 
-#include "sim_cuda/kernels/rigid_load_cuda.cuh"
+#include "sim_cuda/kernels/substep_cuda.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
@@ -14,11 +13,11 @@
 namespace demolish {
 
 /// Threads a particle: measured on an H200 from 2k to 200k. DEMOLISH_THREADS_PER_PARTICLE
-/// overrides it, for measurements; every choice gives the same bits.
+/// (4, 8, 16) overrides it, for measurements; every choice gives the same bits.
 inline uint32_t threadsPerParticle(uint32_t particles) {
     if (const char* wish = std::getenv("DEMOLISH_THREADS_PER_PARTICLE")) {
         const auto threads = static_cast<uint32_t>(std::atoi(wish));
-        if (std::has_single_bit(threads) && threads <= 16) return threads;
+        if (threads == 4 || threads == 8 || threads == 16) return threads;
     }
     if (particles < 4'000) return 16;
     return particles < 16'000 ? 8 : 4;
@@ -59,15 +58,6 @@ class SubstepRunner<CudaBackend, Real> {
         launchOne(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger);
         data.current = 1 - data.current;
     }
-    /// The same and, in the same kernel, loads of so many particles of rigid fragments.
-    void runOneBeside(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
-                      ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
-                      const RigidGather<Real>& gather, uint32_t active, bool follows) {
-        const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
-        launchBeside(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger, gather,
-                     active);
-        data.current = 1 - data.current;
-    }
     /// n more right after one. Does not wait.
     void runOn(CudaBackend& backend, SolverData<CudaBackend, Real>& data,
                ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
@@ -94,13 +84,6 @@ class SubstepRunner<CudaBackend, Real> {
                           const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
         ledger ? launchWith<true>({backend, follows}, threads, arrays, params)
                : launchWith<false>({backend, follows}, threads, arrays, params);
-    }
-    /// The same beside loads of so many particles of rigid fragments.
-    static void launchBeside(CudaBackend& backend, bool follows, uint32_t threads,
-                             const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger,
-                             const RigidGather<Real>& gather, uint32_t active) {
-        ledger ? launchBesideWith<true>({backend, follows}, threads, arrays, params, gather, active)
-               : launchBesideWith<false>({backend, follows}, threads, arrays, params, gather, active);
     }
 
   private:
@@ -129,18 +112,12 @@ class SubstepRunner<CudaBackend, Real> {
     template <bool kLedger>
     static void launchWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
-        switch (threads) {
-            case 1:
-                return launchT<1, kLedger>(launch, arrays, params);
-            case 2:
-                return launchT<2, kLedger>(launch, arrays, params);
-            case 4:
-                return launchT<4, kLedger>(launch, arrays, params);
-            case 8:
-                return launchT<8, kLedger>(launch, arrays, params);
-            default:
-                return launchT<16, kLedger>(launch, arrays, params);
-        }
+        if (threads >= 16)
+            launchT<16, kLedger>(launch, arrays, params);
+        else if (threads >= 8)
+            launchT<8, kLedger>(launch, arrays, params);
+        else
+            launchT<4, kLedger>(launch, arrays, params);
     }
 
     template <uint32_t T, bool kLedger>
@@ -149,35 +126,6 @@ class SubstepRunner<CudaBackend, Real> {
         launch.backend.launch(launch.follows, substepKernel<T, kLedger, Real>,
                               blocksFor(arrays.work, params, T), kSubstepBlock, "starting a substep", arrays,
                               params);
-    }
-    template <bool kLedger>
-    static void launchBesideWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
-                                 const StepParams<Real>& params, const RigidGather<Real>& gather,
-                                 uint32_t active) {
-        if (threads >= 16)
-            launchBesideG<16, kLedger>(launch, arrays, params, gather, active);
-        else if (threads >= 8)
-            launchBesideG<8, kLedger>(launch, arrays, params, gather, active);
-        else
-            launchBesideG<4, kLedger>(launch, arrays, params, gather, active);
-    }
-    template <uint32_t T, bool kLedger>
-    static void launchBesideG(const Launch& launch, const SubstepArrays<Real>& arrays,
-                              const StepParams<Real>& params, const RigidGather<Real>& gather,
-                              uint32_t active) {
-        if (threadsBeside(active) == 16)
-            launchBesideT<T, 16, kLedger>(launch, arrays, params, gather, gatherBlocks<16>(active));
-        else
-            launchBesideT<T, 8, kLedger>(launch, arrays, params, gather, gatherBlocks<8>(active));
-    }
-    template <uint32_t T, uint32_t G, bool kLedger>
-    static void launchBesideT(const Launch& launch, const SubstepArrays<Real>& arrays,
-                              const StepParams<Real>& params, const RigidGather<Real>& gather,
-                              uint32_t gather_blocks) {
-        launch.backend.launch(launch.follows, substepBesideLoadsKernel<T, G, kLedger, Real>,
-                              blocksFor(arrays.work, params, T) + gather_blocks, kSubstepBlock,
-                              "starting a substep beside rigid fragments", arrays, params, gather,
-                              gather_blocks);
     }
     static uint32_t blocksFor(const BondedWork& work, const StepParams<Real>& params, uint32_t threads) {
         const uint32_t particles = kSubstepBlock / threads;

@@ -41,7 +41,8 @@ void DeviceSolver<Backend, Real>::runBoth(const RigidStepOf<Backend, Real>& step
             const uint32_t stride = std::min(kRigidStride, substeps - done);
             StepParams<Real> params = params_;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
-            rigid_runner_.gatherBesideSubstep(backend_, step, runner_, params, stride, follows || done > 0);
+            rigid_runner_.gather(backend_, step, stride, follows || done > 0);
+            runner_.runOne(backend_, data_, step.contacts, params, step.ledger, true);
             runner_.runOn(backend_, data_, step.contacts, params_, step.ledger, stride - 1);
             rigid_runner_.move(backend_, step, stride, true);
             done += stride;

@@ -177,13 +177,11 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
 
 template <class Backend, class Real>
 void Regimes<Backend, Real>::useLists(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings) {
-    const size_t total = counts_of_.total;
     bonded_shots_ = !hand_over_;
     rigid_ = {fragment_.view(),    first_.view(),  last_.view(),          active_.view(),
               large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
               arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
               counts_[kLargeCount]};
-    rigid_.carried_sums = mark_sums_.view().part(3 * total, total + 1);
     data.work = BondedWork{};
     if (counts_[kBondedCount] != counts_of_.in_bodies) {
         data.work.ids = bonded_.view();

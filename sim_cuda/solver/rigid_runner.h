@@ -81,13 +81,6 @@ class RigidRunner<CpuBackend, Real> {
                 backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
         step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
     }
-    /// gather(), and one substep of the runner.
-    template <class Runner>
-    void gatherBesideSubstep(CpuBackend& backend, const Step& step, Runner& runner,
-                             const StepParams<Real>& params, uint32_t stride, bool follows) {
-        gather(backend, step, stride, follows);
-        runner.runOne(backend, step.data, step.contacts, params, step.ledger);
-    }
     void move(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
         step.ledger ? moveWith<true>(backend, step, stride, carried)
                     : moveWith<false>(backend, step, stride, carried);
