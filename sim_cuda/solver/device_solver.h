@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solver on one backend. What a frame does, in order:
+// The solver on one backend: what a Solver is asked for, handed to the part that does it.
 //
-//   set the state aside -> how each fragment is moved
-//   -> [ substeps of bonds, contact steps of rigid fragments -> look at the state -> the same once more
-//        -> contact lists again, if the look said so; then again how each fragment is moved ] ...
-//   -> last look -> sums of the frame -> fragments
-//
-// A look and the decision that follows it stand at fixed substeps, so that every device takes the same one;
-// the substeps between them hide the way of the answer from the GPU. If a look saw something bad, the state
-// set aside is put back.
+//   device_scene.h    what is simulated, on the device
+//   projectiles.h     balls: slots, starts            frame_loop.h      the order of the work in a frame
+//   frame_books.h     what is reported                energy_measure.h  energies of the moment
+//   frame_exporter.h  a frame for drawing             scene_bytes.h     the state as bytes
+//   settling.h        before the first frame
 #pragma once
-#include <memory>
+#include <algorithm>
+#include <cmath>
 #include <string>
-#include <vector>
 
+#include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/solver.h"
-#include "sim_cuda/solver/checkpoint.h"
-#include "sim_cuda/solver/clustering.h"
-#include "sim_cuda/solver/fracture_surface.h"
-#include "sim_cuda/solver/fragment_motion.h"
-#include "sim_cuda/solver/look_interval.h"
-#include "sim_cuda/solver/regimes.h"
-#include "sim_cuda/solver/rigid_runner.h"
-#include "sim_cuda/solver/substep_runner.h"
+#include "sim_cuda/kernels/state_hash.h"
+#include "sim_cuda/solver/energy_measure.h"
+#include "sim_cuda/solver/frame_books.h"
+#include "sim_cuda/solver/frame_exporter.h"
+#include "sim_cuda/solver/frame_loop.h"
+#include "sim_cuda/solver/scene_bytes.h"
+#include "sim_cuda/solver/settling.h"
 
 namespace demolish {
 
@@ -32,128 +29,175 @@ class DeviceSolver final : public Solver {
     DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress);
 
     StepStatus advanceFrame(double time_scale) override;
-    StepStatus advanceSubsteps(uint32_t n) override;
+    StepStatus advanceSubsteps(uint32_t n) override { return advance(n); }
     void fire(const Projectile& projectile) override;
-    void exportFrame(const RenderStreams& streams, bool streams_fresh) override;
-    const FrameStats& stats() const override { return stats_; }
+    void exportFrame(const RenderStreams& streams, bool streams_fresh) override {
+        exporter_.write(scene_, projectiles_, stats().bonds_broken, streams, streams_fresh);
+    }
+    const FrameStats& stats() const override { return books_.stats(); }
     void measure() override;
     void bookEnergy(bool on) override;
-    bool booksEnergy() const override { return setup_.params.ledger; }
+    bool booksEnergy() const override { return scene_.setup.params.ledger; }
     uint64_t stateHash() const override;
     Snapshot save() const override;
     void restore(const Snapshot& snapshot) override;
-    const SofteningReport& softening() const override { return tables_.body[0].report; }
-    std::string deviceName() const override { return backend_.deviceName(); }
+    const SofteningReport& softening() const override { return scene_.tables.body[0].report; }
+    std::string deviceName() const override { return scene_.backend.deviceName(); }
     bool onGpu() const override { return Backend::kOnGpu; }
-    void synchronize() override { backend_.synchronize(); }
-    void* workStream() const override { return backend_.stream(); }
+    void synchronize() override { scene_.backend.synchronize(); }
+    void* workStream() const override { return scene_.backend.stream(); }
 
   private:
-    template <class T>
-    using Buffer = typename Backend::template Buffer<T>;
-
-    // stepping
     StepStatus advance(uint32_t n);
-    bool staysQuiet(uint32_t n) const;
-    StepStatus passQuietly(uint32_t n);
-    StepStatus runSubsteps(uint32_t n);
-    StepStatus runChunk(uint32_t n);
-    void runAwake(uint32_t n);
-    void runBoth(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows);
-    void runApart(const RigidStepOf<Backend, Real>& step, uint32_t n, bool follows);
-    bool nothingMoves() const { return regimes_.on() && !regimes_.movesBonds() && !regimes_.movesRigid(); }
-    Stretch stretch() const;
-    void placeRigid();
-    void look(uint32_t lookahead);
-    void followStrayed(uint32_t next);
-    void buildLists();
-    bool mustReassign(uint32_t remaining);
-    void assignRegimes(bool frame_starts, uint32_t remaining);
-    uint32_t untilDecision(uint32_t at_most) const;
-    double untilNextDecision(uint32_t remaining) const;
-    void bookSoftening();
-    void countAwake();
-    void settle(double seconds, const ProgressCallback& progress);
-    void recordAhead();
-    void setVelocities(bool at_rest);
+    void sumFrame();
+    void clearLedger() { scene_.backend.fill(scene_.data.ledger.span(), Vec4<Real>{}); }
+    void readState(ByteStream& in);
 
-    // projectiles
-    uint64_t nextStart() const;
-    uint32_t substepsUntilNextStart(uint32_t at_most) const;
-    void startProjectiles();
-    void placeProjectile(uint32_t slot);
-    void showProjectiles();
-
-    // sums of a frame, snapshots
-    void collectFrame(uint32_t substeps);
-    void tellFrame(uint32_t substeps);
-    void sumFragments();
-    void countFragments();
-    void updateSurface();
-    void restoreSurface(uint32_t broken, const std::vector<std::byte>& state);
-    Span<const uint8_t> brokenBonds();
-    void writeBuffers(ByteStream& out) const;
-    void readBuffers(ByteStream& in);
-
-    static constexpr uint32_t kNothingWritten = 0xffffffffu;
-
-    /// What changes while stepping and lives on the host.
-    struct Progress {
-        uint64_t substeps = 0, frames = 0;
-        uint32_t since_build = 0;               ///< substeps since the contact lists were built
-        uint32_t lists_last = 10'000;           ///< substeps that lists have lasted of late
-        uint32_t left_paths = 0;                ///< 1: somebody had left his path when they were last made
-        uint32_t rebuild = 1;                   ///< 1: they must be built before the next substep
-        uint32_t last_frame = 0;                ///< substeps in the last frame
-        uint64_t last_assigned = ~uint64_t{0};  ///< substep at which regimes were last decided
-        uint64_t decide_at = ~uint64_t{0};      ///< substep at which they have to be decided again
-        uint32_t shot_started = 0;              ///< 1: a projectile has started since then
-        RegimeMemory regimes;
-        uint32_t quiet = 0;        ///< 1: nothing has moved in the last frame, nor will unless it is shot at
-        uint32_t moves_rigid = 0;  ///< 1: something is moved as a rigid body since the last decision
-        uint32_t projectiles = 0;  ///< known so far
-        uint32_t started = 0;      ///< bits of projectile slots
-        uint32_t broken = 0;       ///< bonds
-        uint32_t parted = 0;       ///< of these, with a retired record
-        EnergyLedger energy;
-    };
-
-    SceneSetup setup_;
-    SceneTables tables_;
-    mutable Backend backend_;
-    mutable SolverData<Backend, Real> data_;
-    mutable NeighbourLists<Backend, Real> lists_;
-    SubstepRunner<Backend, Real> runner_;
-    RigidRunner<Backend, Real> rigid_runner_;
-    mutable Regimes<Backend, Real> regimes_;
-    Clustering<Backend> clusters_;
-    mutable FragmentMotion<Backend, Real> motion_;
-    mutable FractureSurface<Backend> surface_;
-    uint32_t surface_of_ = 0;                ///< broken bonds that the surface has been told of
-    uint32_t written_of_ = kNothingWritten;  ///< broken bonds when the draw lists were last written
-    Checkpoint<Backend, Real> frame_start_, dry_run_;
-    typename Backend::Reader reader_;
-    Buffer<uint32_t> look_words_, stray_words_, strayed_;
-    Buffer<uint64_t> lacking_;  ///< entries of contact rows, as the strayed find them
-    mutable Buffer<uint64_t> hash_sum_;
-    Buffer<Vec4<Real>> shown_projectiles_;
-    std::vector<Vec4<Real>> shown_;  ///< what it holds
-    Buffer<uint8_t> broken_bonds_;
-    StepParams<Real> params_;
-    std::vector<Projectile> projectiles_;  ///< in their slots
-    Progress progress_;
-    bool lists_stand_ =
-        false;  ///< since the last step nothing that steps read has been written but the state
-    bool recorded_ahead_[2] = {};  ///< GPU: sequences of steps, without and with the ledger
-    bool place_rigid_ = false;     ///< contact steps have moved bodies whose particles have not followed yet
-    FrameStats stats_;
+    // What reads the state uses the backend and its own memory, and changes nothing that is simulated.
+    mutable DeviceScene<Backend, Real> scene_;
+    Projectiles projectiles_;
+    FrameLoop<Backend, Real> loop_;
+    FrameBooks books_;
+    EnergyMeasure<Backend, Real> energy_;
+    mutable FrameExporter<Backend, Real> exporter_;
+    mutable typename Backend::template Buffer<uint64_t> hash_sum_;
 };
 
-}  // namespace demolish
+template <class Backend, class Real>
+DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress)
+    : scene_(setup, progress),
+      projectiles_(setup.projectiles, setup.params.gravity, scene_.tables.time_step),
+      loop_(scene_, projectiles_),
+      books_(scene_.tables.time_step, scene_.tables.mass_in_bodies, scene_.tables.counts.in_bodies,
+             scene_.data.bonds.count),
+      exporter_(scene_.backend, setup, scene_.tables),
+      hash_sum_(scene_.backend.template allocate<uint64_t>(1)) {
+    const bool settles = setup.params.settle_time > 0;
+    loop_.stepper().recordAhead(scene_);
+    if (settles) settle(scene_, loop_, setup.params.settle_time, progress);
+    loop_.startProjectiles();
+    scene_.fragments.recluster(scene_.data);
+    scene_.fragments.advanceAges();
+    scene_.fragments.gather(scene_.data);
+    books_.setFragments(scene_.fragments.summary());
+    if (settles) scene_.regimes.markRested();
+}
 
-#include "sim_cuda/solver/device_solver_awake.h"
-#include "sim_cuda/solver/device_solver_export.h"
-#include "sim_cuda/solver/device_solver_projectiles.h"
-#include "sim_cuda/solver/device_solver_state.h"
-#include "sim_cuda/solver/device_solver_step.h"
-#include "sim_cuda/solver/device_solver_strays.h"
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::advanceFrame(double time_scale) {
+    if (!(time_scale > 0 && time_scale <= 1))
+        throw UsageError("Slow motion must lie above 0 and at most at 1.");
+    return advance(static_cast<uint32_t>(std::max(1.0, std::round(scene_.tables.substeps * time_scale))));
+}
+
+template <class Backend, class Real>
+StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
+    const auto frame = loop_.advance(n);
+    books_.setStatus(frame.status);
+    books_.setAwake(scene_.regimes);
+    if (frame.status != StepStatus::kOk) return frame.status;
+    books_.closeFrame(n, scene_.time(), frame.list_rebuilds);
+    if (frame.quiet)
+        scene_.fragments.advanceAges();
+    else
+        sumFrame();
+    return frame.status;
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::sumFrame() {
+    constexpr uint32_t kThreads = Backend::kOnGpu ? 4 : 1;
+    const bool booked = booksEnergy();
+    const FrameSums sums =
+        scene_.backend.reduce(size_t{scene_.tables.counts.total} * kThreads, FrameSums{},
+                              SumFrame<kThreads, Real>{scene_.arrays(), scene_.tables.counts.in_bodies},
+                              SumInto<FrameSums>{}, "sum the frame");
+    if (booked) clearLedger();
+    books_.addSums(sums, booked, projectiles_.work());
+    const bool changed = stats().fracture_changed;
+    if (changed) scene_.fragments.recluster(scene_.data);
+    scene_.fragments.advanceAges();
+    scene_.fragments.gather(scene_.data);
+    if (changed) books_.setFragments(scene_.fragments.summary());
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::fire(const Projectile& projectile) {
+    projectiles_.fire(projectile, scene_.substeps);
+    scene_.uploadLaws(projectiles_.all());
+    loop_.startProjectiles();
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::measure() {
+    loop_.freshenLists();
+    books_.setMechanical(energy_.measure(scene_, loop_.stepper()));
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::bookEnergy(bool on) {
+    if (on == booksEnergy()) return;
+    scene_.setup.params.ledger = on;
+    clearLedger();
+    loop_.stepper().recordAhead(scene_);
+}
+
+template <class Backend, class Real>
+uint64_t DeviceSolver<Backend, Real>::stateHash() const {
+    scene_.backend.fill(hash_sum_.span(), uint64_t{0});
+    scene_.backend.forEach(
+        scene_.tables.counts.total,
+        HashParticle<Real>{scene_.state(), scene_.data.bonds.in(), scene_.lists.contacts().in(),
+                           scene_.data.plane_spring.view(), scene_.params.planes.count,
+                           scene_.tables.counts.total, hash_sum_.span()},
+        "hash the state");
+    uint64_t hash = 0;
+    scene_.backend.download(hash_sum_.view(), &hash);
+    return hash;
+}
+
+template <class Backend, class Real>
+Snapshot DeviceSolver<Backend, Real>::save() const {
+    ByteStream out;
+    out.writeValue(scene_.tables.counts);
+    out.writeValue(loop_.state());
+    out.writeValue(books_.state());
+    out.writeVector(projectiles_.all());
+    writeScene(out, scene_);
+    exporter_.save(out);
+    return {out.take()};
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
+    try {
+        ByteStream in(snapshot.bytes);
+        readState(in);
+    } catch (const std::out_of_range& problem) {
+        throw UsageError(std::string("The state cannot be restored: ") + problem.what() + ".");
+    }
+    scene_.uploadLaws(projectiles_.all());
+    clearLedger();  // a run without books leaves it as it was
+    scene_.fragments.gather(scene_.data);
+    books_.setFragments(scene_.fragments.summary());
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::readState(ByteStream& in) {
+    const auto counts = in.readValue<ParticleCounts>();
+    if (counts.total != scene_.tables.counts.total) throw std::out_of_range("snapshot of another scene");
+    auto loop = in.readValue<LoopState>();
+    const auto books = in.readValue<FrameBooks::State>();
+    const auto projectiles = in.readVector<Projectile>();
+    readScene(in, scene_);
+    const auto saved = exporter_.read(in);
+    if (!in.atEnd()) throw std::out_of_range("snapshot of another scene");
+    loop.quiet = 0;  // regimes have to be decided once more
+    projectiles_.resume(projectiles, loop.projectiles);
+    loop_.resume(loop);
+    books_.resume(books, projectiles_.work(), scene_.time());
+    scene_.fragments.recluster(scene_.data);
+    exporter_.restore(scene_, saved);
+}
+
+}  // namespace demolish

@@ -21,21 +21,10 @@
 #include "sim_cuda/kernels/insert_pairs.h"
 #include "sim_cuda/kernels/start_paths.h"
 #include "sim_cuda/kernels/write_neighbours.h"
+#include "sim_cuda/solver/neighbour_settings.h"
 #include "sim_cuda/solver/pair_finder.h"
 
 namespace demolish {
-
-struct NeighbourSettings {
-    double skin_share = 0.5;     ///< skin of a particle over its R_c, 0.1..1: wider lists, fewer builds
-    double travel_share = 1;     ///< largest travel within a horizon over the largest reach of two particles
-    double longest_horizon = 1;  ///< s, at rest
-    double shot_travel = 4;      ///< largest travel of a projectile over that reach
-    bool set_apart = true;       ///< the few fast ones, where they would shorten the horizon
-};
-
-/// While something is moved as a rigid body: every build brings a new decision, so that lists have to last
-/// longer; but long rows are gone through in every contact step.
-inline constexpr NeighbourSettings kRigidNeighbours{0.75, 1, 0.012, 40};
 
 template <class Backend, class Real>
 class NeighbourLists {

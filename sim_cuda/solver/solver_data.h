@@ -49,6 +49,8 @@ struct SolverData {
     SolverData(Backend& backend, const SceneTables& tables, uint32_t planes);
 
     void uploadLaws(Backend& backend, const LawTables& laws);
+    /// Particle i of the present state anew. Waits.
+    void put(Backend& backend, uint32_t i, const LoadedState<Real>& state, const Vec4<Real>& constants);
     /// Views for a substep from the present state into the other one.
     SubstepArrays<Real> arrays(ContactArrays<Backend, Real>& contacts);
     /// The same where carried particles may be among those moved.
@@ -142,6 +144,18 @@ void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& la
     body_laws = backend.uploaded(body);
     pair_laws = backend.uploaded(pairs(laws.pair));
     wall_laws = backend.uploaded(pairs(laws.wall));
+}
+
+template <class Backend, class Real>
+void SolverData<Backend, Real>::put(Backend& backend, uint32_t i, const LoadedState<Real>& state,
+                                    const Vec4<Real>& constants) {
+    const StateOut<Real> now = particles.out(current);
+    backend.upload(now.position.part(i, 1), &state.position, 1);
+    backend.upload(now.rotation.part(i, 1), &state.rotation, 1);
+    backend.upload(now.velocity.part(i, 1), &state.velocity, 1);
+    backend.upload(now.spin.part(i, 1), &state.spin, 1);
+    backend.upload(particles.constants.span().part(i, 1), &constants, 1);
+    backend.synchronize();
 }
 
 template <class Backend, class Real>

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is simulated: the scene as it was set up, and its state on the device. The parts of the solver
+// (frame_loop.h, frame_exporter.h, energy_measure.h ...) work on it; it does nothing by itself.
+#pragma once
+#include <vector>
+
+#include "sim_cuda/solver/fragments.h"
+#include "sim_cuda/solver/neighbour_lists.h"
+#include "sim_cuda/solver/projectiles.h"
+#include "sim_cuda/solver/regimes.h"
+#include "sim_cuda/solver/solver_data.h"
+
+namespace demolish {
+
+template <class Real>
+StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
+    StepParams<Real> params;
+    params.dt = params.carry_time = static_cast<Real>(tables.time_step);
+    params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
+    params.stiffness_cap = static_cast<Real>(tables.contact_cap);
+    params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;
+    params.owners = tables.owners();
+    params.in_bodies = tables.counts.in_bodies;
+    params.total = tables.counts.total;
+    params.planes.count = static_cast<uint32_t>(from.planes.size());
+    for (size_t p = 0; p < from.planes.size(); ++p)
+        params.planes.planes[p] =
+            withW(toReal<Real>({from.planes[p].normal.x, from.planes[p].normal.y, from.planes[p].normal.z}),
+                  static_cast<Real>(from.planes[p].offset));
+    return params;
+}
+
+template <class Backend, class Real>
+struct DeviceScene {
+    SceneSetup setup;  ///< setup.params.ledger: whether energy is booked now
+    SceneTables tables;
+    Backend backend;
+    SolverData<Backend, Real> data;
+    NeighbourLists<Backend, Real> lists;
+    Regimes<Backend, Real> regimes;
+    Fragments<Backend, Real> fragments;
+    StepParams<Real> params;  ///< of a substep
+    uint64_t substeps = 0;    ///< done since the start
+
+    /// Throws UsageError on values out of range, Cancelled when the callback says so.
+    DeviceScene(const SceneSetup& from, const ProgressCallback& progress)
+        : setup(from),
+          tables(buildSceneTables(from, progress)),
+          data(backend, tables, static_cast<uint32_t>(from.params.planes.size())),
+          lists(backend, tables.counts, tables.largest_radius),
+          regimes(backend, from, tables),
+          fragments(backend, tables.counts, from.bodies),
+          params(makeStepParams<Real>(from.params, tables)) {
+        uploadLaws(from.projectiles);
+        lists.setBuried(tables.buried);
+    }
+
+    double time() const { return static_cast<double>(substeps) * tables.time_step; }  ///< s
+    StateIn<Real> state() const { return data.particles.in(data.current); }
+    /// Views for a substep from the present state into the other one.
+    SubstepArrays<Real> arrays() { return data.arrays(lists.contacts()); }
+
+    void uploadLaws(const std::vector<Projectile>& projectiles) {
+        data.uploadLaws(backend, buildLawTables(setup, tables, projectiles));
+    }
+    /// Projectile `slot` takes part from now on.
+    void place(uint32_t slot, const Projectile& shot) {
+        const Double3 x = shot.position, v = shot.velocity;
+        const double mass = projectileMass(shot), inertia = 0.4 * mass * shot.radius * shot.radius;
+        data.put(backend, tables.counts.in_bodies + slot,
+                 packState<Real>({x.x, x.y, x.z}, {}, {v.x, v.y, v.z}, {}),
+                 {static_cast<Real>(1 / mass), static_cast<Real>(1 / inertia), static_cast<Real>(shot.radius),
+                  static_cast<Real>(shot.radius)});
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+// A frame as a loop over stretches of substeps:
+//
+//   set the state aside -> how each fragment is moved
+//   -> [ substeps of bonds, contact steps of rigid fragments -> look at the state -> the same once more
+//        -> contact lists again, if the look said so; then again how each fragment is moved ] ...
+//   -> last look
+//
+// A look and the decision that follows it stand at fixed substeps, so that every device takes the same one;
+// the substeps between them hide the way of the answer from the GPU. If a look saw something bad, the state
+// set aside is put back.
+#pragma once
+#include <algorithm>
+
+#include "sim_cuda/solver/checkpoint.h"
+#include "sim_cuda/solver/decisions.h"
+#include "sim_cuda/solver/list_schedule.h"
+#include "sim_cuda/solver/look_interval.h"
+#include "sim_cuda/solver/state_look.h"
+#include "sim_cuda/solver/stray_paths.h"
+
+namespace demolish {
+
+/// What changes on the host while stepping.
+struct LoopState {
+    uint64_t substeps = 0;  ///< since the start
+    uint64_t quiet = 0;     ///< 1: nothing has moved in the last frame, nor will unless it is shot at
+    Projectiles::State projectiles;
+    ListSchedule::State lists;
+    DecisionState decisions;
+};
+
+/// Owns what decides the order of the work: when lists are built, regimes decided, looks taken.
+template <class Backend, class Real>
+class FrameLoop {
+  public:
+    using Scene = DeviceScene<Backend, Real>;
+
+    struct Frame {
+        StepStatus status = StepStatus::kOk;
+        bool quiet = false;  ///< everything slept: nothing has changed but the time
+        uint32_t list_rebuilds = 0;
+    };
+
+    /// Keeps references to both.
+    FrameLoop(Scene& scene, Projectiles& projectiles)
+        : scene_(scene),
+          projectiles_(projectiles),
+          lists_(scene.tables.time_step),
+          decisions_(scene),
+          stepper_(scene.backend),
+          look_(scene.backend),
+          strays_(scene.backend) {}
+
+    /// A frame of n substeps. After a bad status everything is as it was.
+    Frame advance(uint32_t n);
+    /// At most one stretch, of n substeps, and nothing around it.
+    StepStatus runStretch(uint32_t n);
+    /// Those whose time has come take part from now on.
+    void startProjectiles();
+    /// Builds the contact lists if that is due.
+    void freshenLists();
+    Stepper<Backend, Real>& stepper() { return stepper_; }
+
+    LoopState state() const;
+    void resume(const LoopState& state);
+
+  private:
+    bool staysQuiet(uint32_t n) const;
+    StepStatus runFrame(uint32_t n);
+    Stretch stretch() const;
+    uint32_t untilNextStart(uint32_t at_most) const;
+    void decide(bool frame_starts, uint32_t remaining);
+    void decideIfDue(uint32_t remaining);
+    void buildLists();
+    void look(uint32_t lookahead);
+    void followStrayed(uint32_t next);
+    void runAwake(uint32_t n);
+    bool nothingMoves() const {
+        const auto& regimes = scene_.regimes;
+        return regimes.on() && !regimes.movesBonds() && !regimes.movesRigid();
+    }
+
+    Scene& scene_;
+    Projectiles& projectiles_;
+    ListSchedule lists_;
+    Decisions<Backend, Real> decisions_;
+    Stepper<Backend, Real> stepper_;
+    StateLook<Backend, Real> look_;
+    StrayPaths<Backend, Real> strays_;
+    Checkpoint<Backend, Real> frame_start_;
+    bool quiet_ = false;
+};
+
+template <class Backend, class Real>
+typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint32_t n) {
+    if (staysQuiet(n)) {
+        scene_.substeps += n;
+        decisions_.noteFrame(n);
+        return {StepStatus::kOk, true, 0};
+    }
+    const LoopState before = state();
+    const uint64_t builds = scene_.lists.builds();
+    stepper_.listsChange();
+    frame_start_.keep(scene_);
+    startProjectiles();
+    if (scene_.regimes.on()) {
+        freshenLists();
+        decide(true, n);
+    }
+    const StepStatus status = runFrame(n);
+    if (status != StepStatus::kOk) {
+        frame_start_.putBack(scene_);
+        stepper_.takePlacing();
+        resume(before);
+        return {status, false, 0};
+    }
+    decisions_.noteFrame(n);
+    return {status, false, static_cast<uint32_t>(scene_.lists.builds() - builds)};
+}
+
+/// Everything sleeps, and no projectile starts: the frame would change nothing but the time.
+template <class Backend, class Real>
+bool FrameLoop<Backend, Real>::staysQuiet(uint32_t n) const {
+    return quiet_ && !lists_.due() && !decisions_.shotStarted() &&
+           projectiles_.nextStart() >= scene_.substeps + n;
+}
+
+template <class Backend, class Real>
+StepStatus FrameLoop<Backend, Real>::runFrame(uint32_t n) {
+    bool moved = false;
+    while (n > 0) {
+        startProjectiles();
+        decideIfDue(n);
+        if (nothingMoves()) {
+            const uint32_t quiet = untilNextStart(n);
+            scene_.substeps += quiet;
+            n -= quiet;
+            continue;
+        }
+        moved = true;
+        const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
+        const StepStatus status = runStretch(part);
+        if (status != StepStatus::kOk) return status;
+        n -= part;
+    }
+    quiet_ = !moved;
+    if (!moved) return StepStatus::kOk;
+    look(0);
+    return look_.wait().status;
+}
+
+/// The look in it decides for its end, and has to see as far as the end of the next.
+template <class Backend, class Real>
+StepStatus FrameLoop<Backend, Real>::runStretch(uint32_t n) {
+    freshenLists();
+    const Stretch whole = stretch();
+    const uint32_t first = std::min(n, whole.first), second = n - first, next = whole.length();
+    runAwake(first);
+    look(second + next);
+    runAwake(second);
+    const auto answer = look_.wait();
+    const bool is_good = answer.status == StepStatus::kOk;
+    if (lists_.judge(answer.left_paths, is_good, next, scene_.lists.horizon())) followStrayed(next);
+    return answer.status;
+}
+
+/// Without bonds nothing happens fast.
+template <class Backend, class Real>
+Stretch FrameLoop<Backend, Real>::stretch() const {
+    if (scene_.regimes.on() && !scene_.regimes.movesBonds()) return kRigidStretch;
+    return scene_.tables.time_step < kShortSubstep ? kShortBondedStretch : kBondedStretch;
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::runAwake(uint32_t n) {
+    stepper_.run(scene_, n);
+    lists_.pass(n);
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::decideIfDue(uint32_t remaining) {
+    if (lists_.due()) {
+        buildLists();
+        if (decisions_.isNeededByNewLists(lists_.remaining(scene_.lists.horizon(), remaining)))
+            decide(false, remaining);
+    } else if (decisions_.substepsUntilDue(remaining) == 0) {
+        decide(false, remaining);
+    }
+}
+
+/// remaining: substeps of the frame that are still to come. The next decision comes with the next contact
+/// lists, or when the frame is over, at the latest.
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::decide(bool frame_starts, uint32_t remaining) {
+    stepper_.placeRigid(scene_);
+    stepper_.listsChange();
+    decisions_.decide(frame_starts, lists_.remaining(scene_.lists.horizon(), remaining));
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::freshenLists() {
+    if (lists_.due()) buildLists();
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::buildLists() {
+    stepper_.placeRigid(scene_);
+    stepper_.listsChange();
+    scene_.lists.use(lists_.next(decisions_.somethingRigid(), decisions_.shotStarted()));
+    scene_.lists.build(scene_.state(), scene_.data.particles.constants.view(), scene_.data.bonds.in());
+    lists_.built();
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::look(uint32_t lookahead) {
+    look_.start(scene_, stepper_, lists_.age(), lookahead * scene_.tables.time_step);
+}
+
+/// At the end of a stretch, with lists that hold for another: `next` substeps. Waits.
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::followStrayed(uint32_t next) {
+    stepper_.placeRigid(scene_);
+    stepper_.listsChange();
+    const auto answer = strays_.restart(scene_, lists_.age(), next * scene_.tables.time_step);
+    if (answer.lists_hold)
+        decisions_.hasten(answer.decide_within, next);
+    else
+        lists_.demand();
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::startProjectiles() {
+    for (const uint32_t slot : projectiles_.startDue(scene_.substeps)) {
+        scene_.place(slot, projectiles_.all()[slot]);
+        lists_.demand();
+        decisions_.noteShot();
+    }
+}
+
+/// at_most, or less: up to the next start of a waiting projectile. Those that are due have started.
+template <class Backend, class Real>
+uint32_t FrameLoop<Backend, Real>::untilNextStart(uint32_t at_most) const {
+    return static_cast<uint32_t>(std::min<uint64_t>(at_most, projectiles_.nextStart() - scene_.substeps));
+}
+
+template <class Backend, class Real>
+LoopState FrameLoop<Backend, Real>::state() const {
+    return {scene_.substeps, quiet_ ? uint64_t{1} : 0, projectiles_.state(), lists_.state(),
+            decisions_.state()};
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::resume(const LoopState& state) {
+    scene_.substeps = state.substeps;
+    quiet_ = state.quiet != 0;
+    projectiles_.resume(state.projectiles);
+    lists_.resume(state.lists);
+    decisions_.resume(state.decisions);
+}
+
+}  // namespace demolish

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sim_cuda/solver/list_schedule.h"
+
+#include <algorithm>
+
+#include "sim_cuda/solver/look_interval.h"
+
+namespace demolish {
+namespace {
+
+/// Lists are made for so many times the time that they have lasted of late: a longer horizon than is used
+/// costs a coarser grid and longer rows. Substeps that they shall last at least: two stretches.
+constexpr double kHorizonLives = 2;
+constexpr uint32_t kLeastHorizon = 2 * kRigidStretch.length();
+
+}  // namespace
+
+NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_started) {
+    NeighbourSettings settings = something_is_rigid ? kRigidNeighbours : NeighbourSettings{};
+    if (!projectile_started) state_.life = std::max(state_.age, state_.life / 2);
+    const double wanted = kHorizonLives * std::max(state_.life, kLeastHorizon) * time_step_;
+    settings.longest_horizon = std::min(settings.longest_horizon, wanted);
+    settings.set_apart = state_.left_paths == 0;
+    return settings;
+}
+
+void ListSchedule::built() {
+    state_.age = 0;
+    state_.due = 0;
+}
+
+bool ListSchedule::judge(bool left_paths, bool state_is_good, uint32_t next, double horizon) {
+    const double needed = (state_.age + static_cast<double>(next)) * time_step_;
+    const bool lasts = needed <= horizon, can_be_kept = left_paths && state_is_good && lasts;
+    state_.left_paths = left_paths ? 1 : 0;
+    if ((left_paths && !can_be_kept) || !lasts) demand();
+    return can_be_kept;
+}
+
+double ListSchedule::remaining(double horizon, uint32_t at_most) const {
+    return std::clamp(horizon - age(), 0.0, at_most * time_step_);
+}
+
+}  // namespace demolish

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is awake advances: what is moved with its bonds in substeps, rigid fragments in contact steps, and how
+// the two go together.
+#pragma once
+#include <algorithm>
+#include <utility>
+
+#include "sim_cuda/solver/device_scene.h"
+#include "sim_cuda/solver/rigid_runner.h"
+#include "sim_cuda/solver/substep_runner.h"
+
+namespace demolish {
+
+/// Owns the runners of both kinds of step, and knows whether particles of rigid fragments lag behind them.
+template <class Backend, class Real>
+class Stepper {
+  public:
+    using Scene = DeviceScene<Backend, Real>;
+
+    explicit Stepper(Backend& backend) : runner_(backend) {}
+
+    /// GPU: records the sequences of steps that the scene may need, once with the ledger and once without.
+    void recordAhead(Scene& scene);
+
+    /// n substeps of what is moved with its bonds, and the same time of what is rigid.
+    void run(Scene& scene, uint32_t n);
+    /// One substep of everything with its bonds that books nothing and is no step of the run: the state after
+    /// it is scene.state().
+    void runDry(Scene& scene);
+
+    /// Something that steps read has been written since the last step, other than the state.
+    void listsChange() { lists_stand_ = false; }
+
+    /// Contact steps move only those particles of a rigid fragment that may touch something; before anybody
+    /// reads the state, the others follow.
+    void placeRigid(Scene& scene);
+    /// True if a caller has to let them follow by itself, who then does so.
+    bool takePlacing() { return std::exchange(rigid_lags_, false); }
+
+  private:
+    using RigidStep = RigidStepOf<Backend, Real>;
+
+    void runRigid(Scene& scene, uint32_t n, bool follows);
+    void runTogether(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
+    void runApart(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
+
+    SubstepRunner<Backend, Real> runner_;
+    RigidRunner<Backend, Real> rigid_runner_;
+    bool lists_stand_ =
+        false;                 ///< since the last step nothing that steps read has been written but the state
+    bool rigid_lags_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
+    bool recorded_ahead_[2] = {};  ///< GPU: without and with the ledger
+};
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::recordAhead(Scene& scene) {
+    if constexpr (Backend::kOnGpu) {
+        const bool ledger = scene.setup.params.ledger;
+        const uint32_t particles = scene.tables.counts.in_bodies;
+        if (std::exchange(recorded_ahead_[ledger ? 1 : 0], true)) return;
+        runner_.recordAhead(scene.backend, particles, ledger);
+        if (scene.regimes.on())
+            rigid_runner_.template recordAhead<decltype(runner_)>(scene.backend, particles, ledger);
+    }
+}
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
+    const auto& regimes = scene.regimes;
+    const bool follows = std::exchange(lists_stand_, true);
+    if (regimes.on() && regimes.movesRigid())
+        runRigid(scene, n, follows);
+    else if (!regimes.on() || regimes.movesBonds())
+        runner_.run(scene.backend, scene.data, scene.lists.contacts(), scene.params,
+                    scene.setup.params.ledger, n, follows);
+    scene.substeps += n;
+}
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::runRigid(Scene& scene, uint32_t n, bool follows) {
+    const RigidConstants<Real> constants = scene.regimes.rigidConstants();
+    const RigidStep step{scene.data, scene.lists.contacts(),   scene.params, scene.regimes.rigid(),
+                         constants,  scene.setup.params.ledger};
+    if (!scene.regimes.movesBonds())
+        rigid_runner_.run(scene.backend, step, n, follows);
+    else
+        scene.regimes.carries() ? runTogether(scene, step, n, follows) : runApart(scene, step, n, follows);
+    rigid_lags_ = true;
+}
+
+/// Contact steps with the substeps between their halves: a rigid body answers to the sum of what its carried
+/// particles have felt meanwhile, so that no momentum is lost between the two kinds of step. The force of a
+/// contact step is that of its start; so that what the substeps add up belongs to the same moment, they see
+/// carried particles from half a step before it to half a step after it (each but the first, which makes the
+/// mean exact). Else contacts would lose energy that nobody books.
+template <class Backend, class Real>
+void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, uint32_t n, bool follows) {
+    Backend& backend = scene.backend;
+    rigid_runner_.repeat(backend, step, runner_, n, [&](uint32_t substeps) {
+        for (uint32_t done = 0; done < substeps;) {
+            const uint32_t stride = std::min(kRigidStride, substeps - done);
+            StepParams<Real> params = scene.params;
+            params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
+            rigid_runner_.gather(backend, step, stride, follows || done > 0);
+            runner_.runOne(backend, scene.data, step.contacts, params, step.ledger, true);
+            runner_.runOn(backend, scene.data, step.contacts, scene.params, step.ledger, stride - 1);
+            rigid_runner_.move(backend, step, stride, true);
+            done += stride;
+        }
+    });
+}
+
+/// Nothing rigid meets what is moved with its bonds before the next decision: each goes its way, on a GPU at
+/// the same time. Pairs of the two that are listed all the same are left out, or it would matter who came
+/// first.
+template <class Backend, class Real>
+void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, uint32_t n, bool follows) {
+    Backend& backend = scene.backend;
+    StepParams<Real> params = scene.params;
+    params.leaves_out = 1;
+    backend.sideBySide(
+        [&] { runner_.run(backend, scene.data, step.contacts, params, step.ledger, n, follows); },
+        [&] { rigid_runner_.run(backend, step, n, follows); });
+}
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::runDry(Scene& scene) {
+    auto& data = scene.data;
+    const BondedWork work = std::exchange(data.work, BondedWork{});
+    const auto constants = std::exchange(data.constants_in_substeps, {});
+    runner_.run(scene.backend, data, scene.lists.contacts(), scene.params, false, 1);
+    data.work = work;
+    data.constants_in_substeps = constants;
+}
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::placeRigid(Scene& scene) {
+    if (takePlacing())
+        scene.backend.forEach(scene.tables.counts.total,
+                              scene.regimes.placer(scene.data, scene.fragments.clusters), "place rigid");
+}
+
+}  // namespace demolish
