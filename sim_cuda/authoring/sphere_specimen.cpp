@@ -8,6 +8,7 @@
 #include "sim_cuda/authoring/hash_random.h"
 #include "sim_cuda/authoring/seed_grid.h"
 #include "sim_cuda/authoring/sphere_packing.h"
+#include "sim_cuda/physics/bond_stiffness.h"
 
 namespace demolish {
 namespace {
@@ -102,8 +103,7 @@ void shrinkContactRadii(const std::vector<Neighbour>& pairs, const std::vector<d
 void addBonds(const SphereSpecimen& s, const std::vector<Neighbour>& pairs, const std::vector<double>& radii,
               BreakableBody& body) {
     for (const Neighbour& pair : pairs) {
-        const double a = radii[pair.i], b = radii[pair.j];
-        const double bond_radius = 2 * s.bond_ratio * a * b / (a + b);
+        const double bond_radius = sphereBondRadius(s.bond_ratio, radii[pair.i], radii[pair.j]);
         const Double3 &from = body.particles[pair.i].seed, &to = body.particles[pair.j].seed;
         BondGeometry bond;
         bond.i = pair.i;

@@ -17,10 +17,6 @@ DEM_FN uint32_t wordOf(Regime regime) {
     return static_cast<uint32_t>(regime);
 }
 
-/// Substeps of bonds in one contact step of rigid fragments: their contacts are as soft as heavy, and need no
-/// stress waves.
-inline constexpr uint32_t kRigidStride = 10;
-
 /// Which particles a substep moves. Without a list: all. Carried ones belong to rigid fragments that may
 /// touch what is moved with its bonds: substeps move them along their velocity and add up what they feel, for
 /// the contact step of their fragment.

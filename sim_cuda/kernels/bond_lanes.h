@@ -67,8 +67,8 @@ struct BondLanesIn {
                 velocity_j.at(l), spin_i.at(l),     spin_j.at(l)};
     }
     BondConstants<Real> bond(size_t l) const {
-        const Real k = stiffness[l], a = shear_ratio[l], bending = k * (Real(0.25) * radius[l] * radius[l]);
-        return {rest.at(l), {k, a * k, bending, Real(2) * a * bending}, radius[l], strength[l], beta_r[l]};
+        return {rest.at(l), roundBond(stiffness[l], shear_ratio[l], radius[l]), radius[l], strength[l],
+                beta_r[l]};
     }
 };
 template <class Real>
@@ -145,8 +145,8 @@ class BondLanes {
         in_.spin_j.set(l, xyz(b.spin));
         in_.rest.set(l, xyz(rest));
         in_.stiffness[l] = rest.w;
-        in_.radius[l] = law.radius_unit * static_cast<Real>(gradeRadius(link.grade));
-        in_.strength[l] = law.strength_unit * static_cast<Real>(gradeStrength(link.grade));
+        in_.radius[l] = gradedRadius(link.grade, law);
+        in_.strength[l] = gradedStrength(link.grade, law);
         in_.shear_ratio[l] = law.shear_ratio;
         in_.beta_r[l] = law.beta_r;
     }
@@ -160,7 +160,8 @@ class BondLanes {
 
     void store(size_t l) {
         const uint32_t slot = slot_[l], twin = pairs_.twin[slot];
-        const Real breaks = params_.breaking != 0 && out_.severity[l] >= out_.limit[l] ? Real(1) : Real(0);
+        const Real breaks =
+            params_.breaking != 0 && bondBreaks(out_.severity[l], out_.limit[l]) ? Real(1) : Real(0);
         pairs_.record[slot] = {out_.force.at(l), out_.torque_i.at(l), breaks, Real(0)};
         pairs_.record[twin] = {-out_.force.at(l), -out_.torque_j.at(l), breaks, Real(0)};
         if constexpr (kLedger) {

@@ -92,7 +92,7 @@ struct MeasureEnergy {
             return contactEnergy(own, j, arrays.pair_laws[own.owner * params.owners + own.owner],
                                  arrays.bond_spring[slot]);
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
-        if (isBonded(link)) return bondEnergy(bond.stiffness, faceBondDeformation(bond, pair));
+        if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
         const Vec4<Real> spring = arrays.bond_spring[slot];
         const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
@@ -107,10 +107,10 @@ struct MeasureEnergy {
         const Vec3<Real> apart = separation(own.state, loadState(arrays.in, j));
         const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
         if (!(overlap > Real(0))) return Real(0);
-        const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
+        const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(
             contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other), spring.w),
-            overlap, spring);
+            params, overlap, xyz(spring));
     }
 
     DEM_FN Real planeEnergy(const OwnParticle<Real>& own, uint32_t p) const {
@@ -122,13 +122,7 @@ struct MeasureEnergy {
         const Vec4<Real> spring = arrays.plane_spring[p * params.total + own.id];
         return touchEnergy(contactTouchLaw(arrays.wall_laws[own.owner], params, overlap,
                                            own.constants.floor_radius, againstWall(own.constants), spring.w),
-                           overlap, spring);
-    }
-
-    /// Of the linear spring (1/2 F delta) or Hertz's (2/5 F delta), and of the tangential spring.
-    DEM_FN Real touchEnergy(const TouchLaw<Real>& law, Real overlap, const Vec4<Real>& spring) const {
-        const Real share = params.hertz != 0 ? Real(0.4) : Real(0.5);
-        return share * law.elastic * overlap + Real(0.5) * law.shear * length2(xyz(spring));
+                           params, overlap, xyz(spring));
     }
 };
 

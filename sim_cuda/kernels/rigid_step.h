@@ -155,7 +155,7 @@ struct StepRigid {
             const uint32_t i = seat.particle;
             const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            const Vec3<double> x = body.centre + arm, v = velocityAtArm(body, arm);
+            const Vec3<double> x = body.centre + arm, v = velocityAt(body.velocity, body.spin, arm);
             placeParticle(state, i, x, v, body.spin);
             placeParticle(arrays.out, i, x, v, body.spin);
             constants[i] = sharedConstants(body, seat.arm, own_constants[i]);

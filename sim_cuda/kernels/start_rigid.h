@@ -101,7 +101,8 @@ struct SettleRegimes {
         arm[i] = from_centre;
         start_rotation[i] = in.rotation[i];
         if (regime[slot] == wordOf(Regime::kRigid))
-            setMotion(i, former[slot] == wordOf(Regime::kBonded), velocityAtArm(fit, from_centre), fit.spin);
+            setMotion(i, former[slot] == wordOf(Regime::kBonded),
+                      velocityAt(fit.velocity, fit.spin, from_centre), fit.spin);
     }
     DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
     DEM_FN void catchUp(uint32_t i, const Flight& flight) const {
@@ -141,7 +142,8 @@ struct PlaceRigid {
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         const RigidBody moved = body[slot];
         const Vec3<double> from_centre = rotate(moved.turned, arm[i]);
-        const Vec3<double> x = moved.centre + from_centre, v = velocityAtArm(moved, from_centre);
+        const Vec3<double> x = moved.centre + from_centre,
+                           v = velocityAt(moved.velocity, moved.spin, from_centre);
         placeParticle(state, i, x, v, moved.spin);
         placeParticle(other, i, x, v, moved.spin);
         const Vec4<Real> start = start_rotation[i];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Constants of a substep that are the same for all particles, and the law constants of each body and of each
-// pair of owners.
+// Constants of a substep that are the same for all particles, and the law constants of each body.
 #pragma once
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/data/planes.h"
 #include "sim_cuda/data/regimes.h"
+#include "sim_cuda/physics/touch_law.h"
 
 namespace demolish {
 
@@ -18,47 +18,21 @@ struct BodyLaw {
     Real beta_r{};         ///< s, of (E3)
     Real radius_unit{};    ///< m: a_b = radius_unit * share
     Real strength_unit{};  ///< Pa: s_b sigma_c = strength_unit * share
-    Real friction{};       ///< mu of its broken bonds
-    Real rolling{};        ///< mu_r of its broken bonds
-    Real adhesion{};       ///< w, J/m^2
+    FaceLaw<Real> faces;   ///< of its broken bonds
 };
 
-/// Law constants of a contact between two owners (bodies, projectiles, or a body and a wall).
 template <class Real>
-struct PairLaw {
-    Real stiffness{};      ///< N/m, linear law
-    Real damping{};        ///< c^ of the linear law, alpha of the Hertz law (physics A.2 table)
-    Real friction{};       ///< mu
-    Real rolling{};        ///< mu_r
-    Real adhesion{};       ///< w, J/m^2
-    Real modulus{};        ///< Pa, E* (Hertz law)
-    Real shear_modulus{};  ///< Pa, G* (Hertz law)
-};
-
-/// k_t / k_n of the linear contact law (models E.4).
-inline constexpr double kContactShearRatio = 0.8;
-/// A contact never gets stiffer than this times m_e / dt^2, so that it lasts nine substeps or more: light
-/// slivers between stiff cells stay stable, and the strong damper of a low restitution is integrated within a
-/// few per cent of its energy (at 0.3 a hard shot gained 7 % of its energy, at 0.12 it gains 2.5 %).
-inline constexpr double kContactStiffnessShare = 0.12;
-
-template <class Real>
-struct StepParams {
-    Real dt{};           ///< s
+struct StepParams : TouchStep<Real> {
     Real carry_time{};   ///< s that carried particles go along their velocity; not always dt
     Vec3<Real> gravity;  ///< m/s^2
     Real velocity_keep{
         1};  ///< share of every velocity kept in a substep; 1 except while settling (models E.4)
-    Real stiffness_cap{};       ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
-    Real face_cap{Real(1e30)};  ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
-    uint32_t softening = 0;     ///< 1: contact steps; a contact remembers how soft it was
-    uint32_t leaves_out = 0;    ///< 1: pairs with what the other kind of step moves are no matter of this
-                                ///< one: in contact steps, and in substeps that rigid fragments go apart from
-    uint32_t hertz = 0;         ///< 1: Hertz contacts
-    uint32_t breaking = 1;      ///< 0: bonds hold whatever happens (settling)
-    uint32_t owners = 0;        ///< bodies + projectile slots: rows of the table of pair laws
-    uint32_t in_bodies = 0;     ///< particles of bodies
-    uint32_t total = 0;         ///< with projectile slots
+    uint32_t leaves_out = 0;  ///< 1: pairs with what the other kind of step moves are no matter of this
+                              ///< one: in contact steps, and in substeps that rigid fragments go apart from
+    uint32_t breaking = 1;    ///< 0: bonds hold whatever happens (settling)
+    uint32_t owners = 0;      ///< bodies + projectile slots: rows of the table of pair laws
+    uint32_t in_bodies = 0;   ///< particles of bodies
+    uint32_t total = 0;       ///< with projectile slots
     PlaneSet<Real> planes;
 };
 

@@ -24,7 +24,7 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
     const BondConstants<Real> bond = bondConstants(read.rest, read.link.grade, law);
     const PairMotion<Real> pair = pairMotion(own.state, read.other);
     const BondEffect<Real> effect = bondEffect(bond, pair);
-    const bool breaks = params.breaking != 0 && effect.severity >= effect.limit;
+    const bool breaks = params.breaking != 0 && bondBreaks(effect.severity, effect.limit);
     if (breaks) arrays.link[read.slot].link = linkWord(j, PairState::kBroken);
     if constexpr (kLedger) {
         const BondEffect<Real> damping = bondDamping(bond, pair);

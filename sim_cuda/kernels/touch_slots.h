@@ -28,31 +28,6 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
     return length2(xyz(b) - xyz(a)) > limit * limit;
 }
 
-/// m, overlap one step before; `opening` m/s.
-template <class Real>
-DEM_FN Real overlapBefore(Real overlap, Real opening, Real dt) {
-    return madd(dt, opening, overlap);
-}
-
-/// J that a linear contact takes beyond what its spring holds in the step in which it begins, and less than
-/// nothing in the one after its end: a force acts from half a step before its moment to half a step after it,
-/// while only a part of that way presses the two together. 2 % of what the stiffest contacts dissipate.
-template <class Real>
-DEM_FN Real crossingLoss(Real stiffness, Real overlap, Real before) {
-    if ((overlap > Real(0)) == (before > Real(0))) return Real(0);
-    return (overlap > Real(0) ? Real(-0.5) : Real(0.5)) * stiffness * overlap * before;
-}
-
-/// J that a contact loses when it becomes softer than it was (`kept`, N/m): its overlap was brought about
-/// half at the old stiffness and half at the new one. `spring`: m, the tangential one.
-template <class Real>
-DEM_FN Real softeningLoss(const TouchLaw<Real>& law, Real kept, Real overlap, Real before,
-                          const Vec3<Real>& spring) {
-    if (!(law.softens && kept > law.stiffness && law.stiffness > Real(0))) return Real(0);
-    const Real held = madd(law.shear / law.stiffness, length2(spring), overlap * maxOf(before, Real(0)));
-    return Real(0.5) * (kept - law.stiffness) * held;
-}
-
 /// `spring` as it was; writes what it becomes to `kept`, and books; `share` of the pair's energy is this
 /// particle's (1 against a plane).
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
@@ -103,7 +78,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
     const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(overlap, Real(0)),
-                                                      reducedRadius(radius, other.contact_radius),
+                                                      reduced(radius, other.contact_radius),
                                                       pairInertia(own.constants, other), spring.w);
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.normal), spring, kept, params, Real(0.5),
@@ -211,8 +186,8 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
         arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
         return {};
     }
-    const Real radius = reducedRadius(own.constants.contact_radius, other.contact_radius);
-    const TouchLaw<Real> law = brokenTouchLaw(bond, body, params, overlap, radius, against);
+    const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
+    const TouchLaw<Real> law = brokenTouchLaw(bond, body.faces, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
                                       former.spring, arrays.bond_spring[former.slot], params, Real(0.5),
@@ -252,11 +227,6 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
     const FormerBond<Real> former{slot,  end.link,          loadWithoutRotation(arrays.in, position, end.id),
                                   other, arrays.rest[slot], arrays.bond_spring[slot]};
     return touchingFormerBond<kLedger, kStep>(arrays, params, own, former, tally);
-}
-
-template <class Real>
-DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
-    return {own.inverse_mass, own.inverse_inertia};
 }
 
 /// What turns with a particle that rolls on a plane.

@@ -3,26 +3,9 @@
 // hence no drift. Written so that exchanging i and j negates every vector exactly: each particle may evaluate
 // its bonds as "i".
 #pragma once
-#include "sim_cuda/physics/quaternion.h"
+#include "sim_cuda/physics/pair_motion.h"
 
 namespace demolish {
-
-/// Position, orientation, velocity, spin of one particle; SI, world frame.
-template <class T>
-struct ParticleState {
-    Vec3<T> position;  ///< m
-    Quat<T> rotation;  ///< 1 at rest
-    Vec3<T> velocity;  ///< m/s
-    Vec3<T> spin;      ///< rad/s
-};
-
-/// Rest geometry of a bond seen from i: L0 = l_i + l_j. Seen from j: -normal, lengths exchanged.
-template <class T>
-struct BondRest {
-    Vec3<T> normal;  ///< unit, (x_j - x_i)/L0 at rest
-    T length_i{};    ///< m, from i to the common point; L0/2 for a shared face
-    T length_j{};    ///< m
-};
 
 /// j relative to i; stretch > 0 in tension.
 template <class T>
@@ -44,14 +27,14 @@ struct BondRates {
 };
 
 /// B.2. theta = 2 vec(dq): within 0.1 % of the angle up to 0.15 rad, far beyond the break of a brittle bond.
-/// `separation` = x_j - x_i, given by the caller, who may hold positions in more exact form.
+/// `rest` = x_j - x_i at rest (m): the common point lies in its middle, since the face of two cells lies on
+/// their bisector. The separation is given by the caller, who may hold positions in more exact form.
 template <class T>
-DEM_FN BondDeformation<T> bondDeformation(const BondRest<T>& rest, const Vec3<T>& separation,
-                                          const Quat<T>& q_i, const Quat<T>& q_j) {
-    const Vec3<T> n_i = rotate(q_i, rest.normal), n_j = rotate(q_j, rest.normal);
-    const Vec3<T> reach_i = rest.length_i * n_i, reach_j = rest.length_j * n_j;
-    const Vec3<T> u = separation - (reach_i + reach_j);
-    const Quat<T> dq = relativeRotation(q_i, q_j);
+DEM_FN BondDeformation<T> bondDeformation(const Vec3<T>& rest, const PairMotion<T>& pair) {
+    const Vec3<T> n_i = rotate(pair.rotation_i, rest), n_j = rotate(pair.rotation_j, rest);
+    const Vec3<T> reach_i = T(0.5) * n_i, reach_j = T(0.5) * n_j;
+    const Vec3<T> u = pair.separation - (reach_i + reach_j);
+    const Quat<T> dq = relativeRotation(pair.rotation_i, pair.rotation_j);
     const T sign = dq.w < T(0) ? T(-2) : T(2);
     const Vec3<T> theta = sign * vectorPart(dq);
     BondDeformation<T> d;
@@ -67,9 +50,9 @@ DEM_FN BondDeformation<T> bondDeformation(const BondRest<T>& rest, const Vec3<T>
 
 /// B.4: zero for any rigid motion of the pair.
 template <class T>
-DEM_FN BondRates<T> bondRates(const BondDeformation<T>& d, const Vec3<T>& v_i, const Vec3<T>& w_i,
-                              const Vec3<T>& v_j, const Vec3<T>& w_j) {
-    return {(v_j + cross(w_j, d.arm_j)) - (v_i + cross(w_i, d.arm_i)), w_j - w_i};
+DEM_FN BondRates<T> bondRates(const BondDeformation<T>& d, const PairMotion<T>& pair) {
+    return {(pair.velocity_j + cross(pair.spin_j, d.arm_j)) - (pair.velocity_i + cross(pair.spin_i, d.arm_i)),
+            pair.spin_j - pair.spin_i};
 }
 
 }  // namespace demolish

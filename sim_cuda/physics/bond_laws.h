@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// The solid bond at work: forces and moments (5)-(6), (9)-(10), its damper (E3), stresses and break
-// (11)-(12), energy.
+// The solid bond at work: constants (E1), forces and moments (5)-(6), (9)-(10), damper (E3), severity and
+// break (11)-(12), energy. What a substep does with them: bond_effect.h.
 #pragma once
 #include "sim_cuda/physics/bond_kinematics.h"
 
 namespace demolish {
 
-/// The four constants of a bond; made by bond_stiffness.h.
+/// The four constants of a bond.
 template <class T>
 struct BondStiffness {
     T normal{};   ///< N/m, k_N
@@ -14,6 +14,14 @@ struct BondStiffness {
     T bending{};  ///< N m/rad, k_B
     T torsion{};  ///< N m/rad, k_P
 };
+
+/// (E1), and (6') (9') (10') from (5'): k_T = a k_N, k_B = k_N a_b^2/4, k_P = 2 a k_B. `normal` in N/m,
+/// `radius` a_b in m; `shear_ratio` a is chosen (E1), or follows from nu (paperShearRatio).
+template <class T>
+DEM_FN BondStiffness<T> roundBond(T normal, T shear_ratio, T radius) {
+    const T bending = normal * (T(0.25) * radius * radius);
+    return {normal, shear_ratio * normal, bending, T(2) * shear_ratio * bending};
+}
 
 /// What the bond does to i; j gets the exact opposite force and moment, at its own arm.
 template <class T>
@@ -43,58 +51,31 @@ DEM_FN BondLoad<T> dampedBondLoad(const BondLoad<T>& elastic, const BondStiffnes
             axpy(beta_r * k.bending, bend, elastic.bending_moment)};
 }
 
-/// Power that the damper takes out, W, >= 0: (damped - elastic) load against the rates.
+/// (11') sigma = N_b/A + 4 |M_T|/(A a_b), the stress of a round beam, times pi a_b^3 = A a_b: N m, without a
+/// division. Negative under strong compression: no bending-only failure there. ELASTIC load; radius a_b in m.
 template <class T>
-DEM_FN T bondDampingPower(const BondStiffness<T>& k, const BondDeformation<T>& d, const BondRates<T>& rates,
-                          T beta_r) {
-    const T speed = dot(rates.velocity, d.normal), twist = dot(rates.spin, d.normal);
-    const Vec3<T> slip = axpy(-speed, d.normal, rates.velocity), bend = axpy(-twist, d.normal, rates.spin);
-    return beta_r * (k.normal * speed * speed + k.shear * length2(slip) + k.torsion * twist * twist +
-                     k.bending * length2(bend));
+DEM_FN T tensileSeverity(const BondLoad<T>& load, T radius) {
+    return madd(load.normal_force, radius, T(4) * length(load.bending_moment));
 }
-
-/// Force on i (N) and torque on i about its centre (N m): F = N n + T, tau_i = P_i x F + M_N n + M_T (B.2).
+/// (12') tau = |T_b|/A + 2 |M_N|/(A a_b), likewise.
 template <class T>
-struct Wrench {
-    Vec3<T> force;
-    Vec3<T> torque;
-};
-template <class T>
-DEM_FN Wrench<T> bondWrench(const BondLoad<T>& load, const BondDeformation<T>& d) {
-    const Vec3<T> force = axpy(load.normal_force, d.normal, load.shear_force);
-    const Vec3<T> moment = axpy(load.torsion_moment, d.normal, load.bending_moment);
-    return {force, moment + cross(d.arm_i, force)};
+DEM_FN T shearSeverity(const BondLoad<T>& load, T radius) {
+    return madd(length(load.shear_force), radius, T(2) * absOf(load.torsion_moment));
 }
-
-/// Pa; the two ends compute the same bits.
+/// The larger one: both strengths are equal by (13).
 template <class T>
-struct BondStress {
-    T tension{};  ///< (11') N_b/A + 4|M_T|/(A a_b); negative under strong compression: no bending-only
-                  ///< failure there
-    T shear{};    ///< (12') |T_b|/A + 2|M_N|/(A a_b)
-};
-
-/// (11') (12') and (E2): stresses of a round beam, pi a_b^3 = A a_b. Area in m^2, radius a_b in m; ELASTIC
-/// load only.
-template <class T>
-DEM_FN BondStress<T> bondStress(const BondLoad<T>& load, T area, T radius) {
-    const T inverse_area = T(1) / area, inverse_modulus = inverse_area / radius;
-    return {
-        madd(load.normal_force, inverse_area, T(4) * length(load.bending_moment) * inverse_modulus),
-        madd(length(load.shear_force), inverse_area, T(2) * absOf(load.torsion_moment) * inverse_modulus)};
+DEM_FN T bondSeverity(const BondLoad<T>& load, T radius) {
+    return maxOf(tensileSeverity(load, radius), shearSeverity(load, radius));
 }
-
-/// (11') (12') reached? Strengths in Pa (equal by (13)); mu_b >= 0 adds mu_b max(0, -N_b/A) to the shear
-/// strength.
+/// N m: the right side of (11') and (12') times pi a_b^3. `strength` s_b sigma_c in Pa, radius a_b in m.
 template <class T>
-DEM_FN bool bondBreaks(const BondStress<T>& stress, T tensile_strength, T shear_strength) {
-    return stress.tension >= tensile_strength || stress.shear >= shear_strength;
+DEM_FN T severityLimit(T strength, T radius) {
+    return T(kPi) * strength * (radius * radius * radius);
 }
-/// Shear strength (Pa) with the optional friction term of stone and concrete (A.4): sigma_c,s + mu_b max(0,
-/// -N_b/A).
+/// (11') or (12') reached.
 template <class T>
-DEM_FN T confinedShearStrength(T shear_strength, T bond_friction, T normal_force, T area) {
-    return madd(bond_friction, maxOf(-normal_force, T(0)) / area, shear_strength);
+DEM_FN bool bondBreaks(T severity, T limit) {
+    return severity >= limit;
 }
 
 /// Elastic energy, J: (k_N u_N^2 + k_T u_T^2 + k_P theta_N^2 + k_B theta_T^2)/2 (A.3).

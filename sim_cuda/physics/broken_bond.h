@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Type 3, a broken bond whose faces still touch: (14), (15) as corrected in physics A.5. The normal is the
 // line of centres and the rest distance stays L0, so that the force does not jump at fracture and spinning in
-// place makes no overlap. Friction: tangential_spring.h with k_T and the limit below; M_N = 0.
+// place makes no overlap. Constants and friction: brokenTouchLaw() of touch_law.h, with k_T; M_N = M_T = 0.
 #pragma once
-#include "sim_cuda/physics/vector.h"
+#include "sim_cuda/physics/scalar.h"
 
 namespace demolish {
 
@@ -16,19 +16,6 @@ DEM_FN T brokenOverlap(T rest_length, T distance) {
 template <class T>
 DEM_FN T brokenRepulsion(T normal_stiffness, T overlap) {
     return normal_stiffness * maxOf(overlap, T(0));
-}
-/// (15') |T_bb| <= mu k_N delta_b, N: of the repulsive part alone, so that adhesion never turns friction
-/// round.
-template <class T>
-DEM_FN T frictionLimit(T friction, T repulsive_force) {
-    return friction * repulsive_force;
-}
-/// |M_T| <= share N a_b, N m: a face without tension carries no more; share 0 (default, off) .. 1, of a round
-/// face 1/4.
-template <class T>
-DEM_FN Vec3<T> cappedBendingMoment(const Vec3<T>& moment, T share, T repulsive_force, T radius) {
-    const T limit = share * repulsive_force * radius, size2 = length2(moment);
-    return size2 > limit * limit ? (limit * inverseSqrt(size2)) * moment : moment;
 }
 /// Energy that leaves with the bond, J: its elastic energy less what the compressed faces keep (A.6). Booked
 /// as fracture.

@@ -27,10 +27,11 @@ DEM_FN ContactModuli<T> rigidWallModuli(T E, T nu) {
     return {E / (T(1) - nu * nu), E / (T(2) * (T(1) + nu) * (T(2) - nu))};
 }
 
-/// R* = R1 R2/(R1+R2), m; a wall has R* = R1. The same expression gives the reduced mass m_e and inertia.
+/// R* = R1 R2/(R1+R2), m; a wall has R* = R1. By our own reciprocal.
 template <class T>
 DEM_FN T reduced(T a, T b) {
-    return a * b / (a + b);
+    const T root = inverseSqrt(a + b);
+    return (a * b) * (root * root);
 }
 
 /// (1') contact radius a = sqrt(R* delta), m; 0 without overlap.
@@ -42,11 +43,6 @@ DEM_FN T contactRadius(T R, T delta) {
 template <class T>
 DEM_FN T hertzForce(T E, T a, T delta) {
     return T(4.0 / 3) * E * a * maxOf(delta, T(0));
-}
-/// (1') dF_H/d delta = 2 E* a, N/m.
-template <class T>
-DEM_FN T hertzStiffness(T E, T a) {
-    return T(2) * E * a;
 }
 /// (2') k_t = 8 G* a, N/m.
 template <class T>

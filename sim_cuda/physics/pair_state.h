@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The paper's three kinds of contact as one-way states of a pair (physics A.6), and its NORMAL/DISCRETE
-// stretch rule.
+// The paper's three kinds of contact as one-way states of a pair (physics A.6).
 #pragma once
 #include <cstdint>
 
@@ -26,24 +25,6 @@ DEM_FN PairState nextState(PairState state, bool breaks, T distance, T rest_leng
     if (state == PairState::kBroken)
         return distance > T(kRetireStretch) * rest_length ? PairState::kContact : PairState::kBroken;
     return PairState::kContact;
-}
-
-/// Delta r of the paper's clustering rule, m: sigma_c A/k_N, the stretch at which tension alone breaks the
-/// bond.
-template <class T>
-DEM_FN T stretchLimit(T strength, T area, T normal_stiffness) {
-    return strength * area / normal_stiffness;
-}
-/// NORMAL while r <= r0 + Delta r, DISCRETE after; compression never breaks. Lengths in m.
-template <class T>
-DEM_FN bool isDiscrete(T distance, T rest_length, T limit) {
-    return distance > rest_length + limit;
-}
-/// Share of the force left in the DISCRETE state that fades linearly to 0 at r_f > r0 + Delta r; 1 while
-/// NORMAL. The caller keeps the smallest value seen, so that it is irreversible.
-template <class T>
-DEM_FN T discreteShare(T distance, T rest_length, T limit, T fade_end) {
-    return clampTo((fade_end - distance) / (fade_end - rest_length - limit), T(0), T(1));
 }
 
 }  // namespace demolish

@@ -91,9 +91,10 @@ DEM_FN RigidMotion rigidMotion(const MassSums& sums, const SpinSums& spins) {
 DEM_FN double innerEnergy(const SpinSums& spins, const RigidMotion& motion) {
     return spins.kinetic - 0.5 * dot(motion.spin, spins.angular);
 }
-/// (16) as corrected: velocity (m/s) of the fragment's point x.
-DEM_FN Vec3<double> velocityAt(const RigidMotion& motion, const Vec3<double>& x) {
-    return motion.velocity + cross(motion.spin, x - motion.centre);
+/// (16) as corrected: velocity (m/s) of the fragment's point at `arm` (m) from its mass centre.
+DEM_FN Vec3<double> velocityAt(const Vec3<double>& velocity, const Vec3<double>& spin,
+                               const Vec3<double>& arm) {
+    return velocity + cross(spin, arm);
 }
 
 }  // namespace demolish

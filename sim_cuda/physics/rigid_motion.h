@@ -18,6 +18,10 @@ DEM_FN Sym3 inverted(const Sym3& a) {
             s * xy, s * (a.xy * a.zx - a.xx * a.yz), s * zx};
 }
 
+/// Substeps of bonds in one contact step of rigid fragments: their contacts are as soft as heavy, and need no
+/// stress waves.
+inline constexpr uint32_t kRigidStride = 10;
+
 /// How a body falls between two kinds of step. A velocity belongs to half a step before its moment, and a
 /// contact step is longer than a substep: by so much a falling body's velocity lags behind that of a falling
 /// particle, half the contact step less one substep.
@@ -67,11 +71,6 @@ DEM_FN double fallenSubsteps(Flight& flight, uint32_t stride, bool touched) {
     if (touched) return stride;
     flight.lag = stride - 1;
     return stride - 0.5 * (double(flight.lag) - double(before));
-}
-
-/// Velocity of the point at `arm` from the centre (m, world frame now): (16) as corrected.
-DEM_FN Vec3<double> velocityAtArm(const RigidBody& body, const Vec3<double>& arm) {
-    return body.velocity + cross(body.spin, arm);
 }
 
 }  // namespace demolish

@@ -6,6 +6,13 @@
 
 namespace demolish {
 
+/// (2') (4') (15'): mu times the repulsive force (N, >= 0) alone, so that adhesion never turns friction
+/// round.
+template <class T>
+DEM_FN T frictionLimit(T friction, T repulsive_force) {
+    return friction * repulsive_force;
+}
+
 /// Of particle i in the contact i-j; j's are the exact opposites.
 template <class T>
 struct TangentialResult {
@@ -22,11 +29,11 @@ DEM_FN Vec3<T> turnedIntoPlane(const Vec3<T>& spring, const Vec3<T>& normal) {
 }
 
 /// Advances the spring by dt (s). `slip` = tangential velocity of j's surface point minus i's, m/s;
-/// `stiffness` k_t > 0, N/m; `damping` N s/m; `limit` = mu times the repulsive normal force, N, >= 0. Force
-/// on i = k_t xi + c slip, no longer than the limit; the spring by itself is shortened to limit / k_t. What
-/// the damper alone drives beyond the limit leaves the spring as it is: a spring that had to hold the whole
-/// capped force would be loaded with energy that nobody put in, and never let a crumb come to rest. So the
-/// contact takes in at least what its spring holds more. Odd in (spring, normal, slip).
+/// `stiffness` k_t > 0, N/m; `damping` N s/m; `limit` = frictionLimit(), N. Force on i = k_t xi + c slip, no
+/// longer than the limit; the spring by itself is shortened to limit / k_t. What the damper alone drives
+/// beyond the limit leaves the spring as it is: a spring that had to hold the whole capped force would be
+/// loaded with energy that nobody put in, and never let a crumb come to rest. So the contact takes in at
+/// least what its spring holds more. Odd in (spring, normal, slip).
 template <class T>
 DEM_FN TangentialResult<T> tangentialSpring(const Vec3<T>& spring, const Vec3<T>& normal, const Vec3<T>& slip,
                                             T dt, T stiffness, T damping, T limit) {

@@ -17,10 +17,6 @@ DEM_FN uint32_t packSnorm16(float value) {
     return static_cast<uint32_t>(rounded) & 0xffffu;
 }
 
-DEM_FN float unpackSnorm16(uint32_t bits) {
-    return static_cast<float>(static_cast<int16_t>(bits & 0xffffu)) / 32767.0f;
-}
-
 /// Octahedral direction: 2 x snorm16, x in the low half. Any length but zero; zero gives +z.
 DEM_FN uint32_t packOctahedral(float x, float y, float z) {
     const float ax = x < 0.0f ? -x : x, ay = y < 0.0f ? -y : y, az = z < 0.0f ? -z : z;
@@ -36,19 +32,6 @@ DEM_FN uint32_t packOctahedral(float x, float y, float z) {
     return packSnorm16(u) | packSnorm16(v) << 16;
 }
 
-/// Not normalised: lies on the octahedron |x| + |y| + |z| = 1.
-DEM_FN void unpackOctahedral(uint32_t packed, float& x, float& y, float& z) {
-    const float u = unpackSnorm16(packed), v = unpackSnorm16(packed >> 16);
-    const float au = u < 0.0f ? -u : u, av = v < 0.0f ? -v : v;
-    x = u;
-    y = v;
-    z = 1.0f - au - av;
-    if (z < 0.0f) {
-        x = (1.0f - av) * (u < 0.0f ? -1.0f : 1.0f);
-        y = (1.0f - au) * (v < 0.0f ? -1.0f : 1.0f);
-    }
-}
-
 /// IEEE half, rounded to nearest even; beyond +-65504 it stops there, NaN becomes 0.
 DEM_FN uint32_t packHalf(float value) {
     uint32_t bits = std::bit_cast<uint32_t>(value);
@@ -62,16 +45,6 @@ DEM_FN uint32_t packHalf(float value) {
     }
     const uint32_t odd = bits >> 13 & 1u;
     return sign | ((bits + 0xc8000fffu + odd) >> 13);
-}
-
-DEM_FN float unpackHalf(uint32_t half) {
-    const uint32_t sign = (half & 0x8000u) << 16;
-    const uint32_t exponent = half >> 10 & 0x1fu, mantissa = half & 0x3ffu;
-    if (exponent == 0) {
-        const float magnitude = static_cast<float>(mantissa) * 5.9604644775390625e-8f;  // 2^-24
-        return sign != 0 ? -magnitude : magnitude;
-    }
-    return std::bit_cast<float>(sign | (exponent + 112u) << 23 | mantissa << 13);
 }
 
 /// 2 x half, u in the low half.

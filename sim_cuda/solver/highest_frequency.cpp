@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_cuda/physics/bond_laws.h"
 #include "sim_cuda/physics/random.h"
 #include "sim_cuda/solver/scene_tables.h"
 
@@ -64,11 +65,10 @@ class BondOperator {
             const Vec3<double> n = normalized(slot.rest), arm = 0.5 * slot.rest;
             const Vec3<double> u = (b.shift - a.shift) - cross(0.5 * (a.turn + b.turn), slot.rest);
             const Vec3<double> theta = b.turn - a.turn;
-            const double k_t = shear_ratio_ * slot.stiffness,
-                         k_b = slot.stiffness * slot.radius * slot.radius / 4;
-            const double k_p = 2 * shear_ratio_ * k_b, u_n = dot(u, n), theta_n = dot(theta, n);
-            const Vec3<double> force = axpy((slot.stiffness - k_t) * u_n, n, k_t * u);
-            const Vec3<double> moment = axpy((k_p - k_b) * theta_n, n, k_b * theta);
+            const BondStiffness<double> k = roundBond(slot.stiffness, shear_ratio_, slot.radius);
+            const double u_n = dot(u, n), theta_n = dot(theta, n);
+            const Vec3<double> force = axpy((k.normal - k.shear) * u_n, n, k.shear * u);
+            const Vec3<double> moment = axpy((k.torsion - k.bending) * theta_n, n, k.bending * theta);
             sum.shift = sum.shift - force;
             sum.turn = sum.turn - (moment + cross(arm, force));
         }

@@ -84,9 +84,7 @@ BodyLaw<double> bodyLaw(const Material& material, const BodyConstants& constants
             constants.beta_r,
             constants.largest_radius / kShares,
             constants.report.strength * constants.largest_strength / kShares,
-            material.friction,
-            material.rolling_friction,
-            material.adhesion_energy};
+            {material.friction, material.rolling_friction, material.adhesion_energy}};
 }
 
 }  // namespace

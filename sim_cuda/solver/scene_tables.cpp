@@ -109,10 +109,10 @@ BondStiffness<double> stiffnessOf(const Material& material, const BondGeometry& 
     return paperBond(modulus, material.poisson_ratio, ratio, radius);
 }
 
-/// k_T / k_N: of the beam law a free choice, of the paper's 2 (1 - nu) / (2 - nu) since f_N = f_T.
+/// k_T / k_N: of the beam law a free choice.
 double shearRatio(const Material& material) {
     if (material.bond_law == BondLaw::kBeam) return material.shear_ratio;
-    return 2 * (1 - material.poisson_ratio) / (2 - material.poisson_ratio);
+    return paperShearRatio(material.poisson_ratio);
 }
 
 /// Rows of one body at the trial modulus; bond (i, j) goes into both ends' rows, each sorted by the other's

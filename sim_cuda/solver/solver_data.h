@@ -131,8 +131,11 @@ void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& la
     const auto real = [](double value) { return static_cast<Real>(value); };
     std::vector<BodyLaw<Real>> body;
     for (const BodyLaw<double>& law : laws.body)
-        body.push_back({real(law.shear_ratio), real(law.beta_r), real(law.radius_unit),
-                        real(law.strength_unit), real(law.friction), real(law.rolling), real(law.adhesion)});
+        body.push_back({real(law.shear_ratio),
+                        real(law.beta_r),
+                        real(law.radius_unit),
+                        real(law.strength_unit),
+                        {real(law.faces.friction), real(law.faces.rolling), real(law.faces.adhesion)}});
     const auto pairs = [&](const std::vector<PairLaw<double>>& from) {
         std::vector<PairLaw<Real>> to;
         for (const PairLaw<double>& law : from)

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "sim_cuda/physics/bond_stiffness.h"
-#include "sim_cuda/physics/broken_bond.h"
-#include "sim_cuda/physics/pair_state.h"
 #include "tests/physics/laws/bonded_set.h"
 
 namespace demolish {
@@ -18,13 +16,15 @@ struct ReferenceBond {
     double strength = griffithStrength(E, nu, gamma, radius);
 
     BondDeformation<double> deformed(const Vec3<double>& shift, const Quat<double>& rotation = {}) const {
-        const Vec3<double> x{1, 0, 0};
-        return laws::bondDeformation(BondRest<double>{x, rest / 2, rest / 2}, rest * x + shift,
-                                     Quat<double>{}, rotation);
+        const Vec3<double> x{rest, 0, 0};
+        return laws::bondDeformation(x, test::atRest(x + shift, Quat<double>{}, rotation));
     }
     bool breaks(const BondDeformation<double>& d) const {
-        return laws::bondBreaks(laws::bondStress(laws::bondLoad(k, d), area, radius), strength, strength);
+        return laws::bondBreaks(laws::bondSeverity(laws::bondLoad(k, d), radius),
+                                laws::severityLimit(strength, radius));
     }
+    /// As the solver holds it.
+    BondConstants<double> constants() const { return {{rest, 0, 0}, k, radius, strength, 0}; }
 };
 
 TEST(BondBreak, TensionAtTheGriffithStrength) {  // D 9
@@ -37,6 +37,20 @@ TEST(BondBreak, TensionAtTheGriffithStrength) {  // D 9
     const double energy = laws::bondEnergy(bond.k, bond.deformed({stretch, 0, 0}));
     EXPECT_NEAR(energy / (bond.gamma * bond.area), 0.34896, 1e-5);
     EXPECT_NEAR(energy / (bond.gamma * bond.area / (2 * normalCorrection(0.5, 0.25))), 1, 1e-12);
+}
+
+TEST(BondBreak, SeverityIsTheStressOfARoundBeam) {  // (11') (12')
+    const double a = 0.3, area = kPi * a * a, bending_modulus = kPi * a * a * a / 4, over = kPi * a * a * a;
+    const BondLoad<double> load{-7, {3, 0, 4}, -2, {0, 5, 12}};
+    const double tension = -7 / area + 13 / bending_modulus, shear = 5 / area + 2 / (2 * bending_modulus);
+    EXPECT_NEAR(laws::tensileSeverity(load, a) / over / tension, 1, 1e-14);
+    EXPECT_NEAR(laws::shearSeverity(load, a) / over / shear, 1, 1e-14);
+    EXPECT_EQ(laws::bondSeverity(load, a), laws::tensileSeverity(load, a)) << "bent most";
+    const BondLoad<double> twisted{-7, {3, 0, 4}, -60, {0, 5, 12}};
+    EXPECT_EQ(laws::bondSeverity(twisted, a), laws::shearSeverity(twisted, a));
+    EXPECT_NEAR(laws::severityLimit(6e4, a) / over, 6e4, 1e-9);
+    EXPECT_TRUE(laws::bondBreaks(2.0, 2.0));
+    EXPECT_FALSE(laws::bondBreaks(1.999, 2.0));
 }
 
 TEST(BondBreak, CompressionAloneNeverBreaks) {
@@ -73,16 +87,11 @@ TEST(BondBreak, TwistOfARealParticleBreaksWithinATenthOfAPercent) {  // D 10 thr
     EXPECT_TRUE(bond.breaks(bond.deformed({}, test::turn(x, 1.001 * twist))));
 }
 
-TEST(BondBreak, FrictionTermRaisesTheShearStrengthUnderCompressionOnly) {
-    EXPECT_DOUBLE_EQ(laws::confinedShearStrength(5.0, 0.4, -10.0, 2.0), 7.0);
-    EXPECT_DOUBLE_EQ(laws::confinedShearStrength(5.0, 0.4, 10.0, 2.0), 5.0);
-}
-
 /// Two particles, bonded until the criterion says no, then in type-3 contact.
 struct BreakingPair {
     ReferenceBond bond;
     double mass = 1.6e-14, inertia = 6.5e-27, dt = 2e-11;
-    ParticleState<double> i, j;
+    test::ParticleState<double> i, j;
     PairState state = PairState::kBonded;
     double normal_before = 0, normal_after = 0, energy_at_break = 0, kinetic_at_break = 0;
 
@@ -90,21 +99,23 @@ struct BreakingPair {
         return 0.5 * mass * (length2(i.velocity) + length2(j.velocity)) +
                0.5 * inertia * (length2(i.spin) + length2(j.spin));
     }
-    void kick(ParticleState<double>& s, const Wrench<double>& w) const {
+    void kick(test::ParticleState<double>& s, const Wrench<double>& w) const {
         s.velocity = axpy(dt / mass, w.force, s.velocity);
         s.spin = axpy(dt / inertia, w.torque, s.spin);
         s.position = axpy(dt, s.velocity, s.position);
         s.rotation = advanced(s.rotation, s.spin, dt);
     }
     void step() {
-        const Vec3<double> x{1, 0, 0}, gap = j.position - i.position;
-        const auto d = laws::bondDeformation(BondRest<double>{x, bond.rest / 2, bond.rest / 2}, gap,
-                                             i.rotation, j.rotation);
-        const auto load = laws::bondLoad(bond.k, d);
+        const BondConstants<double> constants = bond.constants();
+        const PairMotion<double> pair = test::pairOf(i, j);
+        const Vec3<double> gap = pair.separation;
+        const auto d = laws::bondDeformation(constants.rest, pair);
+        const auto effect = laws::bondEffect(constants, pair);
         const double overlap = laws::brokenOverlap(bond.rest, length(gap));
-        const PairState next = laws::nextState(state, bond.breaks(d), length(gap), bond.rest);
+        const PairState next =
+            laws::nextState(state, laws::bondBreaks(effect.severity, effect.limit), length(gap), bond.rest);
         if (state == PairState::kBonded && next == PairState::kBroken) {
-            normal_before = -load.normal_force;
+            normal_before = -laws::bondLoad(bond.k, d).normal_force;
             normal_after = laws::brokenRepulsion(bond.k.normal, overlap);
             energy_at_break = laws::bondEnergy(bond.k, d);
             kinetic_at_break = kinetic();
@@ -112,8 +123,8 @@ struct BreakingPair {
         state = next;
         Wrench<double> on_i, on_j;
         if (state == PairState::kBonded) {
-            on_i = laws::bondWrench(load, d);
-            on_j = {-on_i.force, cross(d.arm_j, -on_i.force) - (on_i.torque - cross(d.arm_i, on_i.force))};
+            on_i = {effect.force, effect.torque_i};
+            on_j = {-effect.force, -effect.torque_j};
         } else if (state == PairState::kBroken) {
             on_i.force = -laws::brokenRepulsion(bond.k.normal, overlap) * normalized(gap);
             on_j.force = -on_i.force;

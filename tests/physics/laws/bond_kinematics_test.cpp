@@ -5,8 +5,6 @@
 
 #include <random>
 
-#include "sim_cuda/physics/bond_stiffness.h"
-#include "sim_cuda/physics/broken_bond.h"
 #include "tests/physics/laws/bonded_set.h"
 #include "tests/physics/laws/random_pairs.h"
 
@@ -47,38 +45,27 @@ TEST(BondKinematics, RigidMotionGivesNoForce) {  // D 15
     EXPECT_LT(largestRigidForce<float>(0.5), 1e-6f);
 }
 
+/// A pair with the stiffnesses above.
 template <class T>
-struct RandomPair {
-    ParticleState<T> i, j;
-    BondRest<T> rest;
-};
-template <class T>
-RandomPair<T> drawPair(std::mt19937& random) {
-    RandomPair<T> p;
-    p.rest = {normalized(drawVector<T>(random, 1)), T(0.03), T(0.02)};
-    p.i = {drawVector<T>(random, 1), drawRotation<T>(random), drawVector<T>(random, 3),
-           drawVector<T>(random, 20)};
-    p.j = {p.i.position + T(0.051) * rotate(p.i.rotation, p.rest.normal) + drawVector<T>(random, 1e-3),
-           advanced(p.i.rotation, drawVector<T>(random, 30), T(1e-3)), drawVector<T>(random, 3),
-           drawVector<T>(random, 20)};
+test::BondedPair<T> drawPair(std::mt19937& random) {
+    test::BondedPair<T> p = test::drawBondedPair<T>(random);
+    p.bond.stiffness = stiffness<T>();
     return p;
 }
 template <class T>
 struct Evaluated {
     BondDeformation<T> deformation;
     BondLoad<T> load;
-    Wrench<T> wrench;
-    BondStress<T> stress;
+    BondEffect<T> effect;
 };
 template <class T>
-Evaluated<T> evaluate(const RandomPair<T>& p, T beta_r) {
+Evaluated<T> evaluate(const test::BondedPair<T>& p) {
     Evaluated<T> e;
-    e.deformation = laws::bondDeformation(p.rest, p.j.position - p.i.position, p.i.rotation, p.j.rotation);
-    const auto rates = laws::bondRates(e.deformation, p.i.velocity, p.i.spin, p.j.velocity, p.j.spin);
-    const auto elastic = laws::bondLoad(stiffness<T>(), e.deformation);
-    e.load = laws::dampedBondLoad(elastic, stiffness<T>(), e.deformation, rates, beta_r);
-    e.wrench = laws::bondWrench(e.load, e.deformation);
-    e.stress = laws::bondStress(elastic, T(1e-3), T(0.0178));
+    e.deformation = laws::bondDeformation(p.bond.rest, p.motion);
+    const auto rates = laws::bondRates(e.deformation, p.motion);
+    const auto elastic = laws::bondLoad(p.bond.stiffness, e.deformation);
+    e.load = laws::dampedBondLoad(elastic, p.bond.stiffness, e.deformation, rates, p.bond.beta_r);
+    e.effect = laws::bondEffect(p.bond, p.motion);
     return e;
 }
 template <class T>
@@ -92,17 +79,14 @@ void expectExactExchange() {
     std::mt19937 random(11);
     for (int k = 0; k < 3000; ++k) {
         const auto pair = drawPair<T>(random);
-        const RandomPair<T> swapped{
-            pair.j, pair.i, {-pair.rest.normal, pair.rest.length_j, pair.rest.length_i}};
-        const auto a = evaluate(pair, T(1e-4)), b = evaluate(swapped, T(1e-4));
-        expectOpposite(a.wrench.force, b.wrench.force);
+        const auto a = evaluate(pair), b = evaluate(test::exchanged(pair));
+        expectOpposite(a.effect.force, b.effect.force);
         expectOpposite(a.load.shear_force, b.load.shear_force);
         expectOpposite(a.load.bending_moment, b.load.bending_moment);
         ASSERT_EQ(a.load.normal_force, b.load.normal_force);
         ASSERT_EQ(a.load.torsion_moment, b.load.torsion_moment);
         ASSERT_EQ(a.deformation.arm_j.x, b.deformation.arm_i.x);
-        ASSERT_EQ(a.stress.tension, b.stress.tension);  // both ends decide alike
-        ASSERT_EQ(a.stress.shear, b.stress.shear);
+        ASSERT_EQ(a.effect.severity, b.effect.severity);  // both ends decide alike
     }
 }
 TEST(BondKinematics, ExchangeOfTheTwoParticlesNegatesEverythingToTheBit) {
@@ -114,61 +98,68 @@ TEST(BondKinematics, ForcesActAtOneCommonPoint) {
     std::mt19937 random(13);
     for (int k = 0; k < 200; ++k) {
         const auto pair = drawPair<double>(random);
-        const RandomPair<double> swapped{
-            pair.j, pair.i, {-pair.rest.normal, pair.rest.length_j, pair.rest.length_i}};
-        const auto a = evaluate(pair, 1e-4), b = evaluate(swapped, 1e-4);
-        const auto torque = a.wrench.torque + b.wrench.torque + cross(pair.i.position, a.wrench.force) +
-                            cross(pair.j.position, b.wrench.force);
-        EXPECT_LT(length(torque), 1e-12 * (length(a.wrench.force) + length(a.wrench.torque)));
+        const auto a = evaluate(pair).effect, b = evaluate(test::exchanged(pair)).effect;
+        const auto torque = a.torque_i + b.torque_i + cross(pair.motion.separation, b.force);  // about i
+        EXPECT_LT(length(torque), 1e-12 * (length(a.force) + length(a.torque_i)));
     }
 }
 
 TEST(BondKinematics, EachChannelSeesItsOwnMotion) {
     const Vec3<double> x{1, 0, 0};
-    const BondRest<double> rest{x, 0.5, 0.5};
-    const auto stretched =
-        laws::bondDeformation(rest, Vec3<double>{1.001, 0, 0}, Quat<double>{}, Quat<double>{});
+    const auto deformed = [&](const Vec3<double>& separation, const Quat<double>& rotation_j) {
+        return laws::bondDeformation(x, test::atRest(separation, Quat<double>{}, rotation_j));
+    };
+    const auto stretched = deformed({1.001, 0, 0}, {});
     EXPECT_NEAR(stretched.stretch, 1e-3, 1e-15);
     EXPECT_NEAR(length(stretched.shear), 0, 1e-15);
-    const auto sheared =
-        laws::bondDeformation(rest, Vec3<double>{1, 2e-3, 0}, Quat<double>{}, Quat<double>{});
+    const auto sheared = deformed({1, 2e-3, 0}, {});
     EXPECT_NEAR(sheared.shear.y, 2e-3, 1e-15);
-    const auto twisted = laws::bondDeformation(rest, x, Quat<double>{}, test::turn(x, 0.01));
+    const auto twisted = deformed(x, test::turn(x, 0.01));
     EXPECT_NEAR(twisted.twist, 0.01, 1e-7);
     EXPECT_NEAR(length(twisted.bending), 0, 1e-15);
-    const auto bent = laws::bondDeformation(rest, x, Quat<double>{}, test::turn(Vec3<double>{0, 0, 1}, 0.15));
+    const auto bent = deformed(x, test::turn(Vec3<double>{0, 0, 1}, 0.15));
     EXPECT_NEAR(bent.bending.z, 0.15, 1e-3 * 0.15);  // the stated accuracy of theta = 2 vec(dq)
-    const auto other_cover = laws::bondDeformation(rest, x, Quat<double>{},
-                                                   Quat<double>{-std::sin(0.005), 0, 0, -std::cos(0.005)});
+    const auto other_cover = deformed(x, {-std::sin(0.005), 0, 0, -std::cos(0.005)});
     EXPECT_NEAR(other_cover.twist, 0.01, 1e-7);
 }
 
 TEST(BondDamping, VanishesForRigidMotionAndTakesEnergyOut) {  // D 18, law level
-    const auto k = stiffness<double>();
-    const Vec3<double> spin{3, -2, 5}, drift{1, 2, 3}, x{1, 0, 0}, at{0.05, 0, 0};
-    const auto d =
-        laws::bondDeformation(BondRest<double>{x, 0.025, 0.025}, at, Quat<double>{}, Quat<double>{});
-    const auto rigid = laws::bondRates(d, drift, spin, drift + cross(spin, at), spin);
+    const Vec3<double> spin{3, -2, 5}, drift{1, 2, 3}, at{0.05, 0, 0};
+    const BondConstants<double> bond{at, stiffness<double>(), 0.0178, 6e4, 1e-4};
+    PairMotion<double> pair = test::atRest(at, Quat<double>{}, Quat<double>{});
+    pair.velocity_i = drift;
+    pair.velocity_j = drift + cross(spin, at);
+    pair.spin_i = pair.spin_j = spin;
+    const auto d = laws::bondDeformation(at, pair);
+    const auto rigid = laws::bondRates(d, pair);
     EXPECT_LT(length(rigid.velocity), 1e-15);
     EXPECT_EQ(length(rigid.spin), 0);
-    const auto rates =
-        laws::bondRates(d, Vec3<double>{}, Vec3<double>{}, Vec3<double>{0.3, 0.1, 0}, Vec3<double>{1, 0, 2});
-    const auto elastic = laws::bondLoad(k, d), damped = laws::dampedBondLoad(elastic, k, d, rates, 1e-4);
-    const auto on_i = laws::bondWrench(damped, d), elastic_i = laws::bondWrench(elastic, d);
-    const auto moment = on_i.torque - cross(d.arm_i, on_i.force), force = on_i.force - elastic_i.force;
-    const double power = dot(force, rates.velocity) + dot(moment, rates.spin);
+    pair.velocity_i = pair.spin_i = {};
+    pair.velocity_j = {0.3, 0.1, 0};
+    pair.spin_j = {1, 0, 2};
+    const auto rates = laws::bondRates(d, pair);
+    const auto damping = laws::bondDamping(bond, pair);
+    const auto moment = damping.torque_i - cross(d.arm_i, damping.force);
+    const double power = dot(damping.force, rates.velocity) + dot(moment, rates.spin);
     EXPECT_GT(power, 0);
-    EXPECT_NEAR(laws::bondDampingPower(k, d, rates, 1e-4) / power, 1, 1e-12);
+    // (E3): beta_R times stiffness times rate, channel by channel.
+    const double speed = dot(rates.velocity, d.normal), twist = dot(rates.spin, d.normal);
+    const auto slip = rates.velocity - speed * d.normal, bend = rates.spin - twist * d.normal;
+    const BondStiffness<double>& k = bond.stiffness;
+    EXPECT_NEAR(bond.beta_r *
+                    (k.normal * speed * speed + k.shear * length2(slip) + k.torsion * twist * twist +
+                     k.bending * length2(bend)) /
+                    power,
+                1, 1e-12);
 }
 
 TEST(BrokenBond, SpinningInPlaceMakesNoNormalForce) {  // D 22
     const double rest = 0.05, k = 1e6;
-    const Vec3<double> x{1, 0, 0};
+    const Vec3<double> x{rest, 0, 0};
     const auto turned = test::turn(Vec3<double>{0, 0, 1}, kPi / 2);
-    EXPECT_EQ(laws::brokenRepulsion(k, laws::brokenOverlap(rest, length(rest * x))), 0);
+    EXPECT_EQ(laws::brokenRepulsion(k, laws::brokenOverlap(rest, length(x))), 0);
     // With both spun in place the body-fixed normal sees an overlap: what the line of centres guards against.
-    const auto bonded =
-        laws::bondDeformation(BondRest<double>{x, rest / 2, rest / 2}, rest * x, turned, turned);
+    const auto bonded = laws::bondDeformation(x, test::atRest(x, turned, turned));
     EXPECT_LT(bonded.stretch, -0.5 * rest);
 }
 

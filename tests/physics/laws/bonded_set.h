@@ -8,11 +8,36 @@
 
 namespace demolish::test {
 
+/// Position, orientation, velocity, spin of one particle; SI, world frame.
+template <class T>
+struct ParticleState {
+    Vec3<T> position;  ///< m
+    Quat<T> rotation;  ///< 1 at rest
+    Vec3<T> velocity;  ///< m/s
+    Vec3<T> spin;      ///< rad/s
+};
+
+template <class T>
+DEM_FN PairMotion<T> pairOf(const ParticleState<T>& i, const ParticleState<T>& j) {
+    return {j.position - i.position, i.rotation, j.rotation, i.velocity, j.velocity, i.spin, j.spin};
+}
+/// Two particles that do not move.
+template <class T>
+PairMotion<T> atRest(const Vec3<T>& separation, const Quat<T>& rotation_i, const Quat<T>& rotation_j) {
+    return {separation, rotation_i, rotation_j, {}, {}, {}, {}};
+}
+
+/// The bond as the other end sees it.
+template <class T>
+DEM_FN BondConstants<T> fromTheOtherEnd(BondConstants<T> bond) {
+    bond.rest = -bond.rest;
+    return bond;
+}
+
 template <class T>
 struct Bond {
     size_t i = 0, j = 0;
-    BondRest<T> rest;
-    BondStiffness<T> stiffness;
+    BondConstants<T> constants;
 };
 
 /// What a bond does to both its ends, from each separately, as the solver does.
@@ -24,17 +49,14 @@ struct EvaluateBonds {
 
     DEM_FN void operator()(size_t k) const {
         const Bond<T> bond = bonds[k];
-        const BondRest<T> back{-bond.rest.normal, bond.rest.length_j, bond.rest.length_i};
-        wrenches[2 * k] = wrenchOn(bond.i, bond.j, bond.rest, bond.stiffness);
-        wrenches[2 * k + 1] = wrenchOn(bond.j, bond.i, back, bond.stiffness);
+        wrenches[2 * k] = wrenchOn(bond.i, bond.j, bond.constants);
+        wrenches[2 * k + 1] = wrenchOn(bond.j, bond.i, fromTheOtherEnd(bond.constants));
     }
 
   private:
-    DEM_FN Wrench<T> wrenchOn(size_t self, size_t other, const BondRest<T>& rest,
-                              const BondStiffness<T>& k) const {
-        const ParticleState<T> a = particles[self], b = particles[other];
-        const auto d = bondDeformation(rest, b.position - a.position, a.rotation, b.rotation);
-        return bondWrench(bondLoad(k, d), d);
+    DEM_FN Wrench<T> wrenchOn(size_t self, size_t other, const BondConstants<T>& bond) const {
+        const BondEffect<T> effect = bondEffect(bond, pairOf(particles[self], particles[other]));
+        return {effect.force, effect.torque_i};
     }
 };
 
@@ -58,8 +80,7 @@ struct BondedSet {
     }
 
     BondDeformation<T> deformation(const Bond<T>& bond) const {
-        const auto &a = particles[bond.i], &b = particles[bond.j];
-        return laws::bondDeformation(bond.rest, b.position - a.position, a.rotation, b.rotation);
+        return laws::bondDeformation(bond.constants.rest, pairOf(particles[bond.i], particles[bond.j]));
     }
 
     /// One leapfrog step (physics B.1).
@@ -76,7 +97,7 @@ struct BondedSet {
 
     T elasticEnergy() const {
         T sum{};
-        for (const auto& bond : bonds) sum += laws::bondEnergy(bond.stiffness, deformation(bond));
+        for (const auto& bond : bonds) sum += laws::bondEnergy(bond.constants.stiffness, deformation(bond));
         return sum;
     }
 
@@ -97,7 +118,7 @@ BondedSet<T> chain(size_t bond_count, T pitch, const BondStiffness<T>& k) {
         set.particles.push_back(state);
     }
     for (size_t b = 0; b < bond_count; ++b)
-        set.bonds.push_back({b, b + 1, {{T(1), T(0), T(0)}, pitch / 2, pitch / 2}, k});
+        set.bonds.push_back({b, b + 1, {{pitch, T(0), T(0)}, k, T(0), T(0), T(0)}});
     return set;
 }
 

@@ -17,7 +17,7 @@ BondStiffness<double> stiffness() {
 }
 
 /// Moves one degree of freedom of one particle: 0..2 shift (m), 3..5 rotation (rad).
-void displace(ParticleState<double>& s, size_t axis, double amount) {
+void displace(test::ParticleState<double>& s, size_t axis, double amount) {
     double v[3] = {};
     v[axis % 3] = amount;
     const Vec3<double> vector{v[0], v[1], v[2]};

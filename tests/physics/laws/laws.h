@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // The laws that run in kernels, as these tests call them: on the host or on the GPU (on_device.h).
 #pragma once
-#include "sim_cuda/kernels/touch_slots.h"
+#include "sim_cuda/kernels/step_params.h"
+#include "sim_cuda/kernels/touch_pair.h"
 #include "sim_cuda/physics/bond_stiffness.h"
 #include "sim_cuda/physics/hand_over.h"
 #include "sim_cuda/physics/pair_state.h"
+#include "sim_cuda/physics/paper_forms.h"
 #include "sim_cuda/physics/random.h"
 #include "sim_cuda/physics/rigid_fit.h"
 #include "sim_cuda/physics/rigid_motion.h"
@@ -23,20 +25,17 @@ DEMOLISH_LAW(bondDeformation)
 DEMOLISH_LAW(bondRates)
 DEMOLISH_LAW(bondLoad)
 DEMOLISH_LAW(dampedBondLoad)
-DEMOLISH_LAW(bondWrench)
-DEMOLISH_LAW(bondStress)
+DEMOLISH_LAW(roundBond)
+DEMOLISH_LAW(tensileSeverity)
+DEMOLISH_LAW(shearSeverity)
+DEMOLISH_LAW(bondSeverity)
+DEMOLISH_LAW(severityLimit)
 DEMOLISH_LAW(bondBreaks)
 DEMOLISH_LAW(bondEnergy)
-DEMOLISH_LAW(bondDampingPower)
-DEMOLISH_LAW(confinedShearStrength)
-DEMOLISH_LAW(stretchLimit)
-DEMOLISH_LAW(isDiscrete)
-DEMOLISH_LAW(discreteShare)
 DEMOLISH_LAW(nextState)
 DEMOLISH_LAW(brokenOverlap)
 DEMOLISH_LAW(brokenRepulsion)
 DEMOLISH_LAW(frictionLimit)
-DEMOLISH_LAW(cappedBendingMoment)
 DEMOLISH_LAW(fractureEnergy)
 DEMOLISH_LAW(bondEffect)
 DEMOLISH_LAW(bondDamping)
@@ -46,7 +45,6 @@ DEMOLISH_LAW(rigidWallModuli)
 DEMOLISH_LAW(reduced)
 DEMOLISH_LAW(contactRadius)
 DEMOLISH_LAW(hertzForce)
-DEMOLISH_LAW(hertzStiffness)
 DEMOLISH_LAW(mindlinStiffness)
 DEMOLISH_LAW(hertzDamping)
 DEMOLISH_LAW(linearDamping)
@@ -58,7 +56,6 @@ DEMOLISH_LAW(rollingTorque)
 DEMOLISH_LAW(contactTouchLaw)
 DEMOLISH_LAW(touchEffect)
 DEMOLISH_LAW(pairInertia)
-DEMOLISH_LAW(reducedRadius)
 DEMOLISH_LAW(massOf)
 DEMOLISH_LAW(massCentre)
 DEMOLISH_LAW(meanVelocity)
@@ -67,20 +64,21 @@ DEMOLISH_LAW(rigidMotion)
 DEMOLISH_LAW(velocityAt)
 DEMOLISH_LAW(solveSymmetric)
 DEMOLISH_LAW(spinAt)
-DEMOLISH_LAW(velocityAtArm)
 DEMOLISH_LAW(counterHash)
 DEMOLISH_LAW(uniformOf)
-DEMOLISH_LAW_OF(bond_formula, normalCorrection)
-DEMOLISH_LAW_OF(bond_formula, shearCorrection)
-DEMOLISH_LAW_OF(bond_formula, paperBond)
-DEMOLISH_LAW_OF(bond_formula, beamBond)
-DEMOLISH_LAW_OF(bond_formula, griffithStrength)
 DEMOLISH_LAW(innerEnergy)
 DEMOLISH_LAW(wakeSpeed)
 DEMOLISH_LAW(crossingLoss)
 DEMOLISH_LAW(softeningLoss)
 DEMOLISH_LAW(overlapBefore)
+DEMOLISH_LAW(touchEnergy)
 DEMOLISH_LAW(brokenTouchLaw)
 DEMOLISH_LAW(cappedFaces)
+
+// Forms of the paper for comparison.
+DEMOLISH_LAW_OF(paper, stretchLimit)
+DEMOLISH_LAW_OF(paper, isDiscrete)
+DEMOLISH_LAW_OF(paper, discreteShare)
+DEMOLISH_LAW_OF(paper, cappedBendingMoment)
 
 }  // namespace demolish::laws

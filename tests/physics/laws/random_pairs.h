@@ -3,8 +3,6 @@
 #pragma once
 #include <random>
 
-#include "sim_cuda/kernels/bond_pair.h"
-#include "sim_cuda/kernels/touch_pair.h"
 #include "tests/physics/laws/laws.h"
 
 namespace demolish::test {

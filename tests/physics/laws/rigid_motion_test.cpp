@@ -103,7 +103,7 @@ TEST(RigidMotion, FallsAsAParticle) {
     EXPECT_DOUBLE_EQ(body.velocity.x, 0.2);
     EXPECT_DOUBLE_EQ(body.velocity.y, -1);
     EXPECT_DOUBLE_EQ(body.centre.y, -0.1);
-    EXPECT_DOUBLE_EQ(laws::velocityAtArm(body, Vec3<double>{}).y, -1);
+    EXPECT_DOUBLE_EQ(laws::velocityAt(body.velocity, body.spin, Vec3<double>{}).y, -1);
 }
 
 }  // namespace

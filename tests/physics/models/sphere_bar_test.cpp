@@ -35,7 +35,7 @@ Measured sphereBar(double ratio, double gap, uint64_t seed) {
         mass += tables.mass[i];
         for (uint32_t s = tables.row_start[i]; s < tables.row_start[i + 1]; ++s) {
             BondSlot& slot = tables.slots[s];
-            slot.radius = sphereBondRadius(ratio, reduced(packing.radius[i], packing.radius[slot.other]));
+            slot.radius = sphereBondRadius(ratio, packing.radius[i], packing.radius[slot.other]);
             slot.stiffness = paperBond(E, material.poisson_ratio, ratio, slot.radius).normal;
         }
     }

@@ -3,8 +3,8 @@
 // (models.md E.2). Slow.
 #include <cmath>
 
-#include "sim_cuda/physics/softening.h"
 #include "tests/physics/models/packed_body.h"
+#include "tests/physics/models/sheet_fits.h"
 #include "tests/physics/models/shots.h"
 #include "tests/physics/solver/solver_under_test.h"
 

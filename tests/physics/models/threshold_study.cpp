@@ -7,7 +7,7 @@
 
 #include "app/session/scene_file.h"
 #include "app/session/shot_setup.h"
-#include "sim_cuda/physics/softening.h"
+#include "tests/physics/models/sheet_fits.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish::tests {

@@ -17,15 +17,15 @@ class BreakRelease : public Pair {
         return sum;
     }
     BondDeformation<double> deformation() {
-        const BondRest<double> rest{{1, 0, 0}, kSize / 2, kSize / 2};
-        return bondDeformation(rest, xyz(now().position[1]) - xyz(now().position[0]),
-                               asQuat(now().rotation[0]), asQuat(now().rotation[1]));
+        PairMotion<double> pair;
+        pair.separation = xyz(now().position[1]) - xyz(now().position[0]);
+        pair.rotation_i = asQuat(now().rotation[0]);
+        pair.rotation_j = asQuat(now().rotation[1]);
+        return bondDeformation(Vec3<double>{kSize, 0, 0}, pair);
     }
     BondStiffness<double> stiffness() const {
         const BondSlot& slot = tables_.slots[0];
-        const double a = tables_.body[0].shear_ratio,
-                     bending = slot.stiffness * slot.radius * slot.radius / 4;
-        return {slot.stiffness, a * slot.stiffness, bending, 2 * a * bending};
+        return roundBond(slot.stiffness, tables_.body[0].shear_ratio, slot.radius);
     }
     void approach(double closing, double shearing) {
         for (uint32_t i = 0; i < 2; ++i) {

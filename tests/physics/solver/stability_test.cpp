@@ -4,6 +4,7 @@
 #include "sim_cuda/physics/time_step.h"
 #include "sim_cuda/solver/cpu_substep_runner.h"
 #include "sim_cuda/solver/device_solver.h"
+#include "tests/physics/frequency_bound.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/solver_under_test.h"
 
@@ -58,14 +59,14 @@ TEST_F(Stability, TheBoundWithoutEigenvaluesIsOnTheSafeSide) {
     for (uint32_t i = 0; i < tables_.counts.in_bodies; ++i)
         for (uint32_t s = tables_.row_start[i]; s < tables_.row_start[i + 1]; ++s) {
             const BondSlot& slot = tables_.slots[s];
-            const double k = slot.stiffness, k_b = k * slot.radius * slot.radius / 4, a = body.shear_ratio;
             const auto end = [&](uint32_t p) {
-                return BondEnd{tables_.mass[p], tables_.inertia[p],
-                               static_cast<double>(tables_.row_start[p + 1] - tables_.row_start[p]),
-                               length(slot.rest) / 2};
+                return test::BondEnd{tables_.mass[p], tables_.inertia[p],
+                                     static_cast<double>(tables_.row_start[p + 1] - tables_.row_start[p]),
+                                     length(slot.rest) / 2};
             };
-            bound =
-                std::max(bound, frequencyBoundSquared({k, a * k, k_b, 2 * a * k_b}, end(i), end(slot.other)));
+            bound = std::max(
+                bound, test::frequencyBoundSquared(roundBond(slot.stiffness, body.shear_ratio, slot.radius),
+                                                   end(i), end(slot.other)));
         }
     const double omega = body.report.highest_frequency / 1.01;
     EXPECT_GT(bound, omega * omega);

@@ -7,9 +7,9 @@
 #include <set>
 
 #include "sim_cuda/authoring/body_parts.h"
-#include "sim_cuda/physics/vertex_packing.h"
 #include "tests/unit/draw/fragment_surfaces.h"
 #include "tests/unit/draw/slab_complex.h"
+#include "tests/unit/draw/vertex_unpacking.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish {
@@ -78,10 +78,10 @@ TEST(FractureGeometry, TextureAndNormalsAreInterpolatedOnACube) {
     std::set<uint32_t> cells;
     for (const SurfaceVertex& vertex : geometry.exterior) {
         const Float3& p = vertex.position;
-        EXPECT_NEAR(unpackHalf(vertex.uv & 0xffffu), 0.5 + 0.25 * p.x + 0.125 * p.y, 5e-4);
-        EXPECT_NEAR(unpackHalf(vertex.uv >> 16), 1.0 + p.z - 0.5 * p.x, 1e-3);
+        EXPECT_NEAR(test::unpackHalf(vertex.uv & 0xffffu), 0.5 + 0.25 * p.x + 0.125 * p.y, 5e-4);
+        EXPECT_NEAR(test::unpackHalf(vertex.uv >> 16), 1.0 + p.z - 0.5 * p.x, 1e-3);
         float x, y, z;
-        unpackOctahedral(vertex.normal, x, y, z);
+        test::unpackOctahedral(vertex.normal, x, y, z);
         EXPECT_NEAR(std::abs(x) + std::abs(y) + std::abs(z), 1, 1e-4);
         EXPECT_NEAR(x * p.x + y * p.y + z * p.z, 0.5, 1e-4)
             << "the normal of the cube's side that the vertex lies on";

@@ -9,9 +9,9 @@
 
 #include "sim_cuda/authoring/body_parts.h"
 #include "sim_cuda/authoring/solid_mesh.h"
-#include "sim_cuda/physics/vertex_packing.h"
 #include "tests/unit/draw/drawn_surface.h"
 #include "tests/unit/draw/slab_complex.h"
+#include "tests/unit/draw/vertex_unpacking.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish {
@@ -74,7 +74,7 @@ TEST(FractureSurface, TwoHalvesGetOppositeFacesWithTheirNormals) {
     EXPECT_NEAR(total(soups[0]) + total(soups[1]), 1.0, 1e-6);
     for (uint32_t v = 0; v < 18; ++v) {
         float x, y, z;
-        unpackOctahedral(drawn.vertices[v].normal, x, y, z);
+        test::unpackOctahedral(drawn.vertices[v].normal, x, y, z);
         EXPECT_EQ(drawn.vertices[v].cell, v < 9 ? 0u : 1u);
         EXPECT_GT(v < 9 ? x : -x, 0.5f) << "outwards of its own half, though the middle is rough";
     }

@@ -7,13 +7,15 @@
 #include <cmath>
 #include <random>
 
+#include "tests/unit/draw/vertex_unpacking.h"
+
 namespace demolish {
 namespace {
 
 TEST(VertexPacking, EveryFiniteHalfSurvives) {
     for (uint32_t half = 0; half < 0x10000u; ++half) {
         if ((half & 0x7c00u) == 0x7c00u) continue;  // infinities and NaN are not made
-        EXPECT_EQ(packHalf(unpackHalf(half)), half) << std::hex << half;
+        EXPECT_EQ(packHalf(test::unpackHalf(half)), half) << std::hex << half;
     }
 }
 
@@ -28,7 +30,7 @@ TEST(VertexPacking, HalfRoundsToNearestEvenAndStopsAtTheLargest) {
     std::uniform_real_distribution<float> exponent(-14, 15);
     for (int n = 0; n < 10'000; ++n) {
         const float value = std::exp2(exponent(random));
-        EXPECT_LE(std::abs(unpackHalf(packHalf(value)) - value), value / 2048);
+        EXPECT_LE(std::abs(test::unpackHalf(packHalf(value)) - value), value / 2048);
     }
 }
 
@@ -40,7 +42,7 @@ TEST(VertexPacking, DirectionsComeBackWithinAFewThousandthsOfADegree) {
         const float length = std::sqrt(x * x + y * y + z * z);
         x /= length, y /= length, z /= length;
         float u, v, w;
-        unpackOctahedral(packOctahedral(3 * x, 3 * y, 3 * z), u, v, w);
+        test::unpackOctahedral(packOctahedral(3 * x, 3 * y, 3 * z), u, v, w);
         const float back = std::sqrt(u * u + v * v + w * w);
         EXPECT_LT(std::hypot(u / back - x, v / back - y, w / back - z), 1e-4f) << x << ' ' << y << ' ' << z;
     }
@@ -51,7 +53,7 @@ TEST(VertexPacking, AxesAreExact) {
         for (const float sign : {-1.0f, 1.0f}) {
             float in[3] = {0, 0, 0}, out[3];
             in[axis] = sign;
-            unpackOctahedral(packOctahedral(in[0], in[1], in[2]), out[0], out[1], out[2]);
+            test::unpackOctahedral(packOctahedral(in[0], in[1], in[2]), out[0], out[1], out[2]);
             for (int c = 0; c < 3; ++c) EXPECT_EQ(out[c], in[c]) << axis << ' ' << c;
         }
     }

@@ -118,7 +118,8 @@ TEST(FragmentMotion, FitKeepsLinearAndAngularMomentumOfEveryFragment) {  // D 23
         };
         const RigidMotion& fit = fits[label[i]];
         add(before[label[i]], asDouble(xyz(block.velocity[i])), asDouble(xyz(block.spin[i])));
-        add(after[label[i]], velocityAt(fit, asDouble(xyz(block.position[i]))), fit.spin);
+        add(after[label[i]],
+            velocityAt(fit.velocity, fit.spin, asDouble(xyz(block.position[i])) - fit.centre), fit.spin);
     }
     size_t fragments = 0;
     for (uint32_t slot = 0; slot < label.size(); ++slot) {

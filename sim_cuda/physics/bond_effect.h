@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// One solid bond in one substep: load on both ends, verdict, and what the ledger books. Straight-line code,
+// so that the CPU can do many bonds at once; odd in i and j to the last bit, so that both ends agree.
+#pragma once
+#include "sim_cuda/physics/bond_laws.h"
+#include "sim_cuda/physics/broken_bond.h"
+
+namespace demolish {
+
+template <class T>
+struct BondConstants {
+    Vec3<T> rest;  ///< m, x_j - x_i at rest
+    BondStiffness<T> stiffness;
+    T radius{};    ///< m, a_b
+    T strength{};  ///< Pa, s_b sigma_c
+    T beta_r{};    ///< s
+};
+
+/// What one bond does in this substep.
+template <class T>
+struct BondEffect {
+    Vec3<T> force;     ///< N, on i; j gets the opposite
+    Vec3<T> torque_i;  ///< N m, on i about its centre
+    Vec3<T> torque_j;  ///< N m: j gets the opposite of this
+    T severity{};      ///< N m: bondSeverity()
+    T limit{};         ///< N m: severityLimit()
+};
+
+/// F = N n + T, M = M_N n + M_T; tau_i = M + P_i x F (B.2), and for j the same at its own arm.
+template <class T>
+DEM_FN BondEffect<T> loadEffect(const BondLoad<T>& load, const BondDeformation<T>& d) {
+    const Vec3<T> moment = axpy(load.torsion_moment, d.normal, load.bending_moment);
+    BondEffect<T> effect;
+    effect.force = axpy(load.normal_force, d.normal, load.shear_force);
+    effect.torque_i = moment + cross(d.arm_i, effect.force);
+    effect.torque_j = moment + cross(d.arm_j, effect.force);
+    return effect;
+}
+
+/// All of it for one pair: B.2, (E3), (11') (12').
+template <class T>
+DEM_FN BondEffect<T> bondEffect(const BondConstants<T>& bond, const PairMotion<T>& pair) {
+    const BondDeformation<T> d = bondDeformation(bond.rest, pair);
+    const BondLoad<T> elastic = bondLoad(bond.stiffness, d);
+    BondEffect<T> effect =
+        loadEffect(dampedBondLoad(elastic, bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
+    effect.severity = bondSeverity(elastic, bond.radius);
+    effect.limit = severityLimit(bond.strength, bond.radius);
+    return effect;
+}
+
+/// The damper's share of force and torques, for the ledger.
+template <class T>
+DEM_FN BondEffect<T> bondDamping(const BondConstants<T>& bond, const PairMotion<T>& pair) {
+    const BondDeformation<T> d = bondDeformation(bond.rest, pair);
+    return loadEffect(dampedBondLoad(BondLoad<T>{}, bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
+}
+
+/// J, leaves with the bond if it breaks in this substep: it still pulls through this kick, so its energy half
+/// a step later, less what the compressed faces keep (A.6).
+template <class T>
+DEM_FN T bondFractureEnergy(const BondConstants<T>& bond, const PairMotion<T>& pair, T dt) {
+    const BondDeformation<T> d = bondDeformation(bond.rest, pair);
+    const BondRates<T> rates = bondRates(d, pair);
+    const BondLoad<T> elastic = bondLoad(bond.stiffness, d);
+    const Vec3<T> force = axpy(elastic.normal_force, d.normal, elastic.shear_force);
+    const Vec3<T> moment = axpy(elastic.torsion_moment, d.normal, elastic.bending_moment);
+    const T power = dot(force, rates.velocity) + dot(moment, rates.spin);
+    const T energy = madd(T(0.5) * dt, power, bondEnergy(bond.stiffness, d));
+    const T overlap = brokenOverlap(length(bond.rest), length(pair.separation));
+    return fractureEnergy(energy, bond.stiffness.normal, overlap);
+}
+
+}  // namespace demolish
