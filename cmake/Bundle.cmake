@@ -8,7 +8,14 @@ install(TARGETS demolish_program RUNTIME DESTINATION bin COMPONENT program)
 install(DIRECTORY shaders DESTINATION ${data_dir} COMPONENT program)
 install(DIRECTORY assets/models assets/materials assets/scenes assets/experiments assets/strength DESTINATION ${data_dir}/assets COMPONENT program
     FILES_MATCHING PATTERN "*.toml" PATTERN "*.obj")
+set(font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf)
+if(EXISTS ${font})
+    install(FILES ${font} DESTINATION ${data_dir}/fonts COMPONENT program)
+endif()
+install(FILES LICENSE DESTINATION ${data_dir} COMPONENT program)
 install(FILES README.md DESTINATION ${data_dir} COMPONENT program)
+
+install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/Notices.cmake\")" COMPONENT program)
 
 # The machine keeps its own glibc, loader and GPU driver: these must not travel.
 install(CODE [[
@@ -23,6 +30,10 @@ install(CODE [[
     if(unresolved)
         message(WARNING "Not found, so not in the bundle: ${unresolved}")
     endif()
+    # Header-only and static libraries, the generator whose output is compiled in, and the font.
+    writeNotices("${CMAKE_INSTALL_PREFIX}/share/demolish"
+        "libimgui-dev;libstb-dev;libglm-dev;libcli11-dev;nlohmann-json3-dev;libtomlplusplus-dev;libspdlog-dev;python3-glad;fonts-dejavu-core"
+        "${libraries}")
 ]] COMPONENT program)
 
 get_property(test_targets GLOBAL PROPERTY DEMOLISH_TEST_TARGETS)

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "app/commands/bench_run.h"
+#include "app/commands/build_version.h"
 #include "app/commands/frame_csv.h"
 #include "app/commands/frame_curve.h"
 #include "app/commands/help_text.h"
@@ -128,8 +129,8 @@ void runKernelBench(const BenchOptions& options) {
         rows.push_back(timeKernel(cuda, size));
     }
     bar.finish();
-    const KernelPlace place{cuda ? findCudaDevice().name : "CPU", gpuDriver(), machineName(),
-                            DEMOLISH_VERSION, threadsInUse()};
+    const KernelPlace place{cuda ? findCudaDevice().name : "CPU", gpuDriver(), machineName(), buildVersion(),
+                            threadsInUse()};
     if (!options.json.empty()) writeTextFile(options.json, kernelJson(rows, place));
     if (!options.csv.empty()) writeTextFile(options.csv, kernelCsv(rows, place));
     std::fputs(kernelTable(rows, place).c_str(), stdout);

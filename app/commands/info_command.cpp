@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "app/bridge/frame_bridge.h"
+#include "app/commands/build_version.h"
 #include "app/commands/help_text.h"
 #include "app/commands/machine_facts.h"
 #include "app/session/data_folder.h"
@@ -52,7 +53,7 @@ void printRenderer(const CudaDevice& cuda) {
 }
 
 void runInfo() {
-    std::printf("demolish      %s\n", DEMOLISH_VERSION);
+    std::printf("demolish      %s\n", buildVersion());
     std::printf("processor     %s, %u threads\n", machineName().c_str(), threadsInUse());
     const CudaDevice cuda = findCudaDevice();
     printCuda(cuda);

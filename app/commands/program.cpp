@@ -11,6 +11,7 @@
 
 #include "app/commands/bench_command.h"
 #include "app/commands/breakage_command.h"
+#include "app/commands/build_version.h"
 #include "app/commands/calibrate_command.h"
 #include "app/commands/capture_command.h"
 #include "app/commands/help_text.h"
@@ -102,7 +103,7 @@ int runProgram(int argument_count, char** arguments) {
     setUpLog();
     CLI::App app{"Demolish breaks models: a closed mesh goes in, an impact breaks it, the pieces fly.",
                  "demolish"};
-    app.set_version_flag("--version", std::string("demolish ") + DEMOLISH_VERSION);
+    app.set_version_flag("--version", std::string("demolish ") + buildVersion());
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());
     setExamples(app, {"view bunny", "view --model statue.obj --height 2 --impact-velocity 20",

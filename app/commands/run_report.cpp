@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/build_version.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
 #include "app/commands/threshold_json.h"
@@ -78,11 +79,8 @@ std::string softeningText(const SofteningReport& softening, const SceneSetup& se
            number(100 * softening.strain_at_failure, "%.2f %%");
 }
 
-}  // namespace
-
-std::string reportJson(const BuiltShot& built, const RunReport& report) {
-    const FrameStats& stats = built.solver->stats();
-    Json json;
+/// What was run, and where.
+void addRun(const BuiltShot& built, const RunReport& report, Json& json) {
     json["scene"] = built.shot.scene;
     json["model"] = built.shot.model.filename().string();
     json["mode"] = report.mode;
@@ -95,7 +93,7 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["transfer_note"] = report.transfer_note;
     json["machine"] = machineName();
     json["threads"] = threadsInUse();
-    json["version"] = DEMOLISH_VERSION;
+    json["version"] = buildVersion();
     json["seed"] = built.shot.seed;
     json["material"] = built.shot.material_name;
     json["impact_velocity"] = built.shot.impact.velocity;
@@ -106,6 +104,9 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["fps"] = built.shot.fps;
     json["time_scale"] = built.shot.time_scale;
     json["frame_seconds"] = report.frame_seconds;
+}
+
+void addTimes(const BuiltShot& built, const RunReport& report, Json& json) {
     json["frames"] = report.frames;
     json["wall_seconds"] = report.wall_seconds;
     json["build_seconds"] = built.build_seconds;
@@ -120,6 +121,11 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["draw_passes_ms"] = Json::object();
     for (const auto& [pass, ms] : report.draw_passes) json["draw_passes_ms"][pass] = ms;
     json["phases"] = phaseJson(report.phases, built.setup.bodies.size());
+}
+
+/// What has become of the bodies.
+void addState(const BuiltShot& built, const RunReport& report, Json& json) {
+    const FrameStats& stats = built.solver->stats();
     json["substeps_per_frame"] = stats.substeps;
     json["time_step"] = stats.time_step;
     json["time"] = stats.time;
@@ -141,6 +147,15 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     json["softening"] = softeningJson(built.solver->softening(), built.setup);
     json["state_hash"] = hexadecimal(built.solver->stateHash());
     json["status"] = describe(stats.status);
+}
+
+}  // namespace
+
+std::string reportJson(const BuiltShot& built, const RunReport& report) {
+    Json json;
+    addRun(built, report, json);
+    addTimes(built, report, json);
+    addState(built, report, json);
     return json.dump(2) + "\n";
 }
 
@@ -157,7 +172,7 @@ std::vector<std::pair<std::string, std::string>> runFacts(const BuiltShot& built
             {"height", std::to_string(report.height)},
             {"quality", report.quality},
             {"transfer", report.transfer},
-            {"version", DEMOLISH_VERSION},
+            {"version", buildVersion()},
             {"seed", std::to_string(built.shot.seed)},
             {"frame_seconds", number(report.frame_seconds, "%.9g")}};
 }

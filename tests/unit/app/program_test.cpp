@@ -45,7 +45,9 @@ TEST_F(Program, HelpReadsWell) {
                 AllOf(HasSubstr("--impact-velocity"), HasSubstr("--particle-size"), HasSubstr("--video"),
                       HasSubstr("Frames to draw (default: 150)"), HasSubstr("  demolish capture wolf")));
     EXPECT_THAT(capture.out, Not(HasSubstr("demolish bench"))) << "examples of other commands";
-    EXPECT_EQ(runProgram({"--version"}).exit_code, 0);
+    const ProgramRun version = runProgram({"--version"});
+    EXPECT_EQ(version.exit_code, 0);
+    EXPECT_THAT(version.out, testing::MatchesRegex("demolish [0-9.]+ \\(([0-9a-z.-]+|unknown)\\)\n"));
 }
 
 TEST_F(Program, MistakesInUsageAreCodeTwo) {
