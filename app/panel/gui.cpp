@@ -8,24 +8,36 @@
 
 #include <filesystem>
 
+#include "app/session/data_folder.h"
+
 namespace demolish {
 namespace {
 
-/// DejaVu where the system has it (legible at every scale), else ImGui's own bitmap font.
-void loadFont(float scale) {
-    ImGuiIO& io = ImGui::GetIO();
-    const char* const font = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-    std::error_code error;
-    if (std::filesystem::exists(font, error)) {
-        io.Fonts->AddFontFromFileTTF(font, 14.0f * scale);
+/// DejaVu (legible at every scale) where the bundle or the system has it, else "".
+std::string fontFile() {
+    for (const std::filesystem::path& font :
+         {dataFolder() / "fonts" / "DejaVuSans.ttf",
+          std::filesystem::path("/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf")}) {
+        std::error_code error;
+        if (std::filesystem::exists(font, error)) return font.string();
+    }
+    return "";
+}
+
+}  // namespace
+
+void addPanelFont(const std::string& file, float scale) {
+    ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
+    if (!file.empty()) {
+        fonts.AddFontFromFileTTF(file.c_str(), 14.0f * scale);
         return;
     }
     ImFontConfig config;
     config.SizePixels = 13.0f * scale;
-    io.Fonts->AddFontDefault(&config);
+    fonts.AddFontDefault(&config);
 }
 
-void setTheme(float scale) {
+void setPanelTheme(float scale) {
     ImGui::StyleColorsDark();
     ImGuiStyle& style = ImGui::GetStyle();
     style.WindowRounding = 0;
@@ -56,14 +68,12 @@ void setTheme(float scale) {
     style.ScaleAllSizes(scale);
 }
 
-}  // namespace
-
 Gui::Gui(GLFWwindow* window, float scale) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;  // no file appears where the program is started
-    loadFont(scale);
-    setTheme(scale);
+    addPanelFont(fontFile(), scale);
+    setPanelTheme(scale);
     ImGui_ImplGlfw_InitForOpenGL(window, true);
     ImGui_ImplOpenGL3_Init("#version 450 core");
 }

@@ -2,10 +2,16 @@
 // Dear ImGui's lifetime: context, fonts, theme, one frame.
 #pragma once
 #include <functional>
+#include <string>
 
 struct GLFWwindow;
 
 namespace demolish {
+
+/// The font of the panels: a TrueType file, or Dear ImGui's own bitmap font for "". `scale` as Gui's.
+void addPanelFont(const std::string& file, float scale);
+/// Colours and distances.
+void setPanelTheme(float scale);
 
 class Gui {
   public:

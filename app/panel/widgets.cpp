@@ -115,7 +115,8 @@ int combo(PanelContext& context, const char* id, const char* label, const std::v
 
 void valueRow(const char* label, const char* format, ...) {
     ImGui::TextDisabled("%s", label);
-    ImGui::SameLine(ImGui::GetFontSize() * 9.3f);
+    const float label_end = ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x;
+    ImGui::SameLine(std::max(ImGui::GetFontSize() * 9.3f, label_end + ImGui::GetStyle().ItemSpacing.x));
     va_list arguments;
     va_start(arguments, format);
     ImGui::PushTextWrapPos(0);
