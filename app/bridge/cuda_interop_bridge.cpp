@@ -12,6 +12,7 @@
 
 #include "app/bridge/cuda_check.h"
 #include "app/bridge/cuda_stream.h"
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish {
 namespace {

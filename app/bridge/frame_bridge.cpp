@@ -10,6 +10,7 @@
 #if DEMOLISH_WITH_CUDA
 #include "app/bridge/cuda_copy_bridge.h"
 #include "app/bridge/cuda_interop_bridge.h"
+#include "engine/render/fracture_mesh.h"
 #endif
 
 namespace demolish {

@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "engine/render/fracture_mesh.h"
+#include "engine/render/stream_id.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
+namespace engine {
+class FractureMesh;
+}
 
 /// How a frame travels. kInterop: the GPU writes GL's buffers itself. kCopy: GPU, pinned host memory, GL.
 /// kHost: the CPU solver's memory, GL.

@@ -3,6 +3,7 @@
 #include "app/bridge/host_bridge.h"
 
 #include <algorithm>
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish {
 using engine::StreamId;

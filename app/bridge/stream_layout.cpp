@@ -3,6 +3,7 @@
 #include "app/bridge/stream_layout.h"
 
 #include <algorithm>
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish {
 namespace {

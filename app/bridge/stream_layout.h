@@ -6,7 +6,6 @@
 #include <cstddef>
 
 #include "app/bridge/frame_bridge.h"
-#include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/render_streams.h"
 
 namespace demolish {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/session/shot.h"
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace CLI {
 class App;

@@ -10,7 +10,6 @@
 #include "app/session/frame_times.h"
 #include "app/session/session.h"
 #include "app/session/triangle_counter.h"
-#include "engine/render/renderer.h"
 
 namespace demolish {
 

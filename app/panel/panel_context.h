@@ -11,7 +11,7 @@
 #include "app/session/frame_times.h"
 #include "app/session/session.h"
 #include "app/session/threshold.h"
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish {
 

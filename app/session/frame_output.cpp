@@ -2,6 +2,8 @@
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
+#include "engine/render/fracture_mesh.h"
+
 namespace demolish {
 
 FrameOutput::FrameOutput(const BuiltShot& built) {
@@ -19,6 +21,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     mesh_ = std::make_unique<engine::FractureMesh>(data);
     bridge_ = makeFrameBridge(*mesh_, *built.solver);
 }
+
+FrameOutput::~FrameOutput() = default;
 
 std::vector<engine::SphereDraw> spheresOf(std::span<const ParticleInstance> projectiles) {
     std::vector<engine::SphereDraw> spheres;

@@ -7,7 +7,7 @@
 
 #include "app/bridge/frame_bridge.h"
 #include "app/session/built_shot.h"
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish {
 
@@ -15,6 +15,9 @@ class FrameOutput {
   public:
     /// The GL context must be current, here and in every other call.
     explicit FrameOutput(const BuiltShot& built);
+    ~FrameOutput();
+    FrameOutput(const FrameOutput&) = delete;
+    FrameOutput& operator=(const FrameOutput&) = delete;
 
     FrameBridge& bridge() { return *bridge_; }
     const FrameBridge& bridge() const { return *bridge_; }

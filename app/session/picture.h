@@ -2,7 +2,7 @@
 // From a shot's values and its bodies to what the renderer is asked to draw.
 #pragma once
 #include "app/session/shot.h"
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 #include "sim_cuda/api/breakable_body.h"
 
 namespace demolish {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/bridge/stream_layout.h"
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish {
 using engine::StreamId;

@@ -8,7 +8,6 @@
 
 #include "app/bridge/frame_bridge.h"
 #include "app/session/recorded_array.h"
-#include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/api/solver.h"
 

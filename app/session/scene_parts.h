@@ -14,6 +14,8 @@ struct Placement {
     Double3 position;      ///< of the point that the model's origin comes to, in heights of the body
     double yaw = 0;        ///< rad about the vertical, counter-clockwise seen from above
     uint32_t variant = 0;  ///< bodies of one variant share their cells; each variant has a seed of its own
+
+    bool operator==(const Placement&) const = default;
 };
 
 /// A ball that hits a body at a time of its own.
@@ -27,6 +29,8 @@ struct TimedBall {
     std::optional<double> height_fraction;  ///< of the body's height; none: as Impact's
     std::optional<Double3>
         aim;  ///< point of the body's frame to fly at, in heights of the body; none: its middle
+
+    bool operator==(const TimedBall&) const = default;
 };
 
 /// A stretch of the shot that is timed by itself: "whole", "cracked", "some broken", "all broken".
@@ -34,6 +38,8 @@ struct Phase {
     std::string name;
     double from = 0, to = 0;  ///< s simulated; a frame belongs to it that ends in (from, to]
     double paper_fps = 0;     ///< what the paper reports for it (4.2, 4.3); 0 = nothing
+
+    bool operator==(const Phase&) const = default;
 };
 
 }  // namespace demolish

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/session/ball_flight.h"
+#include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/particle_colour.h"
 

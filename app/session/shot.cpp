@@ -2,11 +2,9 @@
 // Ranges of a shot's values and what a change of them costs.
 #include "app/session/shot.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
-#include <type_traits>
 
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
@@ -14,71 +12,54 @@
 namespace demolish {
 namespace {
 
-bool same(const Double3& a, const Double3& b) {
-    return a.x == b.x && a.y == b.y && a.z == b.z;
-}
-
-bool same(const Placement& a, const Placement& b) {
-    return same(a.position, b.position) && a.yaw == b.yaw && a.variant == b.variant;
-}
-
-template <class Part>
-bool same(const std::optional<Part>& a, const std::optional<Part>& b) {
-    if (!a || !b) return a.has_value() == b.has_value();
-    if constexpr (std::is_same_v<Part, Double3>)
-        return same(*a, *b);
-    else
-        return *a == *b;
-}
-
-bool same(const TimedBall& a, const TimedBall& b) {
-    return a.arrival_time == b.arrival_time && a.flight_time == b.flight_time && a.body == b.body &&
-           a.speed_share == b.speed_share && same(a.radius, b.radius) && same(a.direction, b.direction) &&
-           same(a.height_fraction, b.height_fraction) && same(a.aim, b.aim);
-}
-
-template <class Part>
-bool sameList(const std::vector<Part>& a, const std::vector<Part>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                      [](const Part& x, const Part& y) { return same(x, y); });
-}
-
-bool sameBody(const Shot& a, const Shot& b) {
-    return a.model == b.model && a.height == b.height && a.seed == b.seed && a.device == b.device &&
-           sameList(a.bodies, b.bodies) && a.fineness.particles == b.fineness.particles &&
-           a.fineness.particle_size == b.fineness.particle_size && a.fineness.full == b.fineness.full &&
-           a.fineness.draft == b.fineness.draft;
-}
-
-bool sameMaterial(const Material& a, const Material& b) {
-    return a.density == b.density && a.youngs_modulus == b.youngs_modulus &&
-           a.poisson_ratio == b.poisson_ratio && a.friction == b.friction && a.restitution == b.restitution &&
-           a.rolling_friction == b.rolling_friction && a.damping_ratio == b.damping_ratio &&
-           a.critical_velocity == b.critical_velocity && a.beta == b.beta &&
-           a.weibull_modulus == b.weibull_modulus && a.tough_cells == b.tough_cells &&
-           a.tough_factor == b.tough_factor && a.adhesion_energy == b.adhesion_energy &&
-           a.bond_law == b.bond_law && a.shear_ratio == b.shear_ratio;
-}
-
-/// A drop's velocity is the body's own from the start; a ball is fired afterwards.
-bool sameImpactForSolver(const Impact& a, const Impact& b) {
-    if (a.kind != b.kind) return false;
-    return a.kind != ImpactKind::kDrop || (a.velocity == b.velocity && same(a.tilt, b.tilt));
-}
-
 /// What a threshold hangs on, but for the velocity.
 bool sameAim(const Impact& a, const Impact& b) {
-    return a.ball_radius == b.ball_radius && same(a.direction, b.direction) &&
+    return a.ball_radius == b.ball_radius && a.direction == b.direction &&
            a.height_fraction == b.height_fraction;
 }
 
-bool sameBall(const Impact& a, const Impact& b) {
-    return a.velocity == b.velocity && sameAim(a, b) && a.arrival_time == b.arrival_time;
+// What a shot has taken over from another no longer tells them apart: each of these takes what one level of
+// Change stands for. What none of them names asks for everything anew.
+
+void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
+    to.scene = from.scene;
+    to.paper_model = from.paper_model;
+    to.material_name = from.material_name;
+    to.material.name = from.material.name;
+    to.material.tensile_strength = from.material.tensile_strength;
+    to.phases = from.phases;
+    to.look = from.look;
+    to.lighting = from.lighting;
+    to.camera = from.camera;
+    to.impact.times_threshold = from.impact.times_threshold;
+    if (from.impact.kind != ImpactKind::kDrop) to.impact.tilt = from.impact.tilt;
 }
 
-bool sameStrength(const Shot& a, const Shot& b) {
-    return sameMaterial(a.material, b.material) && a.break_at == b.break_at &&
-           (!b.break_at || sameAim(a.impact, b.impact));
+/// A drop's velocity is the body's own from the start; a ball is fired afterwards. Another aim needs another
+/// strength where that is to follow the velocity to break at.
+void takeWhatIsLive(const Shot& from, Shot& to) {
+    to.balls = from.balls;
+    to.time_scale = from.time_scale;
+    if (to.impact.kind != from.impact.kind || (from.break_at && !sameAim(to.impact, from.impact))) return;
+    const Impact before = to.impact;
+    to.impact = from.impact;
+    if (before.kind != ImpactKind::kDrop) return;
+    to.impact.velocity = before.velocity;
+    to.impact.tilt = before.tilt;
+}
+
+void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
+    to.strength_row = from.strength_row;
+    to.material = from.material;
+    to.break_at = from.break_at;
+    to.impact = from.impact;
+    to.wave_speed = from.wave_speed;
+    to.substeps = from.substeps;
+    to.settle_time = from.settle_time;
+    to.scene_radius = from.scene_radius;
+    to.hand_over = from.hand_over;
+    to.sleeping = from.sleeping;
+    to.fps = from.fps;
 }
 
 }  // namespace
@@ -116,17 +97,13 @@ void validate(const Shot& shot) {
 }
 
 Change changeBetween(const Shot& before, const Shot& after) {
-    if (!sameBody(before, after)) return Change::kBody;
-    const bool same_solver = sameStrength(before, after) && before.wave_speed == after.wave_speed &&
-                             before.substeps == after.substeps && before.settle_time == after.settle_time &&
-                             before.scene_radius == after.scene_radius && before.fps == after.fps &&
-                             before.strength_row == after.strength_row &&
-                             before.hand_over == after.hand_over && before.sleeping == after.sleeping &&
-                             sameImpactForSolver(before.impact, after.impact);
-    if (!same_solver) return Change::kSolver;
-    const bool same_live = sameBall(before.impact, after.impact) && sameList(before.balls, after.balls) &&
-                           before.time_scale == after.time_scale;
-    return same_live ? Change::kNothing : Change::kLive;
+    Shot shot = before;
+    takeWhatIsOnlyShown(after, shot);
+    if (shot == after) return Change::kNothing;
+    takeWhatIsLive(after, shot);
+    if (shot == after) return Change::kLive;
+    takeWhatTheSolverIsMadeOf(after, shot);
+    return shot == after ? Change::kSolver : Change::kBody;
 }
 
 bool sameSubject(const Shot& a, const Shot& b) {

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "app/session/scene_parts.h"
-#include "engine/render/renderer.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/lighting.h"
+#include "engine/scene/surface_look.h"
 #include "sim_cuda/api/params.h"
 
 namespace demolish {
@@ -29,6 +29,8 @@ struct Impact {
     double height_fraction = 0.5;  ///< of the body's height, where the ball hits
     double arrival_time = 0.12;    ///< s from the start of the shot to the impact
     Double3 tilt;                  ///< rad about x, y, z: how a dropped body lies in the air
+
+    bool operator==(const Impact&) const = default;
 };
 
 /// How finely the body is divided: the first that is set counts, in this order.
@@ -36,6 +38,8 @@ struct Fineness {
     std::optional<uint32_t> particles;    ///< N
     std::optional<double> particle_size;  ///< m, h = (V / N)^(1/3)
     uint32_t full = 10000, draft = 1200;  ///< N for the GPU and for the CPU
+
+    bool operator==(const Fineness&) const = default;
 };
 
 /// Of a bare model: it breaks well, also where the prediction is too low by its scatter.
@@ -75,6 +79,8 @@ struct Shot {
     engine::SurfaceLook look;
     engine::Lighting lighting;
     std::optional<engine::Camera> camera;  ///< none: framed on the body
+
+    bool operator==(const Shot&) const = default;
 };
 
 /// Limits that the panel's sliders and the command line share.

@@ -2,6 +2,7 @@
 // Counts from the indirect draw commands.
 #include "app/session/triangle_counter.h"
 
+#include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/render_streams.h"
 
 namespace demolish {

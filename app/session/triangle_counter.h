@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // How many triangles a picture of the body holds.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 
-#include "engine/render/fracture_mesh.h"
-
 namespace demolish {
+namespace engine {
+class FractureMesh;
+}
 
 class TriangleCounter {
   public:

@@ -6,17 +6,12 @@
 #include <vector>
 
 #include "engine/gl/object.h"
+#include "engine/gl/pass_time.h"
 
 namespace demolish::engine::gl {
 
 struct QueryTraits {
     static void destroy(GLuint id) { glDeleteQueries(1, &id); }
-};
-
-/// GPU time of one pass. Passes of one frame follow each other without gaps.
-struct PassTime {
-    const char* name;  ///< a literal
-    double ms;
 };
 
 /// begin(), mark() after each pass, end() once a frame. Time stamps come from a ring of kDepth frames.

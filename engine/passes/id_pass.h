@@ -9,7 +9,8 @@
 #include "engine/passes/body_geometry.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/sphere_pass.h"
-#include "engine/render/renderer.h"
+#include "engine/render/fracture_mesh.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 

@@ -7,8 +7,9 @@
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
+#include "engine/render/fracture_mesh.h"
 #include "engine/render/render_targets.h"
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 

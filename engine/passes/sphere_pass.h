@@ -7,7 +7,8 @@
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
-#include "engine/render/renderer.h"
+#include "engine/render/fracture_mesh.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 

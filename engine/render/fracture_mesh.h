@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/gl/buffer.h"
+#include "engine/render/stream_id.h"
 
 namespace demolish::engine {
 
@@ -23,22 +24,6 @@ struct FractureMeshData {
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;
 };
-
-/// Streams written once a frame from outside, in this order of ids.
-enum class StreamId : uint32_t {
-    kParticles,         ///< 32 B: position 3f, radius, value, fragment u32, 2 x u32
-    kParticleFragment,  ///< u32 per particle
-    kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
-    kInteriorVertices,  ///< 24 B, as exterior_vertices
-    kInteriorIndices,   ///< u32
-    kExteriorIndices,   ///< u32, into the exterior vertices
-    kCrackEdges,        ///< u32
-    kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
-    kCount
-};
-/// Places of the commands in that stream.
-inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
-inline constexpr size_t kDrawCommandBytes = 20;
 
 class FractureMesh {
   public:

@@ -3,7 +3,7 @@
 #pragma once
 #include <glm/glm.hpp>
 
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 

@@ -24,6 +24,8 @@ struct Camera {
     void dolly(float factor);            ///< distance to the target times factor, > 0
     void frame(glm::vec3 centre,
                float radius);  ///< moves along the view direction until the sphere fills the view
+
+    bool operator==(const Camera&) const = default;
 };
 
 /// Ray through a pixel (origin top left), world space, unit direction.

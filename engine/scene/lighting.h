@@ -12,6 +12,8 @@ struct Lighting {
     glm::vec3 sky_horizon{0.86f, 0.98f, 1.10f};
     glm::vec3 floor_colour{0.17f, 0.168f, 0.162f};
     float exposure = 0.85f;  ///< of everything, before the tone curve
+
+    bool operator==(const Lighting&) const = default;
 };
 
 }  // namespace demolish::engine

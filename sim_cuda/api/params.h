@@ -40,6 +40,8 @@ struct Material {
     double shear_ratio = 0.3;    ///< a = k_T / k_N of the beam law, 0..1
     double bond_ratio = 0.5;     ///< a* of BondLaw::kSpheres, 0.1..0.9
     double fracture_energy = 0;  ///< Gamma, J/m^2: every bond as strong as (13) says; 0: as beta and v_c say
+
+    bool operator==(const Material&) const = default;
 };
 
 /// In one run, fired later ones included.

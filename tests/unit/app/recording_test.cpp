@@ -15,6 +15,7 @@
 #include "app/session/scene_file.h"
 #include "app/session/session.h"
 #include "engine/platform/headless_context.h"
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish {
 namespace {

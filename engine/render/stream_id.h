@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Names of the streams that a simulation writes, without the buffers that hold them.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+
+namespace demolish::engine {
+
+/// Streams written once a frame from outside, in this order of ids.
+enum class StreamId : uint32_t {
+    kParticles,         ///< 32 B: position 3f, radius, value, fragment u32, 2 x u32
+    kParticleFragment,  ///< u32 per particle
+    kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
+    kInteriorVertices,  ///< 24 B, as exterior_vertices
+    kInteriorIndices,   ///< u32
+    kExteriorIndices,   ///< u32, into the exterior vertices
+    kCrackEdges,        ///< u32
+    kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
+    kCount
+};
+/// Places of the commands in that stream.
+inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
+inline constexpr size_t kDrawCommandBytes = 20;
+
+}  // namespace demolish::engine
