@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 const fs::path kRoot = DEMOLISH_SOURCE_DIR;
 /// Holds both tables.
-constexpr const char* kPage = "sim_cuda/README.md";
+constexpr const char* kPage = "docs/equations.md";
 /// Forms of the paper that no solver computes.
 constexpr const char* kComparisons = "sim_cuda/physics/paper_forms.h";
 

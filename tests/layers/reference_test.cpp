@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What code, scenes, tests and pages refer to is there: sections of the pages in docs ("physics B.2", "D 14",
-// "geometry 2.4 g"), files by name, links and their anchors.
+// "geometry 2.4 g"), files by name, links and their anchors. READMEs stay guides: short.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,6 +18,7 @@
 namespace {
 namespace fs = std::filesystem;
 const fs::path kRoot = DEMOLISH_SOURCE_DIR;
+constexpr size_t kReadmeLines = 150, kReadmeWords = 1200;
 
 std::string contentOf(const fs::path& file) {
     std::ifstream in(file);
@@ -290,6 +291,19 @@ TEST(References, LinksLeadToFilesAndAnchorsOfTheRepository) {
         }
     }
     EXPECT_GT(count, 20u);
+}
+
+TEST(Readmes, AreShort) {
+    for (const fs::path& file : filesWithReferences()) {
+        if (file.filename() != "README.md") continue;
+        const std::string text = contentOf(file);
+        std::istringstream in(text);
+        size_t words = 0;
+        for (std::string word; in >> word;) ++words;
+        const auto lines = size_t(std::count(text.begin(), text.end(), '\n'));
+        EXPECT_LE(lines, kReadmeLines) << fs::relative(file, kRoot);
+        EXPECT_LE(words, kReadmeWords) << fs::relative(file, kRoot);
+    }
 }
 
 }  // namespace
