@@ -15,7 +15,7 @@ void showModelField(PanelContext& context) {
     std::strncpy(path, context.state.typed_model.c_str(), sizeof path - 1);
     ImGui::TextUnformatted("Model file");
     ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 4);
-    const bool entered = ImGui::InputTextWithHint("##model", "path, or drop a file on the window", path,
+    const bool entered = ImGui::InputTextWithHint("##model", "path, or drop a file here", path,
                                                   sizeof path, ImGuiInputTextFlags_EnterReturnsTrue);
     noteItem(context, "shot.model");
     tooltipOnHover(
