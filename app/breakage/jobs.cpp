@@ -43,8 +43,7 @@ class JobQueue {
   private:
     /// Its exit code. Its stdout is closed to the table of the parent; stderr is shared.
     static int run(const std::vector<std::string>& arguments, const std::string& device) {
-        ChildPlan plan{
-            .words = {"demolish"}, .program = kOwnProgram, .variables = {}, .output = ChildStream::kNothing};
+        ChildPlan plan{.words = {"demolish"}, .program = kOwnProgram, .output = ChildStream::kNothing};
         plan.words.insert(plan.words.end(), arguments.begin(), arguments.end());
         if (!device.empty()) plan.variables.push_back(std::string(kVisible) + "=" + device);
         return ChildProcess(plan).wait().code();

@@ -21,9 +21,7 @@ bool drawAsPng(const fs::path& svg) {
         // A path from the root on, since others may look like an option or a URL.
         ChildProcess convert(
             ChildPlan{.words = {"rsvg-convert", "--zoom=2", "--output=" + unfinished.string(),
-                                fs::absolute(svg).string()},
-                      .program = "",
-                      .variables = {}});
+                                fs::absolute(svg).string()}});
         if (!convert.wait().well())
             why = "rsvg-convert failed; is there room on the disk?";
         else if (fs::rename(unfinished, png, failure); failure)

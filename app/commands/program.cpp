@@ -8,6 +8,9 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <filesystem>
+#include <new>
+#include <string_view>
+#include <system_error>
 
 #include "app/commands/bench_command.h"
 #include "app/commands/breakage_command.h"
@@ -19,6 +22,9 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/one_sentence.h"
 #include "app/commands/view_command.h"
+#include "app/process/child_process.h"
+#include "app/reading/model_reader.h"
+#include "app/reading/model_service.h"
 #include "engine/gl/error.h"
 #include "engine/image/png.h"
 #include "sim_cuda/api/errors.h"
@@ -66,6 +72,37 @@ void refuseEmptyValues(CLI::App& app) {
     for (CLI::App* command : app.get_subcommands({})) refuseEmptyValues(*command);
 }
 
+int failInside(const char* what) {
+    return fail(ExitCode::kNumerical,
+                std::string("a fault of the program ended the run (") + what + "); please report it");
+}
+
+/// What is being thrown, as one sentence and an exit code, whatever it is.
+int tellError() {
+    try {
+        throw;
+    } catch (const Error& error) {
+        return fail(error.code(), error.what());
+    } catch (const Interrupted& interrupted) {
+        std::fprintf(stderr, "demolish: %s\n", interrupted.what());
+        return kInterruptedCode;
+    } catch (const engine::gl::GlError& error) {
+        return fail(ExitCode::kDevice, error.what());
+    } catch (const engine::ImageError& error) {
+        return fail(ExitCode::kOutput, error.what());
+    } catch (const std::filesystem::filesystem_error& error) {
+        return fail(ExitCode::kOutput, std::string(error.what()) + "; choose another place or make room");
+    } catch (const std::system_error& error) {
+        return fail(ExitCode::kDevice, std::string("the system refused: ") + error.what());
+    } catch (const std::bad_alloc&) {
+        return fail(ExitCode::kDevice, "memory does not suffice; ask for fewer particles (--particles)");
+    } catch (const std::exception& error) {
+        return failInside(error.what());
+    } catch (...) {
+        return failInside("nothing is known of it");
+    }
+}
+
 int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
     try {
         app.parse(argument_count, arguments);
@@ -81,26 +118,10 @@ int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
                     std::string(error.what()) + "; give a plain number, in SI units (m, m/s, s)");
     } catch (const CLI::ParseError& error) {
         return fail(ExitCode::kUsage, complaint(app, error, argument_count, arguments));
-    } catch (const Error& error) {
-        return fail(error.code(), error.what());
-    } catch (const Interrupted& interrupted) {
-        std::fprintf(stderr, "demolish: %s\n", interrupted.what());
-        return kInterruptedCode;
-    } catch (const engine::gl::GlError& error) {
-        return fail(ExitCode::kDevice, error.what());
-    } catch (const engine::ImageError& error) {
-        return fail(ExitCode::kOutput, error.what());
-    } catch (const std::filesystem::filesystem_error& error) {
-        return fail(ExitCode::kOutput, std::string(error.what()) + "; choose another place or make room");
-    } catch (const std::bad_alloc&) {
-        return fail(ExitCode::kDevice, "memory does not suffice; ask for fewer particles (--particles)");
     }
 }
 
-}  // namespace
-
-int runProgram(int argument_count, char** arguments) {
-    setUpLog();
+int run(int argument_count, char** arguments) {
     CLI::App app{"Demolish breaks models: a closed mesh goes in, an impact breaks it, the pieces fly.",
                  "demolish"};
     app.set_version_flag("--version", std::string("demolish ") + buildVersion());
@@ -123,6 +144,19 @@ int runProgram(int argument_count, char** arguments) {
     addInfoCommand(app);
     refuseEmptyValues(app);
     return parseAndRun(app, argument_count, arguments);
+}
+
+}  // namespace
+
+int runProgram(int argument_count, char** arguments) {
+    if (argument_count == 3 && std::string_view(arguments[1]) == kReadModelCommand) serveModel(arguments[2]);
+    try {
+        setModelReader(kOwnProgram);
+        setUpLog();
+        return run(argument_count, arguments);
+    } catch (...) {
+        return tellError();
+    }
 }
 
 }  // namespace demolish

@@ -72,8 +72,6 @@ VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, d
     try {
         // A group of its own: Ctrl-C is for us, and ffmpeg ends when its input does.
         ffmpeg_.emplace(ChildPlan{.words = arguments(temporary_, width, height, fps),
-                                  .program = "",
-                                  .variables = {},
                                   .input = ChildStream::kPiped,
                                   .own_group = true});
     } catch (const ChildError& error) {

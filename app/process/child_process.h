@@ -23,9 +23,9 @@ enum class ChildStream {
 };
 
 struct ChildPlan {
-    std::vector<std::string> words;      ///< what it is called, then its arguments
-    std::string program;                 ///< file to run; empty: words[0]. Looked for in PATH without a '/'
-    std::vector<std::string> variables;  ///< NAME=VALUE, in place of what the environment says
+    std::vector<std::string> words{};      ///< what it is called, then its arguments
+    std::string program{};                 ///< file to run; empty: words[0]. Looked for in PATH without a '/'
+    std::vector<std::string> variables{};  ///< NAME=VALUE, in place of what the environment says
     ChildStream input = ChildStream::kNothing, output = ChildStream::kShared, errors = ChildStream::kShared;
     bool own_group = false;  ///< Ctrl-C does not reach it
 };

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/reading/model_reader.h"
 #include "app/session/shot_setup.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
@@ -92,7 +93,7 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
     if (progress && !progress(0, "reading the model")) throw Cancelled();
     built.mesh = reuse != nullptr && sameMesh(reuse->shot, shot)
                      ? reuse->mesh
-                     : loadSolidMesh(shot.model, {.height = shot.height});
+                     : readSolidMesh(shot.model, {.height = shot.height}, part(progress, 0, 0.05));
     const uint32_t particles = particlesWanted(shot, *built.mesh, on_gpu);
     const bool same_body = reuse != nullptr && reuse->mesh == built.mesh && reuse->shot.seed == shot.seed &&
                            reuse->variants.size() == variantCount(shot) &&

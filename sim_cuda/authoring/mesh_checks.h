@@ -3,7 +3,7 @@
 #pragma once
 #include <cstddef>
 
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
 

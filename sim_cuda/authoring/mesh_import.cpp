@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads model files with assimp and turns them into one welded mesh.
-#include "sim_cuda/authoring/mesh_import.h"
-
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
@@ -11,10 +9,9 @@
 #include <system_error>
 #include <unordered_map>
 
-#include "sim_cuda/api/errors.h"
-#include "sim_cuda/authoring/bounds.h"
+#include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/double3.h"
-#include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/model_refusal.h"
 
 namespace demolish {
 namespace {
@@ -83,14 +80,6 @@ Double3 fromAssimp(const aiVector3D& v) {
 Float3 toFloat(const Double3& v) {
     return {float(v.x), float(v.y), float(v.z)};
 }
-bool isFinite(const Double3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
-std::string quoted(const std::filesystem::path& file) {
-    return "'" + file.string() + "'";
-}
-
 /// Unit normal of the corner, or `fallback` where the file gives none that can be used.
 Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const Transform& transform,
                     const Double3& fallback) {
@@ -115,13 +104,17 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform,
                                  face.mIndices[mirrored ? 1 : 2]};
         std::array<Double3, 3> points;
         for (int k = 0; k < 3; ++k) {
+            if (ids[k] >= mesh.mNumVertices)
+                refuseModel(file,
+                            "has a face of a vertex that is not there; the file is damaged, export it again");
             points[k] = transform.point(fromAssimp(mesh.mVertices[ids[k]]));
             if (!isFinite(points[k]))
-                throw InputFileError(
-                    "The model " + quoted(file) +
-                    " has a vertex that is not a finite number; export it again without broken vertices.");
+                refuseModel(
+                    file,
+                    "has a vertex that is not a finite number; export it again without broken vertices");
         }
         const Double3 flat = normalized(cross(points[1] - points[0], points[2] - points[0]));
+        if (!isFinite(flat)) refuseModel(file, "is too large to be a body; export it in a smaller unit");
         std::array<CornerAttributes, 3> corners;
         for (int k = 0; k < 3; ++k)
             corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, ids[k])};
@@ -132,8 +125,11 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform,
 void addNode(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& parent,
              const std::filesystem::path& file) {
     const Transform transform = chained(parent, node.mTransformation);
-    for (unsigned i = 0; i < node.mNumMeshes; ++i)
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        if (node.mMeshes[i] >= scene.mNumMeshes)
+            refuseModel(file, "names a part that is not there; the file is damaged, export it again");
         addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, file);
+    }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
         addNode(welder, scene, *node.mChildren[i], transform, file);
 }
@@ -146,8 +142,13 @@ std::string reasonOf(const Assimp::Importer& importer) {
     return reason.empty() ? "it holds no scene" : reason;
 }
 
-[[noreturn]] void throwNoTriangles(const std::filesystem::path& file) {
-    throw InputFileError("The model " + quoted(file) + " has no triangles; export it with its faces.");
+/// Devices and pipes may have no end.
+void requirePlainFile(const std::filesystem::path& file) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(file, error)) return;
+    if (std::filesystem::is_directory(file, error)) refuseModel(file, "is a folder; name a file in it");
+    if (std::filesystem::exists(file, error)) refuseModel(file, "is not a plain file; copy it into one");
+    throw InputFileError("There is no model file '" + file.string() + "'; check the path.");
 }
 
 /// Vertices are numbered by first use, so those of dropped triangles have to go.
@@ -170,54 +171,19 @@ void dropUnusedVertices(TriangleMesh& mesh) {
 }  // namespace
 
 TriangleMesh importTriangles(const std::filesystem::path& file) {
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error))
-        throw InputFileError("There is no model file " + quoted(file) + "; check the path.");
+    requirePlainFile(file);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(
         file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale);
     if (!scene || !scene->mRootNode)
-        throw InputFileError("The model " + quoted(file) + " could not be read (" + reasonOf(importer) +
-                             "); use a format such as OBJ, PLY, STL, glTF or FBX.");
+        refuseModel(file, "could not be read (" + reasonOf(importer) +
+                              "); use a format such as OBJ, PLY, STL, glTF or FBX");
     Welder welder(file.stem().string());
     addNode(welder, *scene, *scene->mRootNode, {}, file);
-    if (welder.trianglesSeen() == 0) throwNoTriangles(file);
+    if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
     TriangleMesh mesh = std::move(welder).take();
     dropUnusedVertices(mesh);
     return mesh;
-}
-
-void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
-    if (mesh.triangles.empty()) throwNoTriangles(file);
-    if (const size_t open = openEdgeCount(mesh))
-        throw InputFileError("The model " + quoted(file) + " is not closed: " + std::to_string(open) +
-                             (open == 1 ? " open edge" : " open edges") +
-                             "; fill its holes and make its faces point outwards.");
-    if (const size_t repeated = repeatedTriangleCount(mesh))
-        throw InputFileError("The model " + quoted(file) + " holds " + std::to_string(repeated) +
-                             (repeated == 1 ? " triangle" : " triangles") +
-                             " more than once; remove the doubled surface.");
-    const Bounds bounds = boundsOf(mesh.positions);
-    const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
-    constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance
-    if (std::abs(volume) <= kFlat * size * size * size)
-        throw InputFileError("The model " + quoted(file) + " encloses no volume; give it thickness.");
-    if (volume < 0)
-        throw InputFileError("The model " + quoted(file) +
-                             " is inside out (its volume is negative); flip its faces.");
-}
-
-void standOnFloor(TriangleMesh& mesh, const MeshPlacement& placement) {
-    const Bounds bounds = boundsOf(mesh.positions);
-    double scale = 1;
-    if (!placement.keep_units) {
-        if (!(placement.height > 0) || !std::isfinite(placement.height))
-            throw UsageError("The model height must be a positive number of metres.");
-        scale = placement.height / (bounds.upper.y - bounds.lower.y);
-    }
-    const Double3 foot{(bounds.lower.x + bounds.upper.x) / 2, bounds.lower.y,
-                       (bounds.lower.z + bounds.upper.z) / 2};
-    for (Double3& p : mesh.positions) p = (p - foot) * scale;
 }
 
 }  // namespace demolish

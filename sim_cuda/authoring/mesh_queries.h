@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
 

@@ -6,9 +6,10 @@
 #include <cstdio>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/mesh_checks.h"
-#include "sim_cuda/authoring/mesh_import.h"
+#include "sim_cuda/authoring/solid_checks.h"
 
 namespace demolish {
 
@@ -23,12 +24,16 @@ SolidMesh::SolidMesh(TriangleMesh mesh) : mesh_(std::move(mesh)), queries_(mesh_
              bounds.upper};
 }
 
+std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
+                                               const MeshPlacement& placement) {
+    requireSolid(mesh, file);
+    standOnFloor(mesh, file, placement);
+    return std::make_shared<const SolidMesh>(std::move(mesh));
+}
+
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement) {
-    TriangleMesh mesh = importTriangles(file);
-    requireSolid(mesh, file);
-    standOnFloor(mesh, placement);
-    return std::make_shared<const SolidMesh>(std::move(mesh));
+    return makeSolidMesh(importTriangles(file), file, placement);
 }
 
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh) {

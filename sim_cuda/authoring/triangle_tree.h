@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim_cuda/authoring/double3.h"
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
 

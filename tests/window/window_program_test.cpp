@@ -299,6 +299,23 @@ state flown
     EXPECT_GT(read("flown")["time"].get<double>(), 0);
 }
 
+TEST_F(WindowProgram, AModelThatHarmsItsReaderIsToldAndTheBodyStays) {
+    const fs::path face = folder_.write("face.ply",
+                                        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+                                        "property float y\nproperty float z\nelement face 1\n"
+                                        "property list uchar int vertex_indices\nend_header\n"
+                                        "0 0 0\n1 0 0\n0 1 0\n3 0 1 400000\n");
+    const fs::path raw = folder_.write("text.raw", "Lorem ipsum dolor sit amet,\n consectetur 1 2 3\n");
+    run("wait 2\nkey space\nstate before\ntype shot.model " + face.string() +
+        "\nwait 2\nuntil rebuilt\nwait 2\nstate face\ntype shot.model " + raw.string() +
+        "\nwait 2\nuntil rebuilt\nwait 2\nstate raw\n");
+    if (HasFatalFailure()) return;
+    EXPECT_THAT(read("face")["message"].get<std::string>(), testing::HasSubstr("face.ply' "));
+    EXPECT_THAT(read("raw")["message"].get<std::string>(), testing::HasSubstr("text.raw' "));
+    EXPECT_EQ(read("raw")["particles"], read("before")["particles"]);
+    EXPECT_EQ(read("raw")["scene"], "block");
+}
+
 TEST_F(WindowProgram, LimitsHoldWhenTyping) {
     run(R"(
 wait 2

@@ -3,12 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
+#include <filesystem>
 #include <stdexcept>
 #include <thread>
 
+#include "app/reading/model_reader.h"
 #include "app/session/rebuild_worker.h"
 #include "app/session/scene_file.h"
 #include "sim_cuda/api/errors.h"
+#include "tests/unit/app/temporary_folder.h"
 
 namespace demolish {
 namespace {
@@ -89,6 +93,32 @@ TEST(RebuildWorker, ErrorsArriveWhereTheResultIsTaken) {
     EXPECT_FALSE(worker.take()) << "told once";
     worker.start(blockOf(70), present);
     EXPECT_TRUE(waitFor(worker));
+}
+
+TEST(RebuildWorker, CancelEndsWhoeverReadsTheModel) {
+    const BuiltShot present = buildShot(blockOf(60), {}, {});
+    const test::TemporaryFolder folder;
+    const auto note = folder.path() / "process",
+               reader = folder.write("reader.sh", "#!/bin/sh\necho $$ > '" + note.string() + ".tmp'; mv '" +
+                                                      note.string() + ".tmp' '" + note.string() +
+                                                      "'; exec sleep 1000\n");
+    std::filesystem::permissions(reader, std::filesystem::perms::owner_all);
+    setModelReader(reader);
+    Shot shot = blockOf(60);
+    shot.model = "endless.obj";
+    RebuildWorker worker;
+    worker.start(shot, present);
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(2);
+    const auto waitUntil = [&](const auto& reached) {
+        while (!reached() && std::chrono::steady_clock::now() < patience)
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        return reached();
+    };
+    ASSERT_TRUE(waitUntil([&] { return std::filesystem::exists(note); }));
+    worker.cancel();
+    const pid_t process = std::stoi(test::readText(note));
+    EXPECT_TRUE(waitUntil([&] { return kill(process, 0) != 0; })) << "it still runs";
+    setModelReader("");
 }
 
 }  // namespace

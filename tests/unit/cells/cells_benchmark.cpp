@@ -4,9 +4,10 @@
 
 #include <filesystem>
 
+#include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/body_parts.h"
-#include "sim_cuda/authoring/mesh_import.h"
 #include "sim_cuda/authoring/packing.h"
+#include "sim_cuda/authoring/solid_checks.h"
 #include "tests/unit/cells/complex_checks.h"
 #include "tests/unit/meshes/mesh_makers.h"
 

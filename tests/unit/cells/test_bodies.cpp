@@ -6,7 +6,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "sim_cuda/authoring/mesh_import.h"
+#include "sim_cuda/api/model_file.h"
+#include "sim_cuda/authoring/solid_checks.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish::test {

@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_file.h"
 #include "tests/unit/mesh/mesh_files.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
@@ -34,7 +34,8 @@ void expectRefused(const std::filesystem::path& file, const std::string& reason)
 TEST_F(FileTest, MissingFileAndFolder) {
     const auto file = write("there.obj", "");
     expectRefused(file.parent_path() / "not_there.obj", "There is no model file");
-    expectRefused(file.parent_path(), "There is no model file");
+    expectRefused(file.parent_path(), "is a folder");
+    expectRefused("/dev/zero", "is not a plain file");
 }
 
 TEST_F(FileTest, EmptyFiles) {
@@ -95,6 +96,26 @@ TEST_F(FileTest, ASurfaceThatIsThereTwice) {
         twice.triangles.push_back({t[1], t[2], t[0]});  // the same triangle, named from another corner
     }
     expectRefused(write("twice.obj", objText(twice)), "holds 12 triangles more than once");
+}
+
+TEST_F(FileTest, FacesOfVerticesThatAreNotThere) {
+    for (const char* index : {"3", "-5", "400000", "2147483647"})
+        expectRefused(
+            write("face.ply",
+                  "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                  "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                  "0 0 0\n1 0 0\n0 1 0\n3 0 1 " +
+                      std::string(index) + "\n"),
+            "of a vertex that is not there");
+}
+
+TEST_F(FileTest, SizesBeyondWhatNumbersHold) {
+    TriangleMesh cube = test::makeCube(1);
+    for (Double3& p : cube.positions) p = {1e150 * p.x, 1e150 * p.y, 1e150 * p.z};
+    EXPECT_THROW(makeSolidMesh(cube, "huge.obj"), InputFileError);
+    cube = test::makeCube(1);
+    for (Double3& p : cube.positions) p = {1e-100 * p.x, 1e-100 * p.y, 1e-100 * p.z};
+    EXPECT_NO_THROW(makeSolidMesh(cube, "tiny.obj"));
 }
 
 TEST_F(FileTest, VerticesThatAreNotNumbers) {

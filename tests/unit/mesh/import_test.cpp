@@ -4,12 +4,12 @@
 
 #include <cmath>
 
-#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/mesh_checks.h"
-#include "sim_cuda/authoring/mesh_import.h"
+#include "sim_cuda/authoring/solid_checks.h"
 #include "sim_cuda/authoring/solid_mesh.h"
 #include "tests/unit/mesh/mesh_files.h"
 #include "tests/unit/meshes/mesh_makers.h"

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 struct aiScene;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Closed meshes with known shape, shared by the unit tests of every room.
 #pragma once
-#include "sim_cuda/authoring/triangle_mesh.h"
+#include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish::test {
 

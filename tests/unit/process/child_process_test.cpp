@@ -20,11 +20,7 @@ using std::chrono::milliseconds;
 using testing::HasSubstr;
 
 ChildPlan shell(const std::string& script) {
-    return {.words = {"sh", "-c", script},
-            .program = "",
-            .variables = {},
-            .output = ChildStream::kPiped,
-            .errors = ChildStream::kNothing};
+    return {.words = {"sh", "-c", script}, .output = ChildStream::kPiped, .errors = ChildStream::kNothing};
 }
 
 std::string readAll(ChildProcess& child) {
@@ -148,7 +144,7 @@ TEST(ChildProcess, TakesVariablesInPlaceOfThoseOfTheEnvironment) {
 
 TEST(ChildProcess, AProgramThatIsMissingIsAnError) {
     try {
-        ChildProcess child({.words = {"no-such-program-anywhere"}, .program = "", .variables = {}});
+        ChildProcess child({.words = {"no-such-program-anywhere"}});
         FAIL() << "started";
     } catch (const ChildError& error) {
         EXPECT_TRUE(error.is_missing);

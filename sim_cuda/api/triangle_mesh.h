@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A welded, closed, outward-oriented triangle mesh: positions shared, attributes per corner.
+// A welded triangle mesh: positions shared, attributes per corner.
 #pragma once
 #include <array>
 #include <cstdint>

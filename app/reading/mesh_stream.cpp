@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: Apache-2.0
+// Both directions go through the same parts, so that they cannot drift apart.
+#include "app/reading/mesh_stream.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+namespace demolish {
+namespace {
+
+enum class Kind : uint32_t { kMesh = 1, kRefusal = 2 };
+
+struct Header {
+    std::array<char, 8> magic{'D', 'e', 'm', 'o', 'M', 'e', 's', 'h'};
+    uint32_t version = 1;
+    Kind kind = Kind::kMesh;
+    uint64_t text = 0, positions = 0, triangles = 0;
+};
+static_assert(sizeof(Header) == 40 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 20,
+              "no bytes between the members that nobody has set");
+
+constexpr uint64_t kPart = 1 << 16;  // elements that are sent, summed and made room for at a time
+
+/// FNV-1a over words of eight bytes; the last word of a part is filled up with zeros.
+class Checksum {
+  public:
+    void add(std::span<const uint8_t> bytes) {
+        for (size_t at = 0; at < bytes.size(); at += sizeof(uint64_t)) {
+            uint64_t word = 0;
+            std::memcpy(&word, bytes.data() + at, std::min(sizeof word, bytes.size() - at));
+            sum_ = (sum_ ^ word) * 0x100000001b3ull;
+        }
+    }
+    uint64_t value() const { return sum_; }
+
+  private:
+    uint64_t sum_ = 0xcbf29ce484222325ull;
+};
+
+template <class Value>
+std::span<const uint8_t> bytesOf(const Value* values, size_t count) {
+    static_assert(std::is_trivially_copyable_v<Value>);
+    return {reinterpret_cast<const uint8_t*>(values), count * sizeof(Value)};
+}
+
+class Writer {
+  public:
+    explicit Writer(const std::function<void(std::span<const uint8_t>)>& write) : write_(write) {}
+
+    template <class Array>
+    void add(const Array& array) {
+        for (size_t at = 0; at < array.size(); at += kPart)
+            part(bytesOf(array.data() + at, std::min<size_t>(kPart, array.size() - at)));
+    }
+    void part(std::span<const uint8_t> bytes) {
+        checksum_.add(bytes);
+        write_(bytes);
+    }
+    void finish() {
+        const uint64_t sum = checksum_.value();
+        write_(bytesOf(&sum, 1));
+    }
+
+  private:
+    const std::function<void(std::span<const uint8_t>)>& write_;
+    Checksum checksum_;
+};
+
+class Reader {
+  public:
+    explicit Reader(const std::function<void(std::span<uint8_t>)>& fill) : fill_(fill) {}
+
+    template <class Array>
+    void take(Array& array, uint64_t count) {
+        for (uint64_t at = 0; at < count; at += kPart) {
+            const uint64_t some = std::min(kPart, count - at);
+            array.resize(at + some);
+            part(array.data() + at, some);
+        }
+    }
+    template <class Value>
+    void part(Value* values, size_t count) {
+        const auto bytes = bytesOf(values, count);
+        fill_({reinterpret_cast<uint8_t*>(values), bytes.size()});
+        checksum_.add(bytes);
+    }
+    void finish() {
+        uint64_t sum = 0;
+        fill_({reinterpret_cast<uint8_t*>(&sum), sizeof sum});
+        if (sum != checksum_.value()) throw BrokenStream("the checksum is wrong");
+    }
+
+  private:
+    const std::function<void(std::span<uint8_t>)>& fill_;
+    Checksum checksum_;
+};
+
+void requireBounded(const Header& header) {
+    const Header known;
+    if (header.magic != known.magic) throw BrokenStream("these are other bytes");
+    if (header.version != known.version) throw BrokenStream("this is another version");
+    if (header.text > kMostText || header.positions > kMostTriangles || header.triangles > kMostTriangles)
+        throw BrokenStream("there is too much of something");
+}
+
+template <class... Numbers>
+bool areFinite(Numbers... numbers) {
+    return (std::isfinite(numbers) && ...);
+}
+
+void requireSound(const TriangleMesh& mesh) {
+    for (const Double3& p : mesh.positions)
+        if (!areFinite(p.x, p.y, p.z)) throw BrokenStream("a vertex is not a finite number");
+    for (const auto& triangle : mesh.triangles)
+        for (const uint32_t vertex : triangle)
+            if (vertex >= mesh.positions.size()) throw BrokenStream("a vertex is not there");
+    for (const auto& triangle : mesh.corners)
+        for (const CornerAttributes& c : triangle)
+            if (!areFinite(c.normal.x, c.normal.y, c.normal.z, c.uv.x, c.uv.y))
+                throw BrokenStream("a corner is not a finite number");
+}
+
+}  // namespace
+
+void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write) {
+    const auto* const refusal = std::get_if<ModelRefusal>(&answer);
+    const TriangleMesh none, &mesh = refusal != nullptr ? none : std::get<TriangleMesh>(answer);
+    const std::string text = (refusal != nullptr ? refusal->sentence : mesh.name).substr(0, kMostText);
+    Header header;
+    header.kind = refusal != nullptr ? Kind::kRefusal : Kind::kMesh;
+    header.text = text.size();
+    header.positions = mesh.positions.size();
+    header.triangles = mesh.triangles.size();
+    Writer writer(write);
+    writer.part(bytesOf(&header, 1));
+    writer.add(text);
+    writer.add(mesh.positions);
+    writer.add(mesh.triangles);
+    writer.add(mesh.corners);
+    writer.finish();
+}
+
+ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill) {
+    Reader reader(fill);
+    Header header;
+    reader.part(&header, 1);
+    requireBounded(header);
+    std::string text;
+    TriangleMesh mesh;
+    reader.take(text, header.text);
+    reader.take(mesh.positions, header.positions);
+    reader.take(mesh.triangles, header.triangles);
+    reader.take(mesh.corners, header.triangles);
+    reader.finish();
+    if (header.kind == Kind::kRefusal) return ModelRefusal{text};
+    if (header.kind != Kind::kMesh) throw BrokenStream("this is neither a mesh nor a refusal");
+    requireSound(mesh);
+    mesh.name = std::move(text);
+    return mesh;
+}
+
+}  // namespace demolish

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh, or why there is none, as bytes between two processes of this program. Who reads them trusts
+// nothing.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <variant>
+
+#include "sim_cuda/api/triangle_mesh.h"
+
+namespace demolish {
+
+/// The sentence of a model that was turned down.
+struct ModelRefusal {
+    std::string sentence;
+};
+using ModelAnswer = std::variant<TriangleMesh, ModelRefusal>;
+
+inline constexpr uint64_t kMostTriangles = uint64_t{1} << 26;  ///< of a model; and so many vertices
+inline constexpr uint64_t kMostText = 4096;                    ///< bytes of a name or a sentence
+
+/// Not what writeAnswer() writes.
+struct BrokenStream : std::runtime_error {
+    explicit BrokenStream(const std::string& why) : std::runtime_error(why) {}
+};
+
+/// Header (magic, version, kind, counts), text, positions, triangles, corners as they lie in memory,
+/// checksum.
+void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write);
+
+/// `fill` fills all that it is given or throws. Arrays grow with what has come, not with what was announced.
+/// Throws BrokenStream: another magic or version, counts beyond those above, a wrong checksum, triangles of
+/// vertices that are not there, numbers that are not finite.
+ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill);
+
+}  // namespace demolish

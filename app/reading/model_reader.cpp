@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// Starts the reader, takes its answer, and finds words for what became of it.
+#include "app/reading/model_reader.h"
+
+#include <csignal>
+#include <utility>
+
+#include "app/process/child_process.h"
+#include "app/reading/mesh_stream.h"
+#include "app/reading/model_service.h"
+#include "app/reading/reading_limits.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSaveItAnew = "save it anew, in a format such as OBJ, PLY, STL, glTF or FBX";
+
+constexpr const char* kNoAnswer = "got no usable answer from the reader; save it anew";
+
+std::string& readerProgram() {
+    static std::string program;
+    return program;
+}
+
+/// One file and the child that reads it.
+class Reading {
+  public:
+    Reading(const fs::path& file, const ProgressCallback& progress)
+        : file_(file),
+          progress_(progress),
+          deadline_(ChildProcess::Clock::now() + kMostWaitingTime),
+          child_({.words = {"demolish", kReadModelCommand, file.string()},
+                  .program = readerProgram(),
+                  .output = ChildStream::kPiped,
+                  .errors = ChildStream::kNothing,
+                  .own_group = true}) {}
+
+    ModelAnswer answer() {
+        try {
+            return readAnswer([this](std::span<uint8_t> bytes) { fill(bytes); });
+        } catch (const BrokenStream&) {
+            return ModelRefusal{"The model '" + file_.string() + "' " + whatWentWrong() + "."};
+        }
+    }
+
+  private:
+    void fill(std::span<uint8_t> bytes) {
+        constexpr std::chrono::milliseconds kBetweenQuestions{50};
+        while (!bytes.empty()) {
+            if (progress_ && !progress_(0, "reading the model")) throw Cancelled();
+            const auto got = child_.read(bytes, kBetweenQuestions);
+            if (got && *got == 0) throw BrokenStream("it ends too early");
+            if (got) bytes = bytes.subspan(*got);
+            if (ChildProcess::Clock::now() > deadline_) throw BrokenStream("it does not come");
+        }
+    }
+
+    /// Its answer was none, and so it is about to end, or hangs.
+    std::string whatWentWrong() {
+        const auto end = child_.waitUntil(std::min(deadline_, ChildProcess::Clock::now() + kGrace));
+        const auto tooSlow = [](std::chrono::seconds limit) {
+            return "took longer than " + std::to_string(limit.count()) + " s to be read; " + kSaveItAnew;
+        };
+        if (!end && ChildProcess::Clock::now() >= deadline_) return tooSlow(kMostWaitingTime);
+        if (!end) return kNoAnswer;
+        if (end->signal == SIGXCPU) return tooSlow(kMostReadingTime);
+        if (end->signal == SIGKILL)
+            return "had its reader killed, as when memory runs out; end other programs or make it coarser";
+        if (end->signal != 0) return std::string("crashed the reader; ") + kSaveItAnew;
+        if (end->exit_code == kOutOfMemory)
+            return "needs more than " + std::to_string(mostReadingGibibytes()) +
+                   " GiB of memory to be read; make it coarser, or " + kSaveItAnew;
+        return kNoAnswer;
+    }
+
+    static constexpr std::chrono::seconds kGrace{10};
+    const fs::path& file_;
+    const ProgressCallback& progress_;
+    const ChildProcess::Clock::time_point deadline_;
+    ChildProcess child_;
+};
+
+ModelAnswer askReader(const fs::path& file, const ProgressCallback& progress) {
+    try {
+        return Reading(file, progress).answer();
+    } catch (const ChildError& error) {
+        throw DeviceError(std::string("could not start the reader of model files: ") + error.what());
+    }
+}
+
+}  // namespace
+
+void setModelReader(const std::string& program) {
+    readerProgram() = program;
+}
+
+TriangleMesh readTriangles(const fs::path& file, const ProgressCallback& progress) {
+    if (readerProgram().empty()) return importTriangles(file);
+    ModelAnswer answer = askReader(file, progress);
+    if (const auto* refusal = std::get_if<ModelRefusal>(&answer)) throw InputFileError(refusal->sentence);
+    return std::get<TriangleMesh>(std::move(answer));
+}
+
+std::shared_ptr<const SolidMesh> readSolidMesh(const fs::path& file, const MeshPlacement& placement,
+                                               const ProgressCallback& progress) {
+    return makeSolidMesh(readTriangles(file, progress), file, placement);
+}
+
+}  // namespace demolish

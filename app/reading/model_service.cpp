@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Limits, import, answer, end.
+#include "app/reading/model_service.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+
+#include "app/reading/mesh_stream.h"
+#include "app/reading/reading_limits.h"
+#include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_file.h"
+
+namespace demolish {
+namespace {
+
+/// As soon as an allocation fails, since libraries turn bad_alloc into any other word.
+[[noreturn]] void endWithoutMemory() {
+    _exit(kOutOfMemory);
+}
+
+void writeToStdout(std::span<const uint8_t> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
+        if (written < 0 && errno == EINTR) continue;
+        if (written < 0) _exit(EXIT_FAILURE);
+        bytes = bytes.subspan(static_cast<size_t>(written));
+    }
+}
+
+ModelAnswer answerFor(const std::filesystem::path& file) {
+    try {
+        TriangleMesh mesh = importTriangles(file);
+        if (std::max(mesh.triangles.size(), mesh.positions.size()) <= kMostTriangles) return mesh;
+        return ModelRefusal{"The model '" + file.string() + "' has more than " +
+                            std::to_string(kMostTriangles >> 20) + " million triangles; make it coarser."};
+    } catch (const Error& error) {
+        return ModelRefusal{error.what()};
+    } catch (const std::exception& error) {
+        return ModelRefusal{"The model '" + file.string() + "' could not be read (" + error.what() + ")."};
+    }
+}
+
+}  // namespace
+
+void serveModel(const std::filesystem::path& file) {
+    limitThisReader();
+    std::set_new_handler(endWithoutMemory);
+    writeAnswer(answerFor(file), writeToStdout);
+    _exit(EXIT_SUCCESS);  // nothing is worth cleaning up
+}
+
+}  // namespace demolish

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// Closed, thick and outside out; then on the floor.
+#include "sim_cuda/authoring/solid_checks.h"
+
+#include <cmath>
+
+#include "sim_cuda/authoring/bounds.h"
+#include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/model_refusal.h"
+
+namespace demolish {
+
+void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
+    if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
+    if (const size_t open = openEdgeCount(mesh))
+        refuseModel(file, "is not closed: " + std::to_string(open) +
+                              (open == 1 ? " open edge" : " open edges") +
+                              "; fill its holes and make its faces point outwards");
+    if (const size_t repeated = repeatedTriangleCount(mesh))
+        refuseModel(file, "holds " + std::to_string(repeated) + (repeated == 1 ? " triangle" : " triangles") +
+                              " more than once; remove the doubled surface");
+    const Bounds bounds = boundsOf(mesh.positions);
+    const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
+    constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance
+    if (!std::isfinite(volume) || !std::isfinite(size * size * size))
+        refuseModel(file, "is too large to be a body; export it in a smaller unit");
+    if (std::abs(volume) <= kFlat * size * size * size)
+        refuseModel(file, "encloses no volume; give it thickness");
+    if (volume < 0) refuseModel(file, "is inside out (its volume is negative); flip its faces");
+}
+
+void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, const MeshPlacement& placement) {
+    const Bounds bounds = boundsOf(mesh.positions);
+    double scale = 1;
+    if (!placement.keep_units) {
+        if (!(placement.height > 0) || !std::isfinite(placement.height))
+            throw UsageError("The model height must be a positive number of metres.");
+        scale = placement.height / (bounds.upper.y - bounds.lower.y);
+    }
+    const Double3 foot{(bounds.lower.x + bounds.upper.x) / 2, bounds.lower.y,
+                       (bounds.lower.z + bounds.upper.z) / 2};
+    for (Double3& p : mesh.positions) p = (p - foot) * scale;
+    const Bounds placed = boundsOf(mesh.positions);
+    if (!isFinite(placed.lower) || !isFinite(placed.upper))
+        refuseModel(file, "cannot be scaled to its height; export it in another unit");
+}
+
+}  // namespace demolish

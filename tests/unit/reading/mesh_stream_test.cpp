@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+// The stream of a mesh: the same bits at its other end, and nothing at all from a stream that is not whole.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "app/reading/mesh_stream.h"
+#include "tests/unit/meshes/mesh_makers.h"
+
+namespace demolish {
+namespace {
+
+using Bytes = std::vector<uint8_t>;
+
+constexpr size_t kHeaderBytes = 40;
+
+Bytes bytesOf(const ModelAnswer& answer) {
+    Bytes bytes;
+    writeAnswer(answer,
+                [&](std::span<const uint8_t> part) { bytes.insert(bytes.end(), part.begin(), part.end()); });
+    return bytes;
+}
+
+/// `most`: the largest piece that was asked for at once.
+ModelAnswer answerIn(const Bytes& bytes, size_t* most = nullptr) {
+    std::span<const uint8_t> left = bytes;
+    return readAnswer([&](std::span<uint8_t> into) {
+        if (most != nullptr) *most = std::max(*most, into.size());
+        if (into.size() > left.size()) throw BrokenStream("the end");
+        std::copy_n(left.begin(), into.size(), into.begin());
+        left = left.subspan(into.size());
+    });
+}
+
+template <class Array>
+void expectSameBits(const Array& a, const Array& b) {
+    ASSERT_EQ(a.size(), b.size());
+    EXPECT_EQ(std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]), 0);
+}
+
+TriangleMesh sphere() {
+    TriangleMesh mesh = test::makeSphere(1, 5);  // more than one part of the stream
+    mesh.name = "sphere";
+    return mesh;
+}
+
+TEST(MeshStream, KeepsEveryBit) {
+    TriangleMesh sent = sphere();
+    sent.positions[0].x = -0.0;
+    sent.positions[1].y = std::numeric_limits<double>::denorm_min();
+    const auto got = std::get<TriangleMesh>(answerIn(bytesOf(sent)));
+    EXPECT_EQ(got.name, "sphere");
+    expectSameBits(got.positions, sent.positions);
+    expectSameBits(got.triangles, sent.triangles);
+    expectSameBits(got.corners, sent.corners);
+}
+
+TEST(MeshStream, ARefusalIsItsSentence) {
+    EXPECT_EQ(std::get<ModelRefusal>(answerIn(bytesOf(ModelRefusal{"No."}))).sentence, "No.");
+    const auto longest = std::get<ModelRefusal>(answerIn(bytesOf(ModelRefusal{std::string(100000, 'a')})));
+    EXPECT_EQ(longest.sentence.size(), kMostText);
+}
+
+TEST(MeshStream, EveryCutAndEveryFlippedBitIsFound) {
+    const Bytes whole = bytesOf(test::makeCube(1));
+    for (size_t size = 0; size < whole.size(); ++size)
+        EXPECT_THROW(answerIn(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))),
+                     BrokenStream);
+    for (size_t bit = 0; bit < 8 * whole.size(); ++bit) {
+        Bytes flipped = whole;
+        flipped[bit / 8] ^= static_cast<uint8_t>(1u << bit % 8);
+        EXPECT_THROW(answerIn(flipped), BrokenStream) << bit;
+    }
+}
+
+/// With a count of the header written over.
+Bytes withCount(size_t at, uint64_t count) {
+    Bytes bytes = bytesOf(test::makeCube(1));
+    std::memcpy(bytes.data() + at, &count, sizeof count);
+    return bytes;
+}
+
+TEST(MeshStream, AnnouncedCountsMakeNoRoom) {
+    for (const size_t at : {kHeaderBytes - 24, kHeaderBytes - 16, kHeaderBytes - 8})
+        for (const uint64_t count : {~uint64_t{0}, uint64_t{1} << 40, kMostTriangles + 1, kMostTriangles}) {
+            size_t most = 0;
+            EXPECT_THROW(answerIn(withCount(at, count), &most), BrokenStream);
+            EXPECT_LE(most, size_t{4} << 20);
+        }
+}
+
+TEST(MeshStream, MeshesThatWouldCrashTheirUserAreRefused) {
+    TriangleMesh mesh = sphere();
+    mesh.triangles[7][1] = static_cast<uint32_t>(mesh.positions.size());
+    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+    mesh = sphere();
+    mesh.positions[3].z = std::nan("");
+    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+    mesh = sphere();
+    mesh.corners[2][0].uv.y = std::numeric_limits<float>::infinity();
+    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+}
+
+}  // namespace
+}  // namespace demolish

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// The program as reader, and stand-ins that do what a damaged file may make of it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstring>
+
+#include "app/reading/model_reader.h"
+#include "app/session/data_folder.h"
+#include "sim_cuda/api/errors.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::Not;
+
+class ModelReader : public testing::Test {
+  protected:
+    ~ModelReader() override { setModelReader(""); }
+
+    static void useTheProgram() {
+        if (!fs::exists(DEMOLISH_PROGRAM)) GTEST_SKIP() << "the program is not built here";
+        setModelReader(DEMOLISH_PROGRAM);
+    }
+    /// Reads by a shell script in the reader's place; what it is refused with.
+    std::string refusalOf(const std::string& script, const ProgressCallback& progress = {}) {
+        const fs::path reader = folder_.write("reader.sh", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(reader, fs::perms::owner_all);
+        setModelReader(reader);
+        try {
+            readTriangles("some.obj", progress);
+        } catch (const InputFileError& error) {
+            EXPECT_THAT(error.what(), AllOf(HasSubstr("The model 'some.obj'"), EndsWith(".")));
+            return error.what();
+        }
+        ADD_FAILURE() << "accepted";
+        return "";
+    }
+    test::TemporaryFolder folder_;
+};
+
+template <class Array>
+bool sameBits(const Array& a, const Array& b) {
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof a[0]) == 0;
+}
+
+TEST_F(ModelReader, GivesTheBitsThatReadingInThisProcessGives) {
+    useTheProgram();
+    for (const char* name : {"block.obj", "wolf.obj"}) {
+        const fs::path file = dataFolder() / "assets" / "models" / name;
+        const TriangleMesh here = importTriangles(file), there = readTriangles(file);
+        EXPECT_EQ(here.name, there.name);
+        EXPECT_TRUE(sameBits(here.positions, there.positions));
+        EXPECT_TRUE(sameBits(here.triangles, there.triangles));
+        EXPECT_TRUE(sameBits(here.corners, there.corners));
+    }
+}
+
+TEST_F(ModelReader, TurnsDownWithTheReadersOwnWords) {
+    useTheProgram();
+    try {
+        readTriangles("no/such/file.obj");
+        FAIL();
+    } catch (const InputFileError& error) {
+        EXPECT_STREQ(error.what(), "There is no model file 'no/such/file.obj'; check the path.");
+    }
+}
+
+TEST_F(ModelReader, FindsWordsForEveryEndOfTheReader) {
+    for (const char* signal : {"SEGV", "ABRT", "BUS", "FPE", "ILL"})
+        EXPECT_THAT(refusalOf(std::string("kill -") + signal + " $$"), HasSubstr("crashed the reader"));
+    EXPECT_THAT(refusalOf("kill -XCPU $$"), HasSubstr("took longer than 60 s"));
+    EXPECT_THAT(refusalOf("kill -KILL $$"), HasSubstr("had its reader killed"));
+    EXPECT_THAT(refusalOf("exit 90"), HasSubstr("GiB of memory"));
+    EXPECT_THAT(refusalOf("exit 1"), HasSubstr("no usable answer"));
+    EXPECT_THAT(refusalOf("exit 0"), HasSubstr("no usable answer"));
+    EXPECT_THAT(refusalOf("echo DemoMesh"), HasSubstr("no usable answer"));
+    EXPECT_THAT(refusalOf("head -c 100000 /dev/urandom"), HasSubstr("no usable answer"));
+}
+
+TEST_F(ModelReader, SwallowsWhatTheReaderSays) {
+    testing::internal::CaptureStderr();
+    EXPECT_THAT(refusalOf("echo corrupted double-linked list >&2; kill -ABRT $$"), HasSubstr("crashed"));
+    EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+}
+
+TEST_F(ModelReader, CancelKillsTheReader) {
+    const fs::path note = folder_.path() / "process";
+    int asked = 0;
+    const auto progress = [&](double fraction, const char* stage) {
+        EXPECT_EQ(fraction, 0);
+        EXPECT_STREQ(stage, "reading the model");
+        return !fs::exists(note) || ++asked < 3;
+    };
+    EXPECT_THROW(refusalOf("echo $$ > " + note.string() + ".tmp; mv " + note.string() + ".tmp " +
+                               note.string() + "; exec sleep 1000",
+                           progress),
+                 Cancelled);
+    EXPECT_NE(kill(std::stoi(test::readText(note)), 0), 0) << "it still runs";
+}
+
+TEST_F(ModelReader, WithoutAReaderItIsADeviceErrorAndNotTheFiles) {
+    setModelReader("/no/such/program");
+    EXPECT_THROW(readTriangles("some.obj"), DeviceError);
+}
+
+}  // namespace
+}  // namespace demolish
