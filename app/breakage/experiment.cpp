@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/data_folder.h"
+#include "app/session/json_text.h"
 #include "app/session/toml_reader.h"
 #include "sim_cuda/api/errors.h"
 
@@ -132,7 +133,7 @@ std::string experimentJson(const BreakageExperiment& experiment) {
               {"specimen.large_grains", kGrains[experiment.scaled_grains ? 1 : 0]},
               {"broken.rule", kRules[static_cast<size_t>(experiment.rule)]}};
     visitValues(experiment, [&](const char* key, auto value, const Range&) { json[key] = value; });
-    return json.dump();
+    return jsonText(json, -1);
 }
 
 BreakageExperiment experimentFromJson(const std::string& text) {

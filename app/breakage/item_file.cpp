@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "app/session/json_text.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -84,7 +85,7 @@ std::string itemJson(const BreakagePlan& plan, size_t item, const std::vector<Br
              {"split", outcome.split},
              {"meridional", outcome.meridional}});
     }
-    return json.dump(1) + "\n";
+    return jsonText(json, 1) + "\n";
 }
 
 void writeItem(const fs::path& folder, const BreakagePlan& plan, size_t item,

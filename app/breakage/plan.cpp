@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "app/session/json_text.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -45,7 +46,7 @@ std::string BreakagePlan::json() const {
     Json json{{"batch", batch}, {"experiments", Json::array()}};
     for (const auto& experiment : experiments)
         json["experiments"].push_back(Json::parse(experimentJson(experiment)));
-    return json.dump(1) + "\n";
+    return jsonText(json, 1) + "\n";
 }
 
 std::string BreakagePlan::fingerprint() const {
@@ -71,7 +72,7 @@ BreakagePlan readPlan(const fs::path& folder) {
         BreakagePlan plan;
         plan.batch = json.at("batch").get<uint32_t>();
         for (const auto& experiment : json.at("experiments"))
-            plan.experiments.push_back(experimentFromJson(experiment.dump()));
+            plan.experiments.push_back(experimentFromJson(jsonText(experiment, -1)));
         if (plan.batch > 0 && !plan.experiments.empty()) return plan;
     } catch (const Json::exception&) {
     }

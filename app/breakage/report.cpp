@@ -8,6 +8,7 @@
 
 #include "app/breakage/figures.h"
 #include "app/breakage/png_figure.h"
+#include "app/session/json_text.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -160,7 +161,7 @@ std::string breakageJson(const BreakagePlan& plan, const std::vector<BreakageSta
     Json json{{"plan", plan.fingerprint()}, {"readings", Json::array()}};
     for (size_t e = 0; e < statistics.size(); ++e)
         json["readings"].push_back(readingJson(plan.experiments[e], statistics[e]));
-    return json.dump(1) + "\n";
+    return jsonText(json, 1) + "\n";
 }
 
 std::string breakageTable(const BreakagePlan& plan, const std::vector<BreakageStatistics>& statistics) {

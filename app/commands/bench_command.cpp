@@ -81,8 +81,7 @@ RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& se
     return report;
 }
 
-void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& built,
-                const RunReport& report) {
+std::string curveOf(const BenchRun& run, const BuiltShot& built, const RunReport& report) {
     const FrameStats& stats = built.solver->stats();
     const size_t bodies = built.setup.bodies.size();
     std::string title = built.shot.scene + ": " + std::to_string(stats.particles) + " particles";
@@ -91,7 +90,7 @@ void writeCurve(const std::string& file, const BenchRun& run, const BuiltShot& b
     if (report.width > 0)
         subtitle += ", " + std::to_string(report.width) + "x" + std::to_string(report.height) + " " +
                     report.quality + " by " + report.gl_renderer + ", transfer: " + report.transfer;
-    writeTextFile(file, frameCurveSvg(run.samples, built.shot.phases, title, subtitle));
+    return frameCurveSvg(run.samples, built.shot.phases, title, subtitle);
 }
 
 /// The substep's options are the device, one size, and where to write.
@@ -131,9 +130,11 @@ void runKernelBench(const BenchOptions& options) {
     bar.finish();
     const KernelPlace place{cuda ? findCudaDevice().name : "CPU", gpuDriver(), machineName(), buildVersion(),
                             threadsInUse()};
-    if (!options.json.empty()) writeTextFile(options.json, kernelJson(rows, place));
-    if (!options.csv.empty()) writeTextFile(options.csv, kernelCsv(rows, place));
+    LastFiles files;
+    files.write(options.json, [&] { return kernelJson(rows, place); });
+    files.write(options.csv, [&] { return kernelCsv(rows, place); });
     std::fputs(kernelTable(rows, place).c_str(), stdout);
+    files.requireAllWritten();
 }
 
 void runBench(const BenchOptions& options) {
@@ -158,17 +159,19 @@ void runBench(const BenchOptions& options) {
     session.solver().measure();
     RunReport report = reportOf(plan, run, session, stage.get(), size);
     report.wall_seconds = watch.milliseconds() / 1000;
-    if (!options.json.empty()) {
+    LastFiles files;
+    files.write(options.json, [&] {
         if (run.status == StepStatus::kOk) report.energy = energyOfTheSameFrames(session, plan.frames);
-        writeTextFile(options.json, reportJson(session.built(), report));
-    }
-    if (!options.csv.empty())
-        writeTextFile(options.csv, phaseCsv(report.phases, session.built().setup.bodies.size(),
-                                            runFacts(session.built(), report)));
-    if (!options.frame_csv.empty())
-        writeTextFile(options.frame_csv, frameCsv(run.samples, session.built().shot.phases));
-    if (!options.curve.empty()) writeCurve(options.curve, run, session.built(), report);
+        return reportJson(session.built(), report);
+    });
+    files.write(options.csv, [&] {
+        return phaseCsv(report.phases, session.built().setup.bodies.size(),
+                        runFacts(session.built(), report));
+    });
+    files.write(options.frame_csv, [&] { return frameCsv(run.samples, session.built().shot.phases); });
+    files.write(options.curve, [&] { return curveOf(run, session.built(), report); });
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
+    files.requireAllWritten();
     requireOk(run.status);
 }
 

@@ -10,6 +10,8 @@
 #include "app/calibrate/calibration.h"
 #include "app/commands/help_text.h"
 #include "app/commands/progress_bar.h"
+#include "app/commands/text_table.h"
+#include "app/session/json_text.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -55,14 +57,14 @@ std::string calibrationJson(const Calibration& found) {
     if (found.shot.break_at) json["break_at"] = *found.shot.break_at;
     json["break_at_met"] = nullptr;
     if (found.shot.break_at) json["break_at_met"] = found.meetsBreakAt();
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 void printFound(const Calibration& found) {
     const auto [low, high] = ends(found);
     const double critical = found.shot.material.critical_velocity;
     std::printf("  %-12s %s (%s), %s; %u particles of %.3g mm, critical velocity %.3g m/s\n", "shot",
-                found.shot.scene.c_str(), found.shot.model.filename().c_str(), impactName(found.shot),
+                found.shot.scene.c_str(), modelName(found.shot.model).c_str(), impactName(found.shot),
                 found.particles, 1000 * found.particle_size, critical);
     if (found.shot.break_at)
         std::printf("  %-12s %.3g m/s%s\n", "to break at", *found.shot.break_at,

@@ -151,8 +151,8 @@ void runCapture(const CaptureOptions& options) {
     report.wall_seconds = watch.milliseconds() / 1000;
     report.times = summarise(capture.samples);
     report.energy = session.energy();
-    if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
+    if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
     requireOk(capture.status);
     const uint64_t wanted = capture.moments.back() + 1;
     if (report.frames < wanted)

@@ -5,6 +5,7 @@
 
 #include "app/commands/kernel_bench.h"
 #include "app/commands/text_table.h"
+#include "app/session/json_text.h"
 
 namespace demolish {
 namespace {
@@ -74,7 +75,7 @@ std::string kernelJson(std::span<const KernelRow> rows, const KernelPlace& place
              {"floor_bonds_us", row.floor.bonds_us > 0 ? Json(row.floor.bonds_us) : Json()},
              {"floor_schemes_us", schemes}});
     }
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 std::string kernelCsv(std::span<const KernelRow> rows, const KernelPlace& place) {

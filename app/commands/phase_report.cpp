@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/text_table.h"
+#include "app/session/json_text.h"
 
 namespace demolish {
 namespace {
@@ -71,7 +72,7 @@ std::string stageLine(const PhaseSummary& row, size_t bodies) {
 /// Six digits are more than a timing holds.
 std::string numberText(const Json& value) {
     if (value.is_null()) return "";
-    return value.is_number_float() ? formatted("%.6g", value.get<double>()) : value.dump();
+    return value.is_number_float() ? formatted("%.6g", value.get<double>()) : jsonText(value, -1);
 }
 
 }  // namespace

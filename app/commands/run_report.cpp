@@ -8,7 +8,9 @@
 #include "app/commands/build_version.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
+#include "app/commands/text_table.h"
 #include "app/commands/threshold_json.h"
+#include "app/session/json_text.h"
 
 namespace demolish {
 namespace {
@@ -156,12 +158,12 @@ std::string reportJson(const BuiltShot& built, const RunReport& report) {
     addRun(built, report, json);
     addTimes(built, report, json);
     addState(built, report, json);
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 std::vector<std::pair<std::string, std::string>> runFacts(const BuiltShot& built, const RunReport& report) {
     return {{"scene", built.shot.scene},
-            {"model", built.shot.model.filename().string()},
+            {"model", modelName(built.shot.model)},
             {"mode", report.mode},
             {"device", built.solver->deviceName()},
             {"driver", gpuDriver()},
@@ -199,7 +201,7 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
     const FrameStats& stats = built.solver->stats();
     const size_t bodies = built.setup.bodies.size();
     std::string table;
-    addRow(table, "scene", built.shot.scene + " (" + built.shot.model.filename().string() + ")");
+    addRow(table, "scene", built.shot.scene + " (" + modelName(built.shot.model) + ")");
     addRow(table, "machine", machineName() + ", " + std::to_string(threadsInUse()) + " threads");
     addRow(table, "device", built.solver->deviceName() + ", driver: " + gpuDriver());
     addRow(table, "drawn by", drawnBy(report));

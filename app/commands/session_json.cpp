@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/threshold_json.h"
+#include "app/session/json_text.h"
 
 namespace demolish {
 
@@ -29,7 +30,7 @@ std::string sessionJson(const Session& session) {
     json["projectiles"] = session.spheres().size();
     json["transfer"] = status.transfer;
     json["message"] = status.message;
-    return json.dump(2) + "\n";
+    return jsonText(json, 2) + "\n";
 }
 
 }  // namespace demolish

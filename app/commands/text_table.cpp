@@ -5,6 +5,8 @@
 #include <cstdarg>
 #include <cstdio>
 
+#include "app/commands/one_sentence.h"
+
 namespace demolish {
 namespace {
 
@@ -36,6 +38,10 @@ std::string csvLine(const std::vector<std::string>& fields) {
         line += csvField(fields[i]);
     }
     return line + "\n";
+}
+
+std::string modelName(const std::filesystem::path& model) {
+    return oneSentence(model.filename().string());
 }
 
 }  // namespace demolish

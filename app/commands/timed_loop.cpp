@@ -6,6 +6,7 @@
 
 #include "app/commands/interrupt.h"
 #include "app/commands/machine_facts.h"
+#include "app/commands/text_table.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -32,8 +33,8 @@ void announce(const BuiltShot& built) {
                      cuda.problem.empty() ? "no usable GPU" : cuda.problem);
     const FrameStats& stats = built.solver->stats();
     spdlog::info("{}: {} particles of {:.3g} mm, {} bonds, {:.3g} kg; made in {:.2f} s",
-                 built.shot.model.filename().string(), stats.particles, 1000 * built.body->spacing,
-                 stats.bonds, stats.mass, built.build_seconds);
+                 modelName(built.shot.model), stats.particles, 1000 * built.body->spacing, stats.bonds,
+                 stats.mass, built.build_seconds);
 }
 
 FrameSample sampleOf(const Session& session, TriangleCounter& triangles, double frame_ms, double draw_ms) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/commands/one_sentence.h"
 #include "app/session/data_folder.h"
 #include "app/session/picture.h"
 #include "app/session/scene_file.h"
@@ -94,7 +95,7 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     if (measured) threshold_shot_.reset();
     followThreshold(session);
     SessionStatus status = session.status();
-    if (status.message.empty()) status.message = message;
+    status.message = oneSentence(status.message.empty() ? message : status.message);
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
     context.threshold = threshold;

@@ -106,6 +106,19 @@ void writeTextFile(const fs::path& file, const std::string& text) {
     temporary.moveTo(target, file);
 }
 
+void LastFiles::write(const fs::path& file, const std::function<std::string()>& make) {
+    if (file.empty()) return;
+    try {
+        writeTextFile(file, make());
+    } catch (...) {
+        if (!failure_) failure_ = std::current_exception();
+    }
+}
+
+void LastFiles::requireAllWritten() const {
+    if (failure_) std::rethrow_exception(failure_);
+}
+
 void makeOutputFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);

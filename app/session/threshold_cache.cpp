@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/session/ball_flight.h"
+#include "app/session/json_text.h"
 #include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 
@@ -178,7 +179,7 @@ void writeCachedThreshold(const fs::path& folder, uint64_t key, const CachedThre
     for (const CachedThreshold& point : measured) json["measured"].push_back(jsonOf(point));
     try {
         makeOutputFolder(folder);
-        writeTextFile(fileOf(folder, key), json.dump(2) + "\n");
+        writeTextFile(fileOf(folder, key), jsonText(json, 2) + "\n");
     } catch (const OutputError& error) {  // minutes of measuring must not be lost for it
         spdlog::warn("the threshold is measured, but not kept for the next time: {}", error.what());
     }

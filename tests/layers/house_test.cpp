@@ -5,6 +5,7 @@
 
 #include <regex>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "tests/layers/source_tree.h"
@@ -99,6 +100,28 @@ TEST(House, NothingBreaksTheEqualBits) {
 TEST(House, NothingGoesToTheLegacyStream) {
     for (const auto& file : sourcesUnder({"sim_cuda", "app/bridge"}))
         EXPECT_EQ(legacyStreamIn(codeOfFile(file)), "") << nameOf(file);
+}
+
+/// Names of the app's files whose code matches, but for those that begin so.
+std::vector<std::string> othersThat(const std::regex& habit, const std::string& place) {
+    std::vector<std::string> names;
+    for (const auto& file : sourcesUnder({"app"}))
+        if (!nameOf(file).starts_with(place) && std::regex_search(codeOfFile(file), habit))
+            names.push_back(nameOf(file));
+    return names;
+}
+
+TEST(House, WhatHasItsPlaceIsDoneThereAlone) {
+    const std::vector<std::string> none;
+    const std::regex model_file(R"(\b(loadSolidMesh|importTriangles)\s*\()");
+    const std::regex json(R"(\.dump\()");
+    const std::regex child(R"(\b(posix_spawnp?|fork|popen|system|waitpid|wait4)\s*\()");
+    EXPECT_EQ(othersThat(model_file, "app/reading/"), none) << "untrusted input";
+    EXPECT_EQ(othersThat(json, "app/session/json_text."), none) << "throws where a name is no UTF-8";
+    EXPECT_EQ(othersThat(child, "app/process/"), none) << "use a ChildProcess";
+    for (const auto& [habit, place] :
+         {std::pair{model_file, "app/reading/"}, {json, "app/session/json_text."}, {child, "app/process/"}})
+        EXPECT_NE(othersThat(habit, "no/such/place"), none) << place;
 }
 
 TEST(House, TheRulesThemselvesCatchWhatTheyForbid) {
