@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Particles as structures of arrays. Indices: the particles of all bodies one body after the other, then
-// kMaxProjectiles slots for projectiles (inverse mass 0 while a slot is unused or its projectile has not
+// kMaxProjectiles slots for projectiles (moved by nobody while a slot is unused or its projectile has not
 // started).
 #pragma once
 #include "sim_cuda/api/params.h"
@@ -31,20 +31,53 @@ using StateIn = StateSpans<const Vec4<Real>>;
 template <class Real>
 using StateOut = StateSpans<Vec4<Real>>;
 
-/// Constants of a particle, one Vec4: what its owner needs every step.
+/// Who moves a particle, as the constants of one kind of step see it: substeps move what goes with its bonds,
+/// contact steps move rigid fragments. What sleeps is listed by neither; who meets it sees it as its own kind
+/// of step would move it.
+enum class Mover : uint32_t {
+    kNobody,     ///< an unused slot, or a projectile that has not started: it takes part in nothing
+    kThisStep,   ///< the kind of step whose constants these are
+    kOtherStep,  ///< the other kind; in a substep such a particle is carried on (BondedWork)
+};
+
+/// Constants of a particle: what its owner needs every step, in one load of four numbers. Inverse mass and
+/// mover share the first: its sign tells the mover. Only this type knows that.
 template <class Real>
-struct ParticleConstants {
-    Real inverse_mass{};  ///< 1/kg; 0: the slot takes part in nothing; < 0: moved in the other kind of step
+class alignas(4 * sizeof(Real)) ParticleConstants {
+  public:
+    DEM_FN ParticleConstants() {}
+    /// Moved by this kind of step; by nobody where inverse_mass (1/kg, >= 0) is 0.
+    DEM_FN ParticleConstants(Real inverse_mass, Real inverse_turning, Real contact_reach, Real floor_reach)
+        : inverse_inertia(inverse_turning),
+          contact_radius(contact_reach),
+          floor_radius(floor_reach),
+          signed_inverse_mass_(inverse_mass) {}
+
+    DEM_FN Mover mover() const {
+        return isMovedByOther() ? Mover::kOtherStep : isMovedHere() ? Mover::kThisStep : Mover::kNobody;
+    }
+    DEM_FN bool isMovedHere() const { return signed_inverse_mass_ > Real(0); }
+    DEM_FN bool isMovedByOther() const { return signed_inverse_mass_ < Real(0); }
+    /// As the particle's own constants say it, before any kind of step.
+    DEM_FN bool takesPart() const { return isMovedHere(); }
+    /// 1/kg; 0: moved by nobody.
+    DEM_FN Real inverseMass() const {
+        return isMovedByOther() ? -signed_inverse_mass_ : signed_inverse_mass_;
+    }
+    /// Seen from the kind of step that does not move the particle.
+    DEM_FN ParticleConstants seenByOther() const {
+        return {-signed_inverse_mass_, inverse_inertia, contact_radius, floor_radius};
+    }
+
     /// 1/(kg m^2), of I = 0.4 m R^2, R = (3 vol/4 pi)^(1/3). Of a rigid fragment's particle in contact steps
-    /// its own inverse mass, 1/kg, while inverse_mass is that of its share of the fragment.
+    /// its own inverse mass, 1/kg, while inverseMass() is that of its share of the fragment.
     Real inverse_inertia{};
     Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
     Real floor_radius{};    ///< m, R_w: against planes (models E.4, sole rule)
+
+  private:
+    Real signed_inverse_mass_{};
 };
-template <class Real>
-DEM_FN ParticleConstants<Real> asConstants(const Vec4<Real>& a) {
-    return {a.x, a.y, a.z, a.w};
-}
 
 template <class Real>
 DEM_FN Vec3<Real> lowPart(const Vec4<Real>& position, const Vec4<Real>& velocity, const Vec4<Real>& spin) {
@@ -64,8 +97,8 @@ struct ParticleArrays {
 
     ParticleCounts counts;
     Buffer<Vec4<Real>> position[2], rotation[2], velocity[2], spin[2];
-    Buffer<Vec4<Real>> constants;  ///< ParticleConstants
-    Buffer<uint32_t> owner;        ///< body number; projectile slot p: bodies + p
+    Buffer<ParticleConstants<Real>> constants;
+    Buffer<uint32_t> owner;  ///< body number; projectile slot p: bodies + p
 
     StateIn<Real> in(uint32_t which) const {
         return {position[which].view(), rotation[which].view(), velocity[which].view(), spin[which].view()};

@@ -3,7 +3,7 @@
 // projectile's slot is its own.
 #pragma once
 #include "sim_cuda/backend/span.h"
-#include "sim_cuda/data/vec4.h"
+#include "sim_cuda/data/particles.h"
 #include "sim_cuda/physics/rigid_motion.h"
 
 namespace demolish {
@@ -66,7 +66,7 @@ struct RigidWork {
 /// Constants of all particles in contact steps, and in substeps where rigid fragments move too.
 template <class Real>
 struct RigidConstants {
-    Span<Vec4<Real>> in_contact_steps, in_substeps;
+    Span<ParticleConstants<Real>> in_contact_steps, in_substeps;
 };
 
 inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kCarriedCount = 3,

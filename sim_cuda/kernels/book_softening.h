@@ -17,7 +17,7 @@ struct BookSoftening {
 
     DEM_FN void operator()(uint32_t i) const {
         const SubstepArrays<Real>& arrays = bonded.arrays;
-        if (!(arrays.constants[i].x > Real(0))) return;
+        if (!(arrays.constants[i].takesPart())) return;
         Real lost{};
         for (uint32_t s = arrays.bond_row[i]; s < arrays.bond_row[i + 1]; ++s) {
             const BondLink link = arrays.link[s];

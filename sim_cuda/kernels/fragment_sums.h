@@ -84,14 +84,16 @@ template <class Real>
 struct StartPoseSums {
     FragmentRows rows;
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants, rest_position;  ///< rest: m, body frame
+    Span<const ParticleConstants<Real>> constants;
+    Span<const Vec4<Real>> rest_position;  ///< m, body frame
     Span<PoseSums> terms;
 
     DEM_FN void operator()(uint32_t at) const {
         const uint32_t i = rows.order[at];
         const Quat<Real> q = asQuat(state.rotation[i]), reference = asQuat(state.rotation[rows.fragment[i]]);
         const Real aligned = dot(vectorPart(q), vectorPart(reference)) + q.w * reference.w;
-        const double mass = 1.0 / double(constants[i].x), weight = aligned < Real(0) ? -mass : mass;
+        const double mass = 1.0 / double(constants[i].inverseMass()),
+                     weight = aligned < Real(0) ? -mass : mass;
         terms[at] = {
             massOf(mass, exactPosition(state, i), asDouble(xyz(state.velocity[i]))),
             mass * asDouble(xyz(rest_position[i])),
@@ -103,7 +105,7 @@ template <class Real>
 struct StartSpinSums {
     FragmentRows rows;
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const PoseSums> pose;  ///< folded
     Span<SpinSums> terms;
 
@@ -111,7 +113,7 @@ struct StartSpinSums {
         const uint32_t i = rows.order[at];
         const MassSums& whole = pose[rows.first[rows.fragment[i]]].now;
         terms[at] =
-            spinOf(1.0 / double(constants[i].x), 1.0 / double(constants[i].y),
+            spinOf(1.0 / double(constants[i].inverseMass()), 1.0 / double(constants[i].inverse_inertia),
                    exactPosition(state, i) - massCentre(whole),
                    asDouble(xyz(state.velocity[i])) - meanVelocity(whole), asDouble(xyz(state.spin[i])));
     }

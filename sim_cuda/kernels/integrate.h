@@ -13,14 +13,14 @@ DEM_FN void addToPosition(Real change, Real& high, Real& low) {
     high = sum;
 }
 
-/// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. A slot with inverse mass 0 stays as it is.
+/// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. Whom nobody moves stays as he is.
 template <class Real>
 DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench<Real>& load,
                                       const StepParams<Real>& params) {
     LoadedState<Real> next = own.state;
-    if (!(own.constants.inverse_mass > Real(0))) return next;
+    if (!own.constants.isMovedHere()) return next;
     const Real dt = params.dt, keep = params.velocity_keep;
-    const Vec3<Real> acceleration = axpy(own.constants.inverse_mass, load.force, params.gravity);
+    const Vec3<Real> acceleration = axpy(own.constants.inverseMass(), load.force, params.gravity);
     const Vec3<Real> velocity = keep * axpy(dt, acceleration, xyz(own.state.velocity));
     const Vec3<Real> spin = keep * axpy(dt * own.constants.inverse_inertia, load.torque, xyz(own.state.spin));
     Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);

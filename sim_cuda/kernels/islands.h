@@ -36,7 +36,7 @@ template <class Real>
 struct MeetingsIn {
     StateIn<Real> state;
     PathsIn<Real> paths;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label;  ///< per particle and projectile slot: its fragment's slot
     Span<const uint32_t> owner;
     BondRowsIn<Real> bonds;
@@ -46,7 +46,7 @@ struct MeetingsIn {
     Real soon{};     ///< s until the next decision at the latest
     Real at_once{};  ///< s, not above `soon`: a hit within them cannot wait for the next decision
 
-    DEM_FN bool takesPart(uint32_t i) const { return constants[i].x > Real(0); }
+    DEM_FN bool takesPart(uint32_t i) const { return constants[i].takesPart(); }
     /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
     /// on by half a skin brings a new decision where one is needed (strayed_paths.h).
     DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const { return mayMeetWithin(i, j, soon); }
@@ -64,7 +64,9 @@ struct MeetingsIn {
         const Vec3<Real> v = xyz(state.velocity[j]) - xyz(state.velocity[i]);
         const Real speed2 = length2(v), closing = -dot(x, v);
         if (!(speed2 > limit * limit) || !(closing > Real(0))) return false;
-        const Real reach = Real(kNearlyTouching) * (constants[i].z + constants[j].z), apart2 = length2(x);
+        const Real reach =
+                       Real(kNearlyTouching) * (constants[i].contact_radius + constants[j].contact_radius),
+                   apart2 = length2(x);
         if (apart2 < reach * reach) return closing * closing > limit * limit * apart2;
         const Real nearest = minOf(closing / speed2, time);
         return length2(axpy(nearest, v, x)) < reach * reach;
@@ -204,13 +206,13 @@ struct JoinIslands {
 template <class Real>
 struct MeasureMotion {
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label;
     Span<uint32_t> fastest;  ///< per slot, 0 before; float bits of m^2/s^2
 
     DEM_FN void operator()(uint32_t i) const {
-        if (!(constants[i].x > Real(0))) return;
-        const Real radius = constants[i].z;
+        if (!(constants[i].takesPart())) return;
+        const Real radius = constants[i].contact_radius;
         const Real speed2 = length2(xyz(state.velocity[i])) + radius * radius * length2(xyz(state.spin[i]));
         const uint32_t bits = std::bit_cast<uint32_t>(float(speed2));
         uint32_t& word = fastest[label[i]];
@@ -228,7 +230,7 @@ template <class Real>
 struct AdvanceClocks {
     FragmentRows rows;
     Span<const uint32_t> label, owner, fastest;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const RigidMotion> motion;  ///< per slot of a body's fragment
     Span<const PoseSums> pose;       ///< by place
     Span<const SpinSums> spin;       ///< by place
@@ -239,7 +241,7 @@ struct AdvanceClocks {
     uint32_t substeps = 0;  ///< since the last time
 
     DEM_FN void operator()(uint32_t slot) const {
-        if (label[slot] != slot || !(constants[slot].x > Real(0))) return;
+        if (label[slot] != slot || !(constants[slot].takesPart())) return;
         CalmClock next = clock[slot];
         const bool rests = std::bit_cast<float>(fastest[slot]) <= rest_speed2;
         next.calm = isCalm(slot) ? grown(next.calm) : 0;
@@ -321,7 +323,7 @@ struct FlagIslands {
         HardHits hard;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
-            const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].w;
+            const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].floor_radius;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
             const auto reaches = [&](Real time) {
                 return madd(time, closing, Real(0.5) * time * time * falling) > gap;
@@ -355,7 +357,7 @@ struct SeeSleepers {
 template <class Real>
 struct ChooseRegimes {
     Span<const uint32_t> label, island, flags;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     RegimeRules rules;
     Span<uint32_t> regime, former;
     Span<CalmClock> clock;
@@ -376,7 +378,7 @@ struct ChooseRegimes {
         return (with_island ? flags[island[slot]] & kMustBond : flags[slot] & kNeedsBonds) != 0;
     }
     DEM_FN Regime choose(uint32_t slot) const {
-        if (!(constants[slot].x > Real(0))) return Regime::kAsleep;
+        if (!(constants[slot].takesPart())) return Regime::kAsleep;
         if (needsBonds(slot)) return Regime::kBonded;
         if (rules.sleeping && (flags[island[slot]] & (kMustBond | kRestless)) == 0) return Regime::kAsleep;
         return rules.hand_over && !rules.all_bonded ? Regime::kRigid : Regime::kBonded;

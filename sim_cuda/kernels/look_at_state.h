@@ -13,12 +13,12 @@ inline constexpr uint32_t kSawNotFinite = 1u, kSawLeftScene = 2u;  // the bits o
 template <class Real>
 struct LookAtState {
     CheckPaths<Real> paths;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<uint32_t> words;  ///< kLookWords, 0 before
     Real scene_radius{};   ///< m
 
     DEM_FN void operator()(uint32_t i) const {
-        if (!(constants[i].x > Real(0))) return;
+        if (!(constants[i].takesPart())) return;
         const Vec3<Real> position = positionOf(paths.state, i);
         const Vec3<Real> velocity = xyz(paths.state.velocity[i]), spin = xyz(paths.state.spin[i]);
         const Real motion = length2(velocity) + length2(spin), distance2 = length2(position);

@@ -39,8 +39,8 @@ struct MeasureEnergy {
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
         const OwnParticle<Real> own = loadOwn(arrays, i);
-        if (!(own.constants.inverse_mass > Real(0))) return sums;
-        const double mass = 1.0 / static_cast<double>(own.constants.inverse_mass);
+        if (!own.constants.takesPart()) return sums;
+        const double mass = 1.0 / static_cast<double>(own.constants.inverseMass());
         const double inertia = 1.0 / static_cast<double>(own.constants.inverse_inertia);
         const Vec3<double> position =
             inDouble(xyz(own.state.position)) +
@@ -95,7 +95,7 @@ struct MeasureEnergy {
         if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
         const Vec4<Real> spring = arrays.bond_spring[slot];
-        const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+        const ParticleConstants<Real> other = arrays.constants[j];
         const BondStiffness<Real> faces =
             cappedFaces(bond, params, pairInertia(own.constants, other), spring.w).stiffness;
         return Real(0.5) * (faces.normal * overlap * overlap + faces.shear * length2(xyz(spring)));
@@ -103,7 +103,7 @@ struct MeasureEnergy {
 
     DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
                               const Vec4<Real>& spring) const {
-        const ParticleConstants<Real> other = asConstants(arrays.constants[j]);
+        const ParticleConstants<Real> other = arrays.constants[j];
         const Vec3<Real> apart = separation(own.state, loadState(arrays.in, j));
         const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
         if (!(overlap > Real(0))) return Real(0);

@@ -11,7 +11,7 @@ namespace demolish {
 template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
-    if (own.constants.inverse_mass > Real(0))
+    if (own.constants.isMovedHere())
         for (uint32_t p = 0; p < params.planes.count; ++p)
             add(load, planeContact<kLedger>(arrays, params, own, p, tally, TurnsAlone<Real>{}));
     const LoadedState<Real> next =

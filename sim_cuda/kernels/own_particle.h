@@ -42,12 +42,12 @@ struct OwnParticle {
     ParticleConstants<Real> constants;
 
     /// In a substep: of a rigid fragment (BondedWork).
-    DEM_FN bool isCarried() const { return constants.inverse_mass < Real(0); }
+    DEM_FN bool isCarried() const { return constants.isMovedByOther(); }
 };
 
 template <class Real>
 DEM_FN OwnParticle<Real> loadOwn(const SubstepArrays<Real>& arrays, uint32_t i) {
-    return {i, arrays.owner[i], loadState(arrays.in, i), asConstants(arrays.constants[i])};
+    return {i, arrays.owner[i], loadState(arrays.in, i), arrays.constants[i]};
 }
 
 template <class Real>

@@ -33,7 +33,7 @@ DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
 /// keeps the stiffness of the fragment's others. `other`: in contact steps.
 template <class Real>
 DEM_FN bool keepsTouching(const ParticleConstants<Real>& other, const Vec4<Real>& spring) {
-    return other.inverse_mass < Real(0) && spring.w > Real(0);
+    return other.isMovedByOther() && spring.w > Real(0);
 }
 
 /// A slot of either list. `other`: the other end.
@@ -49,7 +49,7 @@ DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const Ste
                                     const Span<const uint32_t>& label, const OwnParticle<Real>& own,
                                     uint32_t slot, const LinkEnd& end, RigidLoad<Real>& load) {
     if (isBonded(end.link) || label[end.id] == label[own.id]) return {};
-    const ParticleConstants<Real> other = asConstants(arrays.constants[end.id]);
+    const ParticleConstants<Real> other = arrays.constants[end.id];
     return countedSlot(other, arrays.bond_spring[slot], load.touching, [&] {
         return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });

@@ -62,26 +62,25 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
 /// (`OwnMass`) but where it hardly approaches (`kRestApproach`), and so does what resists rolling but on
 /// planes (`TurnsFragment`). `arm`: m, from the centre, in the frame that the inertia belongs to.
 template <class Real>
-DEM_FN Vec4<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm, const Vec4<Real>& own) {
+DEM_FN ParticleConstants<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm,
+                                               const ParticleConstants<Real>& own) {
     const Sym3& j = body.inverse_inertia;
     const double trace = j.xx + j.yy + j.zz;
     const double turning = 0.5 * (length2(arm) * trace - dot(arm, multiply(j, arm)));
-    return {Real(double(body.contact_share) * (body.inverse_mass + turning)), own.x, own.z, own.w};
+    return {Real(double(body.contact_share) * (body.inverse_mass + turning)), own.inverseMass(),
+            own.contact_radius, own.floor_radius};
 }
 
 /// The same in substeps that carry the particle on. Rolling resistance there takes what it takes of the
 /// particle alone, or of the fragment's share where that turns more easily.
 template <class Real>
-DEM_FN Vec4<Real> carriedConstants(const RigidBody& body, const Vec4<Real>& shared, const Vec4<Real>& own) {
+DEM_FN ParticleConstants<Real> carriedConstants(const RigidBody& body, const ParticleConstants<Real>& shared,
+                                                const ParticleConstants<Real>& own) {
     const Sym3& j = body.inverse_inertia;
+    ParticleConstants<Real> carried = shared.seenByOther();
     const Real share = Real(double(body.contact_share) * (j.xx + j.yy + j.zz));
-    return {-shared.x, maxOf(share, own.y / Real(kRigidStride)), own.z, own.w};
-}
-
-/// Constants in the kind of step that does not move the particle.
-template <class Real>
-DEM_FN Vec4<Real> movedOtherwise(const Vec4<Real>& constants) {
-    return {-constants.x, constants.y, constants.z, constants.w};
+    carried.inverse_inertia = maxOf(share, own.inverse_inertia / Real(kRigidStride));
+    return carried;
 }
 
 /// A rigid fragment: its slot and its places in RigidWork::active.
@@ -102,9 +101,9 @@ struct StepRigid {
     StepParams<Real> params;
     RigidWork work;
     Span<const RigidLoad<Real>> load;
-    Span<Vec4<Real>> constants;    ///< those that contact steps use,
-    Span<Vec4<Real>> in_substeps;  ///< and those of carried particles in substeps
-    Span<const Vec4<Real>> own_constants;
+    Span<ParticleConstants<Real>> constants;    ///< those that contact steps use,
+    Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles in substeps
+    Span<const ParticleConstants<Real>> own_constants;
     uint32_t stride = kRigidStride;  ///< substeps in this step
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 

@@ -14,7 +14,7 @@ namespace demolish {
 template <class Real>
 struct StartPaths {
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> bond_row;
     Span<const BondLink> link;
     Span<const uint32_t> buried;  ///< per particle of a body: 1 while its bonds hold
@@ -25,10 +25,10 @@ struct StartPaths {
     uint32_t in_bodies = 0;
 
     DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
-        const ParticleConstants<Real> own = asConstants(constants[i]);
+        const ParticleConstants<Real> own = constants[i];
         const Real skin = minOf(skin_share * own.contact_radius, largest_skin);
         const Vec3<Real> velocity = xyz(state.velocity[i]);
-        const bool active = own.inverse_mass > Real(0);
+        const bool active = own.takesPart();
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
         built_velocity[i] = withW(velocity, active ? skin : Real(-1));
         VelocityRanges<Real> ranges;

@@ -15,7 +15,7 @@ struct StartBodies {
     Span<const uint32_t> label, regime, former;
     Span<const uint32_t> memory;  ///< per slot, of the last step
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const RigidMotion> motion;  ///< per slot of a body's fragment
     Span<const PoseSums> pose;       ///< by place
     Span<const SpinSums> spin;       ///< by place
@@ -29,7 +29,7 @@ struct StartBodies {
             if (!frame_starts) return;
             body[slot] = ofFragment(slot);
         } else {
-            if (!(constants[slot].x > Real(0))) return;
+            if (!(constants[slot].takesPart())) return;
             body[slot] = ofProjectile(slot);
         }
         if (former[slot] == wordOf(Regime::kRigid)) body[slot].flight = rememberedFlight(memory[slot]);
@@ -53,10 +53,10 @@ struct StartBodies {
         start.centre = exactPosition(state, slot);
         start.velocity = asDouble(xyz(state.velocity[slot]));
         start.spin = asDouble(xyz(state.spin[slot]));
-        const double inverse = double(constants[slot].y);
+        const double inverse = double(constants[slot].inverse_inertia);
         start.angular = (1 / inverse) * start.spin;
         start.inverse_inertia = {inverse, inverse, inverse, 0, 0, 0};
-        start.inverse_mass = double(constants[slot].x);
+        start.inverse_mass = double(constants[slot].inverseMass());
         start.least_share = kLeastShare;
         return start;
     }
@@ -74,7 +74,7 @@ template <class Real>
 struct SettleRegimes {
     StateIn<Real> in;
     StateOut<Real> state, other;  ///< the memory behind `in`; the other instant
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label, regime, former;
     Span<const RigidBody> body;
     Span<Vec3<double>> arm;
@@ -106,14 +106,15 @@ struct SettleRegimes {
     }
     DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
     DEM_FN void catchUp(uint32_t i, const Flight& flight) const {
-        if (flight.free == 0 || !(constants[i].x > Real(0))) return;
+        if (flight.free == 0 || !(constants[i].takesPart())) return;
         const Vec3<double> v = axpy(0.5 * flight.lag * substep, gravity, asDouble(xyz(in.velocity[i])));
         state.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i].w);
     }
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {
-        if (!(constants[i].x > Real(0))) return;
-        const double mass = 1 / double(constants[i].x), inertia = 1 / double(constants[i].y);
+        if (!(constants[i].takesPart())) return;
+        const double mass = 1 / double(constants[i].inverseMass()),
+                     inertia = 1 / double(constants[i].inverse_inertia);
         const double before =
             kineticEnergy(mass, inertia, asDouble(xyz(in.velocity[i])), asDouble(xyz(in.spin[i])));
         if (book) ledger[i].x += Real(before - kineticEnergy(mass, inertia, v, w));

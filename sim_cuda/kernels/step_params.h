@@ -41,7 +41,7 @@ template <class Real>
 struct SubstepArrays {
     StateIn<Real> in;
     StateOut<Real> out;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> owner;
     Span<const uint32_t> bond_row, contact_row;
     Span<const Vec4<Real>> rest;

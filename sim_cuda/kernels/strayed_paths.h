@@ -81,7 +81,7 @@ struct SeeStrayed {
     ContactRowsIn<Real> contacts;
     Span<const uint32_t> buried;         ///< per particle of a body, as StartPaths has it
     Span<const uint32_t> label, regime;  ///< without `regime` everything is moved with its bonds
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     PlaneSet<Real> planes;
     Real remaining{};  ///< s that the lists hold from here
     Real gentle{};     ///< m/s: no meeting slower than this wakes bonds
@@ -154,7 +154,7 @@ struct SeeStrayed {
 
     DEM_FN void seePlanes(uint32_t i) const {
         const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
-        const Real radius = constants[i].w, skin = own.velocity.w;
+        const Real radius = constants[i].floor_radius, skin = own.velocity.w;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Real gap = heightOver(p, own) - (radius + skin), sinking = sinkingTo(p, own);
             if (!(sinking > Real(0)) || !(sinking * remaining > gap)) continue;

@@ -52,7 +52,7 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
     if (!kReadsAhead<T> && !solid) return formerBondSlot<kLedger>(arrays, params, own, slot, end, tally);
     FormerBond<Real> read{slot, link, loadState(arrays.in, j), {}, arrays.rest[slot], {}};
     if (kReadsAhead<T> && __any_sync(__activemask(), !solid)) {
-        read.constants = asConstants(arrays.constants[solid ? own.id : j]);
+        read.constants = arrays.constants[solid ? own.id : j];
         read.spring = arrays.bond_spring[solid ? 0 : slot];
         if (!solid)
             return isApart(own, read.other.position, read.constants, link, params)
@@ -197,8 +197,7 @@ __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, co
     RowCursor<T, decltype(contact_end)> contacts(
         ends.first_contact, ends.last_contact, lane, contact_end, [&](uint32_t) {
             const uint32_t j = first_ends.contact;
-            return ContactEnd<Real>{j, first_ends.contact_owner, arrays.in.position[j],
-                                    asConstants(arrays.constants[j])};
+            return ContactEnd<Real>{j, first_ends.contact_owner, arrays.in.position[j], arrays.constants[j]};
         });
     gatherRow<T>(bonds, sum, bond_slot);
     gatherRow<T>(contacts, sum, contact_slot);

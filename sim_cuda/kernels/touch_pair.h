@@ -6,24 +6,24 @@
 
 namespace demolish {
 
-/// A particle whose inverse mass is negative stands for its share of a rigid fragment, which answers once in
-/// kRigidStride substeps: a stiffness acts on it kRigidStride^2 times, a damper kRigidStride times as hard.
+/// A particle that the other kind of step moves stands for its share of a rigid fragment, which answers once
+/// in kRigidStride substeps: a stiffness acts on it kRigidStride^2 times, a damper kRigidStride times as
+/// hard. At most one of the two is such a one.
 template <class Real>
 DEM_FN PairInertia<Real> pairInertia(const ParticleConstants<Real>& i, const ParticleConstants<Real>& j) {
-    if (!(i.inverse_mass < Real(0)) && !(j.inverse_mass < Real(0)))
-        return {i.inverse_mass + j.inverse_mass, i.inverse_inertia + j.inverse_inertia};
-    const bool i_slow = i.inverse_mass < Real(0);
+    if (!i.isMovedByOther() && !j.isMovedByOther())
+        return {i.inverseMass() + j.inverseMass(), i.inverse_inertia + j.inverse_inertia};
+    const bool i_slow = i.isMovedByOther();
     const ParticleConstants<Real>&slow = i_slow ? i : j, &fast = i_slow ? j : i;
     constexpr Real kStride = kRigidStride;
-    const Real inverse = fast.inverse_mass - slow.inverse_mass;
+    const Real light = fast.inverseMass(), heavy = slow.inverseMass(), inverse = light + heavy;
     return {inverse, madd(kStride, slow.inverse_inertia, fast.inverse_inertia),
-            inverse / (fast.inverse_mass - kStride * kStride * slow.inverse_mass),
-            inverse / (fast.inverse_mass - kStride * slow.inverse_mass), true};
+            inverse / (light + kStride * kStride * heavy), inverse / (light + kStride * heavy), true};
 }
 
 template <class Real>
 DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
-    return {own.inverse_mass, own.inverse_inertia};
+    return {own.inverseMass(), own.inverse_inertia};
 }
 
 }  // namespace demolish

@@ -96,7 +96,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
 template <class Real>
 DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
                       const StepParams<Real>& params) {
-    return other.inverse_mass < Real(0) && (own.inverse_mass < Real(0) || params.leaves_out != 0);
+    return other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0);
 }
 
 /// The other end of a contact, as far as it takes to see that nothing touches. The GPU reads it for the slot
@@ -111,7 +111,7 @@ struct ContactEnd {
 template <class Real>
 DEM_FN ContactEnd<Real> contactEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
     const uint32_t j = arrays.neighbour[slot];
-    return {j, kUnknownOwner, arrays.in.position[j], asConstants(arrays.constants[j])};
+    return {j, kUnknownOwner, arrays.in.position[j], arrays.constants[j]};
 }
 
 template <class Real>
@@ -222,7 +222,7 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
                                    const OwnParticle<Real>& own, uint32_t slot, const LinkEnd& end,
                                    Tally<Real>& tally) {
     const Vec4<Real> position = arrays.in.position[end.id];
-    const ParticleConstants<Real> other = asConstants(arrays.constants[end.id]);
+    const ParticleConstants<Real> other = arrays.constants[end.id];
     if (isApart(own, position, other, end.link, params)) return {};
     const FormerBond<Real> former{slot,  end.link,          loadWithoutRotation(arrays.in, position, end.id),
                                   other, arrays.rest[slot], arrays.bond_spring[slot]};

@@ -57,13 +57,13 @@ DEM_FN bool isOutside(const Vec3<Real>& v, const VelocityRange<Real>& box, const
 template <class Real>
 struct SampleVelocities {
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const VelocityRanges<Real>> ranges;  ///< one
     Span<uint32_t> bins;                      ///< kVelocityBins an axis, 0 before
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k * kSampleEvery;
-        if (!(constants[i].x > Real(0))) return;
+        if (!(constants[i].takesPart())) return;
         for (uint32_t axis = 0; axis < 3; ++axis) {
             const AxisOf<Real> along = alongAxis(axis, xyz(state.velocity[i]), ranges[0].bodies);
             atomicAddU32(&bins[axis * kVelocityBins + velocityBin(along.v, along.low, along.high)], 1);
@@ -93,14 +93,14 @@ struct TrimVelocities {
 template <class Real>
 struct CountFast {
     StateIn<Real> state;
-    Span<const Vec4<Real>> constants;
+    Span<const ParticleConstants<Real>> constants;
     Span<const VelocityRanges<Real>> ranges;  ///< one
     Span<const SlowBins> slow;                ///< one
     Span<const uint32_t> place_kind;          ///< 0: looked for in the grid (fill_grid.h)
     Span<uint32_t> count;                     ///< one, 0 before
 
     DEM_FN void operator()(uint32_t i) const {
-        if (!(constants[i].x > Real(0)) || place_kind[i] != 0) return;
+        if (!(constants[i].takesPart()) || place_kind[i] != 0) return;
         if (isOutside(xyz(state.velocity[i]), ranges[0].bodies, slow[0])) atomicAddU32(&count[0], 1);
     }
 };

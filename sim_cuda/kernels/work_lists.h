@@ -56,7 +56,7 @@ struct MarkWork {
     /// this question again, if its new path leads to a plane (strayed_paths.h).
     DEM_FN bool nearPlane(uint32_t i) const {
         const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
-        const Real reach = meetings.constants[i].w + velocity.w;
+        const Real reach = meetings.constants[i].floor_radius + velocity.w;
         for (uint32_t p = 0; p < planes.count; ++p) {
             const Vec3<Real> normal = xyz(planes.planes[p]);
             const Real height = dot(normal, xyz(position)) - planes.planes[p].w;
@@ -78,13 +78,13 @@ struct WriteWork {
     Span<const RigidBody> body;
     Span<const Vec3<double>> arm;
     Span<const uint32_t> memory;  ///< per slot: of the last step
-    Span<const Vec4<Real>> own_constants;
+    Span<const ParticleConstants<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
-    Span<uint32_t> large;          ///< entries with long rows, in any order
-    Span<uint32_t> words;          ///< kWorkWords, 0 before: what the host wants to know
-    Span<uint32_t> body_awake;     ///< per body, 0 before
-    Span<Vec4<Real>> constants;    ///< of contact steps
-    Span<Vec4<Real>> in_substeps;  ///< of substeps, where rigid fragments move too
+    Span<uint32_t> large;                       ///< entries with long rows, in any order
+    Span<uint32_t> words;                       ///< kWorkWords, 0 before: what the host wants to know
+    Span<uint32_t> body_awake;                  ///< per body, 0 before
+    Span<ParticleConstants<Real>> constants;    ///< of contact steps
+    Span<ParticleConstants<Real>> in_substeps;  ///< of substeps, where rigid fragments move too
 
     DEM_FN uint32_t sum(uint32_t row, uint32_t k) const {
         return sums[row * places.total + k] - sums[row * places.total];
@@ -108,8 +108,8 @@ struct WriteWork {
         if (last[entry] - first[entry] > kShortRigidRow) large[atomicAddU32(&words[kLargeCount], 1)] = entry;
     }
     DEM_FN void writeConstants(uint32_t k, uint32_t slot) const {
-        const Vec4<Real> own = own_constants[k];
-        constants[k] = regime[slot] == wordOf(Regime::kBonded) ? movedOtherwise(own) : own;
+        const ParticleConstants<Real> own = own_constants[k];
+        constants[k] = regime[slot] == wordOf(Regime::kBonded) ? own.seenByOther() : own;
         in_substeps[k] = own;
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         RigidBody start = body[slot];

@@ -27,7 +27,7 @@ struct WriteParticles {
         Real radius = own.constants.contact_radius;
         if (projectile) {
             const Vec4<Real> waiting = shown[i - in_bodies];
-            if (!(own.constants.inverse_mass > Real(0))) position = xyz(waiting);
+            if (!own.constants.takesPart()) position = xyz(waiting);
             radius = waiting.w;
         }
         ParticleInstance instance{};

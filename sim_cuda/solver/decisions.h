@@ -74,8 +74,8 @@ void Decisions<Backend, Real>::bookSoftening() {
     const RigidConstants<Real> constants = scene_.regimes.rigidConstants();
     MeasureEnergy<Real> bonded{scene_.arrays(), {}, scene_.params, {}, {}, {}, {}};
     MeasureEnergy<Real> carried = bonded, rigid = bonded;
-    carried.arrays.constants = Span<const Vec4<Real>>(constants.in_substeps);
-    rigid.arrays.constants = Span<const Vec4<Real>>(constants.in_contact_steps);
+    carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
+    rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);
     rigid.params = rigidParams(scene_.params, kRigidStride);
     scene_.backend.forEach(
         scene_.tables.counts.total,

@@ -27,12 +27,13 @@ class FragmentMotion {
     /// Once a frame, after clustering.
     void advanceAges(const FragmentRows& rows);
     /// Sums of the present state. Does not wait.
-    void gather(const FragmentRows& rows, const StateIn<Real>& state, Span<const Vec4<Real>> constants);
+    void gather(const FragmentRows& rows, const StateIn<Real>& state,
+                Span<const ParticleConstants<Real>> constants);
     /// After gather(): transforms at the fragments' slots, which must fit. Does not wait.
     void writeTransforms(const FragmentRows& rows, Span<FragmentTransform> transforms);
     /// After gather() with the same state: V and omega of every fragment, at its slot. Does not wait.
     Span<const RigidMotion> fitMotions(const FragmentRows& rows, const StateIn<Real>& state,
-                                       Span<const Vec4<Real>> constants);
+                                       Span<const ParticleConstants<Real>> constants);
     /// What the fit was made of, by place in the rows: after gather(), after fitMotions().
     Span<const PoseSums> poses() const { return pose_.view(); }
     Span<const SpinSums> spins() const { return spin_.view(); }
@@ -95,7 +96,7 @@ void FragmentMotion<Backend, Real>::fold(const FragmentRows& rows, Buffer<Terms>
 
 template <class Backend, class Real>
 void FragmentMotion<Backend, Real>::gather(const FragmentRows& rows, const StateIn<Real>& state,
-                                           Span<const Vec4<Real>> constants) {
+                                           Span<const ParticleConstants<Real>> constants) {
     backend_.forEach(count_, StartPoseSums<Real>{rows, state, constants, rest_position_.view(), pose_.span()},
                      "start pose sums");
     fold(rows, pose_, "fold pose sums");
@@ -109,9 +110,8 @@ void FragmentMotion<Backend, Real>::writeTransforms(const FragmentRows& rows,
 }
 
 template <class Backend, class Real>
-Span<const RigidMotion> FragmentMotion<Backend, Real>::fitMotions(const FragmentRows& rows,
-                                                                  const StateIn<Real>& state,
-                                                                  Span<const Vec4<Real>> constants) {
+Span<const RigidMotion> FragmentMotion<Backend, Real>::fitMotions(
+    const FragmentRows& rows, const StateIn<Real>& state, Span<const ParticleConstants<Real>> constants) {
     if (spin_.size() < count_) {
         spin_ = backend_.template allocate<SpinSums>(count_);
         motion_ = backend_.template allocate<RigidMotion>(count_);

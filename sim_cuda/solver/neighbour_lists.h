@@ -48,7 +48,8 @@ class NeighbourLists {
     /// Builds the rows from the present state. Waits for their length, not for the rows. Needed at the start,
     /// when elapsed + lookahead passes horizon(), when too many leave their paths, and when a projectile
     /// starts.
-    void build(const StateIn<Real>& state, Span<const Vec4<Real>> constants, const BondRowsIn<Real>& bonds);
+    void build(const StateIn<Real>& state, Span<const ParticleConstants<Real>> constants,
+               const BondRowsIn<Real>& bonds);
 
     /// Makes room for `used` entries that the caller writes (a state put back) and takes over their horizon
     /// (s).
@@ -71,10 +72,10 @@ class NeighbourLists {
     const ContactArrays<Backend, Real>& contacts() const { return contacts_; }
 
   private:
-    void startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
+    void startPaths(const StateIn<Real>& state, Span<const ParticleConstants<Real>> constants,
                     const BondRowsIn<Real>& bonds);
-    void chooseFrame(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
-    void seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants);
+    void chooseFrame(const StateIn<Real>& state, Span<const ParticleConstants<Real>> constants);
+    void seekFast(const StateIn<Real>& state, Span<const ParticleConstants<Real>> constants);
     void fillGrid();
     void findPairs(const NeighbourSearch<Real>& search);
     void writeRows(const NeighbourSearch<Real>& search);
@@ -171,7 +172,8 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
 }
 
 template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
+void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state,
+                                          Span<const ParticleConstants<Real>> constants,
                                           const BondRowsIn<Real>& bonds) {
     exchangeRows();
     startPaths(state, constants, bonds);
@@ -190,7 +192,8 @@ void NeighbourLists<Backend, Real>::build(const StateIn<Real>& state, Span<const
 }
 
 template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<const Vec4<Real>> constants,
+void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state,
+                                               Span<const ParticleConstants<Real>> constants,
                                                const BondRowsIn<Real>& bonds) {
     backend_.fill(zeroed_.span(), 0u);
     backend_.reduceInto(ranges_.span(), counts_.total, VelocityRanges<Real>{},
@@ -204,7 +207,7 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state, Span<
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
-                                                Span<const Vec4<Real>> constants) {
+                                                Span<const ParticleConstants<Real>> constants) {
     if (settings_.set_apart) seekFast(state, constants);
     backend_.forEach(
         1,
@@ -217,7 +220,8 @@ void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
 
 /// Leaves no fast ones counted where it is not called.
 template <class Backend, class Real>
-void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state, Span<const Vec4<Real>> constants) {
+void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state,
+                                             Span<const ParticleConstants<Real>> constants) {
     const uint32_t samples = (counts_.in_bodies + kSampleEvery - 1) / kSampleEvery;
     backend_.forEach(samples, SampleVelocities<Real>{state, constants, ranges_.view(), velocityBins()},
                      "sample velocities");

@@ -137,7 +137,8 @@ class Regimes {
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
-    Buffer<Vec4<Real>> start_rotation_, rigid_constants_, in_substeps_;
+    Buffer<Vec4<Real>> start_rotation_;
+    Buffer<ParticleConstants<Real>> rigid_constants_, in_substeps_;
     Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
     Buffer<uint32_t> marks_, mark_sums_;          ///< of the lists
     Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, large_, bonds_, body_awake_, words_;
@@ -186,8 +187,8 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
     start_rotation_ = backend.template allocate<Vec4<Real>>(total);
-    rigid_constants_ = backend.template allocate<Vec4<Real>>(total);
-    in_substeps_ = backend.template allocate<Vec4<Real>>(total);
+    rigid_constants_ = backend.template allocate<ParticleConstants<Real>>(total);
+    in_substeps_ = backend.template allocate<ParticleConstants<Real>>(total);
     carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
     carried_tally_ = backend.template allocate<Vec4<Real>>(4 * size_t{total});
     marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total});

@@ -13,7 +13,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
                                     bool frame_starts, uint32_t substeps, double soon) {
     const FragmentRows rows = clusters.rows();
     const StateIn<Real> state = data.particles.in(data.current);
-    const Span<const Vec4<Real>> constants = data.particles.constants.view();
+    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
     if (frame_starts) {
         fits_ = motion.fitMotions(rows, state, constants);
         watchClocks(data, clusters, motion, substeps);
@@ -63,7 +63,7 @@ template <class Backend, class Real>
 void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
                                          const FragmentMotion<Backend, Real>& motion, uint32_t substeps) {
     const uint32_t total = counts_of_.total;
-    const Span<const Vec4<Real>> constants = data.particles.constants.view();
+    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
     backend_.fill(speeds_.span(), 0u);
     backend_.forEach(
         total,
@@ -189,7 +189,7 @@ void Regimes<Backend, Real>::useLists(SolverData<Backend, Real>& data, const Mee
         data.work.at_most = counts_[kBondedCount] + counts_[kCarriedCount];
     }
     data.work.regime = regime_.view();
-    data.constants_in_substeps = movesRigid() ? in_substeps_.view() : Span<const Vec4<Real>>{};
+    data.constants_in_substeps = movesRigid() ? in_substeps_.view() : Span<const ParticleConstants<Real>>{};
     data.carried = carried_.span();
     data.carried_tally = carried_tally_.span();
 }

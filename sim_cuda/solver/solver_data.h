@@ -42,7 +42,7 @@ struct SolverData {
     Buffer<PairLaw<Real>> pair_laws, wall_laws;
     uint32_t current = 0;  ///< which of the two states is the present one
     BondedWork work;       ///< which particles a substep moves
-    Span<const Vec4<Real>>
+    Span<const ParticleConstants<Real>>
         constants_in_substeps;                ///< where rigid fragments move too; none: particles.constants
     Span<Vec4<Real>> carried, carried_tally;  ///< as in SubstepArrays
 
@@ -50,7 +50,8 @@ struct SolverData {
 
     void uploadLaws(Backend& backend, const LawTables& laws);
     /// Particle i of the present state anew. Waits.
-    void put(Backend& backend, uint32_t i, const LoadedState<Real>& state, const Vec4<Real>& constants);
+    void put(Backend& backend, uint32_t i, const LoadedState<Real>& state,
+             const ParticleConstants<Real>& constants);
     /// Views for a substep from the present state into the other one.
     SubstepArrays<Real> arrays(ContactArrays<Backend, Real>& contacts);
     /// The same where carried particles may be among those moved.
@@ -75,7 +76,8 @@ void SolverData<Backend, Real>::uploadParticles(Backend& backend, const SceneTab
     particles.counts = tables.counts;
     const uint32_t total = tables.counts.total, in_bodies = tables.counts.in_bodies;
     std::vector<Vec4<Real>> position(total), rotation(total, {Real(0), Real(0), Real(0), Real(1)}),
-        velocity(total), spin(total), constants(total);
+        velocity(total), spin(total);
+    std::vector<ParticleConstants<Real>> constants(total);
     std::vector<uint32_t> owner = tables.owner;
     for (uint32_t i = 0; i < in_bodies; ++i) {
         const LoadedState<Real> state =
@@ -151,7 +153,7 @@ void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& la
 
 template <class Backend, class Real>
 void SolverData<Backend, Real>::put(Backend& backend, uint32_t i, const LoadedState<Real>& state,
-                                    const Vec4<Real>& constants) {
+                                    const ParticleConstants<Real>& constants) {
     const StateOut<Real> now = particles.out(current);
     backend.upload(now.position.part(i, 1), &state.position, 1);
     backend.upload(now.rotation.part(i, 1), &state.rotation, 1);

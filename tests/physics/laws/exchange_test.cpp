@@ -111,7 +111,8 @@ TEST(Exchange, ContactLawsOfAPairAreTheSameFromBothSides) {
 }
 
 TEST(Exchange, ARigidFragmentsParticleCountsAlikeFromBothSides) {
-    const ParticleConstants<float> fast{3.0f, 700.0f, 0.01f, 0.01f}, slow{-0.5f, 90.0f, 0.01f, 0.01f};
+    const ParticleConstants<float> fast{3.0f, 700.0f, 0.01f, 0.01f},
+        slow = ParticleConstants<float>{0.5f, 90.0f, 0.01f, 0.01f}.seenByOther();
     const auto a = laws::pairInertia(fast, slow), b = laws::pairInertia(slow, fast);
     EXPECT_EQ(a.inverse_mass, b.inverse_mass);
     EXPECT_EQ(a.inverse_inertia, b.inverse_inertia);
@@ -167,7 +168,7 @@ TEST(Exchange, ABondsEnergyAndBreakAreTheSameFromBothSides) {
 
 TEST(Exchange, BrokenFacesCountAlikeFromBothSides) {
     const ParticleConstants<float> light{3.0f, 700.0f, 0.01f, 0.01f}, heavy{0.5f, 90.0f, 0.02f, 0.02f},
-        rigid{-0.5f, 90.0f, 0.02f, 0.02f};
+        rigid = heavy.seenByOther();
     const FaceLaw<float> law{0.5f, 0.1f, 0.2f};
     const BondConstants<float> bond{{0.05f, 0, 0}, {8e4f, 2.4e4f, 6.4f, 3.8f}, 0.0178f, 6e4f, 1e-4f};
     StepParams<float> params;

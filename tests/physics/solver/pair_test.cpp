@@ -44,7 +44,8 @@ TEST_F(Pair, ABrokenPairNeverPullsAndNeverHeals) {
 
 TEST_F(Pair, WhatIsRigidIsLeftOutWhereTheTwoGoApart) {
     setState(PairState::kContact);
-    data_.particles.constants.span()[1].x *= -1;  // moved in contact steps
+    auto& other = data_.particles.constants.span()[1];
+    other = other.seenByOther();  // moved in contact steps
     auto felt = backend_.allocate<Vec4<double>>(2 * size_t{2}),
          tally = backend_.allocate<Vec4<double>>(4 * size_t{2});
     data_.carried = felt.span();

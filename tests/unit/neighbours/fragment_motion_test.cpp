@@ -19,21 +19,23 @@ constexpr float kPitch = 0.02f;
 /// A lattice block with a state of its own, cut as the grid says.
 struct Block {
     BondedGrid grid;
-    std::vector<Vec4<float>> rest, position, rotation, velocity, spin, constants;
+    std::vector<Vec4<float>> rest, position, rotation, velocity, spin;
+    std::vector<ParticleConstants<float>> constants;
 
+    static ParticleConstants<float> ofMass(float kg) { return {1 / kg, 1e6f, 0.01f, 0.01f}; }
     explicit Block(const BondedGrid& bonds) : grid(bonds) {
         for (uint32_t i = 0; i < grid.count(); ++i) {
             const auto p = grid.placeOf(i);
             rest.push_back({kPitch * float(p.x), kPitch * float(p.y), kPitch * float(p.z), 0});
             rotation.push_back({0, 0, 0, 1});
-            constants.push_back({1 / (0.01f + 0.001f * float(i % 7)), 1e6f, 0.01f, 0.01f});
+            constants.push_back(ofMass(0.01f + 0.001f * float(i % 7)));
         }
         position = rest;
         velocity.resize(rest.size());
         spin.resize(rest.size());
     }
-    double mass(uint32_t i) const { return 1.0 / double(constants[i].x); }
-    double inertia(uint32_t i) const { return 1.0 / double(constants[i].y); }
+    double mass(uint32_t i) const { return 1.0 / double(constants[i].inverseMass()); }
+    double inertia(uint32_t i) const { return 1.0 / double(constants[i].inverse_inertia); }
     void shake(unsigned seed) {
         std::mt19937 random(seed);
         std::normal_distribution<float> normal;
@@ -54,7 +56,8 @@ struct Block {
 /// The block on the backend, clustered, with its sums gathered.
 struct Gathered {
     CpuBackend backend;
-    CpuBackend::Buffer<Vec4<float>> position, rotation, velocity, spin, constants;
+    CpuBackend::Buffer<Vec4<float>> position, rotation, velocity, spin;
+    CpuBackend::Buffer<ParticleConstants<float>> constants;
     CpuBackend::Buffer<uint32_t> row_start;
     CpuBackend::Buffer<BondLink> link;
     Clustering<CpuBackend> clustering;
@@ -155,8 +158,7 @@ TEST(FragmentMotion, TransformTakesRestPositionsToPresentOnes) {
 
 TEST(FragmentMotion, MeanRotationIsWeightedByMassAndKeepsTheCentre) {
     Block block(BondedGrid(2, 1, 1));
-    block.constants[0].x = 1;         // 1 kg
-    block.constants[1].x = 1 / 3.0f;  // 3 kg
+    block.constants = {Block::ofMass(1), Block::ofMass(3)};
     const float angle = 0.2f;
     block.rotation[1] = {0, 0, std::sin(angle / 2), std::cos(angle / 2)};
     block.position[1].y = 0.004f;

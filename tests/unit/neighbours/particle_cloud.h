@@ -49,7 +49,7 @@ struct CloudArrays {
         particles.velocity[0] = backend.allocate<Vec4<float>>(n);
         particles.rotation[0] = backend.allocate<Vec4<float>>(n);
         particles.spin[0] = backend.allocate<Vec4<float>>(n);
-        particles.constants = backend.allocate<Vec4<float>>(n);
+        particles.constants = backend.allocate<ParticleConstants<float>>(n);
         for (size_t i = 0; i < n; ++i) {
             const auto& item = cloud.items[i];
             particles.constants.span()[i] = {item.active ? 1.0f : 0.0f, 1.0f, item.radius, item.radius};
