@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "sim_cuda/api/vectors.h"
@@ -61,7 +62,20 @@ struct Projectile {
 struct Plane {
     Double3 normal{0, 1, 0};  ///< unit
     double offset = 0;        ///< m
+    bool operator==(const Plane&) const = default;
 };
+
+/// Rigid box.
+struct Box {
+    Double3 size{1, 1, 1};  ///< m, edges along the axes of its own frame
+    Double3 position;       ///< m, of its centre
+    Quaternion rotation;    ///< unit, from its own frame to the world
+    bool operator==(const Box&) const = default;
+};
+
+/// What bodies fall on and are thrown against, and nothing moves: convex shapes.
+using Collider = std::variant<Plane, Box>;
+inline constexpr uint32_t kMaxColliders = 8;
 
 struct SolverParams {
     double frame_time = 1.0 / 60;  ///< s simulated per frame
@@ -70,8 +84,8 @@ struct SolverParams {
     double step_safety = 0.5;      ///< of dt_crit, <= 0.5 at damping_ratio 0.3
     Double3 gravity{0, -9.81, 0};  ///< m/s^2
     ContactLaw contact_law = ContactLaw::kLinear;
-    std::vector<Plane> planes{Plane{}};  ///< at most 4
-    double wall_friction = -1;           ///< mu against planes, 0..1.5; negative: the body's own
+    std::vector<Collider> colliders{Plane{}};  ///< at most kMaxColliders
+    double wall_friction = -1;                 ///< mu against colliders, 0..1.5; negative: the body's own
     double wall_stiffness = 1;   ///< Hertz: share of a rigid wall's E* and G*; 1/2: the wall is of the
                                  ///< body's own material, as (1) reads at R* = R
     double settle_time = 0;      ///< s of settling before frame 0 (models.md E.4), 0 = none

@@ -73,7 +73,7 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
     /// its own inverse mass, 1/kg, while inverseMass() is that of its share of the fragment.
     Real inverse_inertia{};
     Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
-    Real floor_radius{};    ///< m, R_w: against planes (models E.4, sole rule)
+    Real floor_radius{};    ///< m, R_w: against colliders (models E.4, sole rule)
 
   private:
     Real signed_inverse_mass_{};
@@ -83,7 +83,7 @@ template <class Real>
 DEM_FN Vec3<Real> lowPart(const Vec4<Real>& position, const Vec4<Real>& velocity, const Vec4<Real>& spin) {
     return {position.w, velocity.w, spin.w};
 }
-/// Rounded to one number: for drawing, lists and planes.
+/// Rounded to one number: for drawing, lists and colliders.
 template <class T>
 DEM_FN auto positionOf(const StateSpans<T>& state, size_t i) {
     return xyz(state.position[i]) + lowPart(state.position[i], state.velocity[i], state.spin[i]);

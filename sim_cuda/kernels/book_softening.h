@@ -37,7 +37,7 @@ struct BookSoftening {
                 return as.contactEnergy(loadOwn(as.arrays, i), j, law, spring);
             });
         }
-        lost += lostToPlanes(i);
+        lost += lostToColliders(i);
         ledger[i].x += lost;
     }
 
@@ -52,13 +52,15 @@ struct BookSoftening {
         if ((!becameRigid(i) && !becameRigid(j)) || label[i] == label[j]) return Real(0);
         return energy(bonded) - energy(isRigid(i) && isRigid(j) ? rigid : carried);
     }
-    DEM_FN Real lostToPlanes(uint32_t i) const {
+    DEM_FN Real lostToColliders(uint32_t i) const {
         Real lost{};
         if (!becameRigid(i)) return lost;
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
-        for (uint32_t p = 0; p < bonded.params.planes.count; ++p)
-            if (!(bonded.arrays.plane_spring[p * bonded.params.total + i].w > Real(0)))
-                lost += bonded.planeEnergy(before, p) - rigid.planeEnergy(after, p);
+        forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+            if (!(bonded.arrays.collider_spring[c * bonded.params.total + i].w > Real(0)))
+                lost += bonded.colliderEnergy(before, c, tangent.distance) -
+                        rigid.colliderEnergy(after, c, tangent.distance);
+        });
         return lost;
     }
 };

@@ -7,8 +7,8 @@
 //
 // Flags are bits set in any order, islands carry their lowest slot: the same on every device.
 #pragma once
+#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/contact_rows.h"
-#include "sim_cuda/data/planes.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
@@ -270,7 +270,7 @@ struct FlagIslands {
     HitRules<Real> hits;
     Span<const uint32_t> island, meets;
     Span<const CalmClock> clock;
-    PlaneSet<Real> planes;
+    ColliderSet<Real> colliders;
     Vec3<Real> gravity;
     RegimeRules rules;
     Span<uint32_t> flags;
@@ -303,8 +303,8 @@ struct FlagIslands {
         HardHits hard;
         if (part == 0 && !hits.isCrumb(slot)) {
             const WakeLaw<Real> own = hits.wake[meetings.owner[i]];
-            hard = hitsOnPlanes(i, xyz(meetings.state.velocity[i]),
-                                wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6)));
+            hard = hitsOnColliders(i, xyz(meetings.state.velocity[i]),
+                                   wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6)));
         }
         if (meets[i] == 0) return hard;
         const bool sleeps = hits.sleeps(slot);
@@ -317,20 +317,20 @@ struct FlagIslands {
         });
         return hard;
     }
-    DEM_FN HardHits hitsOnPlanes(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
+    DEM_FN HardHits hitsOnColliders(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
         const MeetingsIn<Real>& meetings = hits.meetings;
         const Vec3<Real> position = positionOf(meetings.state, i);
         HardHits hard;
-        for (uint32_t p = 0; p < planes.count; ++p) {
-            const Vec3<Real> normal = xyz(planes.planes[p]);
-            const Real gap = dot(normal, position) - planes.planes[p].w - meetings.constants[i].floor_radius;
+        forEachCollider(colliders, position, [&](uint32_t, const TangentPlane<Real>& tangent) {
+            const Vec3<Real> normal = xyz(tangent.plane);
+            const Real gap = tangent.distance - meetings.constants[i].floor_radius;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
             const auto reaches = [&](Real time) {
                 return madd(time, closing, Real(0.5) * time * time * falling) > gap;
             };
             if (closing > limit && reaches(meetings.soon))
                 (reaches(meetings.at_once) ? hard.at_once : hard.later) = true;
-        }
+        });
         return hard;
     }
 };

@@ -79,7 +79,9 @@ struct MeasureEnergy {
             const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
             sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
         }
-        for (uint32_t p = 0; p < params.planes.count; ++p) sum += static_cast<double>(planeEnergy(own, p));
+        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+            sum += static_cast<double>(colliderEnergy(own, c, tangent.distance));
+        });
         return sum;
     }
 
@@ -113,13 +115,11 @@ struct MeasureEnergy {
             params, overlap, xyz(spring));
     }
 
-    DEM_FN Real planeEnergy(const OwnParticle<Real>& own, uint32_t p) const {
-        const Vec4<Real> plane = params.planes.planes[p];
-        const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) +
-                            dot(xyz(plane), lowPart(own.state.position, own.state.velocity, own.state.spin));
+    /// `height`: m, over the surface of collider c.
+    DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c, Real height) const {
         const Real overlap = own.constants.floor_radius - height;
         if (!(overlap > Real(0))) return Real(0);
-        const Vec4<Real> spring = arrays.plane_spring[p * params.total + own.id];
+        const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
         return touchEnergy(contactTouchLaw(arrays.wall_laws[own.owner], params, overlap,
                                            own.constants.floor_radius, againstWall(own.constants), spring.w),
                            params, overlap, xyz(spring));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves a particle in a substep once the loads of its bonds and contacts are summed: planes, kick and
+// What moves a particle in a substep once the loads of its bonds and contacts are summed: colliders, kick and
 // drift, ledger. The same text on the CPU and in the first of the threads that share a particle on the GPU.
 #pragma once
 #include "sim_cuda/kernels/integrate.h"
@@ -12,8 +12,9 @@ template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
     if (own.constants.isMovedHere())
-        for (uint32_t p = 0; p < params.planes.count; ++p)
-            add(load, planeContact<kLedger>(arrays, params, own, p, tally, TurnsAlone<Real>{}));
+        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+            add(load, colliderContact<kLedger>(arrays, params, own, c, tangent, tally, TurnsAlone<Real>{}));
+        });
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
     if constexpr (kLedger) {

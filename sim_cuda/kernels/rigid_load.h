@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What acts on one particle of a rigid fragment: the faces of broken bonds to other fragments, contacts,
-// planes. The laws are those of a substep; only the step is longer, and a particle carries its share of the
-// fragment's mass.
+// colliders. The laws are those of a substep; only the step is longer, and a particle carries its share of
+// the fragment's mass.
 #pragma once
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/partial_sums.h"
@@ -86,7 +86,7 @@ inline constexpr double kRollingRadiusShare = 0.5;
 /// fifth): less and a piece that leans beyond what rolling resistance holds creeps for seconds.
 inline constexpr double kRollingGrip = 4;
 
-/// A rigid fragment's contact with a plane turns its share of the fragment, whichever way it rolls: over
+/// A rigid fragment's contact with a collider turns its share of the fragment, whichever way it rolls: over
 /// those that touched in the step before, and one more.
 template <class Real>
 struct TurnsFragment {
@@ -107,12 +107,13 @@ struct TurnsFragment {
 };
 
 template <bool kLedger, class Real>
-DEM_FN void addPlanes(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                      const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
-    for (uint32_t p = 0; p < params.planes.count; ++p)
-        add(load.wrench,
-            counted(planeContact<kLedger>(arrays, params, own, p, load.tally, TurnsFragment<Real>{work}),
-                    load.touching));
+DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                         const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
+    forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+        add(load.wrench, counted(colliderContact<kLedger>(arrays, params, own, c, tangent, load.tally,
+                                                          TurnsFragment<Real>{work}),
+                                 load.touching));
+    });
 }
 
 /// One thread a particle: the CPU. `load` is by place.
@@ -137,7 +138,7 @@ struct GatherRigidLoad {
                      countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
                                                  contactFragment(arrays, work.label, slot), out));
         out.wrench = sums.total();
-        addPlanes<kLedger>(arrays, params, work, own, out);
+        addColliders<kLedger>(arrays, params, work, own, out);
         load[place] = out;
     }
 };

@@ -60,7 +60,7 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
 /// its mass and, across the arm to the particle, its turning, so that the step is stable however many touch,
 /// be it at the tip of a splinter. Its damper is that of a substep and goes by the particle's own mass
 /// (`OwnMass`) but where it hardly approaches (`kRestApproach`), and so does what resists rolling but on
-/// planes (`TurnsFragment`). `arm`: m, from the centre, in the frame that the inertia belongs to.
+/// colliders (`TurnsFragment`). `arm`: m, from the centre, in the frame that the inertia belongs to.
 template <class Real>
 DEM_FN ParticleConstants<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm,
                                                const ParticleConstants<Real>& own) {

@@ -29,7 +29,7 @@ DEM_FN uint64_t mixIn(uint64_t hash, const Vec4<Real>& a) {
 }
 
 /// Which kind of thing an entry is.
-enum class HashedKind : uint64_t { kParticle = 1, kBond = 2, kContact = 3, kPlane = 4 };
+enum class HashedKind : uint64_t { kParticle = 1, kBond = 2, kContact = 3, kCollider = 4 };
 
 DEM_FN uint64_t entryHash(HashedKind kind, uint64_t a, uint64_t b) {
     return counterHash(counterHash(static_cast<uint64_t>(kind), a), b);
@@ -39,15 +39,15 @@ DEM_FN bool isNull(const Vec4<Real>& spring) {
     return !(spring.x != Real(0)) && !(spring.y != Real(0)) && !(spring.z != Real(0));
 }
 
-/// Particle i: its state, its bond records, its contacts and its springs against planes. Springs at rest do
-/// not count, so that it does not matter which pairs happen to be listed.
+/// Particle i: its state, its bond records, its contacts and its springs against colliders. Springs at rest
+/// do not count, so that it does not matter which pairs happen to be listed.
 template <class Real>
 struct HashParticle {
     StateIn<Real> state;
     BondRowsIn<Real> bonds;
     ContactRowsIn<Real> contacts;
-    Span<const Vec4<Real>> plane_spring;
-    uint32_t planes = 0, total = 0;
+    Span<const Vec4<Real>> collider_spring;
+    uint32_t colliders = 0, total = 0;
     Span<uint64_t> sum;
 
     DEM_FN void operator()(uint32_t i) const {
@@ -59,9 +59,9 @@ struct HashParticle {
         for (uint32_t s = contacts.row_start[i]; s < contacts.row_start[i + 1]; ++s)
             if (!isNull(contacts.spring[s]))
                 hash += mixIn(entryHash(HashedKind::kContact, i, contacts.neighbour[s]), contacts.spring[s]);
-        for (uint32_t p = 0; p < planes; ++p)
-            if (!isNull(plane_spring[p * total + i]))
-                hash += mixIn(entryHash(HashedKind::kPlane, i, p), plane_spring[p * total + i]);
+        for (uint32_t c = 0; c < colliders; ++c)
+            if (!isNull(collider_spring[c * total + i]))
+                hash += mixIn(entryHash(HashedKind::kCollider, i, c), collider_spring[c * total + i]);
         atomicAddU64(&sum[0], hash);
     }
 };

@@ -3,8 +3,8 @@
 #pragma once
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/bonds.h"
+#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/particles.h"
-#include "sim_cuda/data/planes.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/physics/touch_law.h"
 
@@ -33,7 +33,7 @@ struct StepParams : TouchStep<Real> {
     uint32_t owners = 0;      ///< bodies + projectile slots: rows of the table of pair laws
     uint32_t in_bodies = 0;   ///< particles of bodies
     uint32_t total = 0;       ///< with projectile slots
-    PlaneSet<Real> planes;
+    ColliderSet<Real> colliders;
 };
 
 /// Everything that is gathered from in a substep, and what it writes.
@@ -46,11 +46,11 @@ struct SubstepArrays {
     Span<const uint32_t> bond_row, contact_row;
     Span<const Vec4<Real>> rest;
     Span<const uint32_t> neighbour;
-    Span<const BodyLaw<Real>> body_laws;                         ///< per body
-    Span<const PairLaw<Real>> pair_laws;                         ///< owners x owners
-    Span<const PairLaw<Real>> wall_laws;                         ///< per owner, against planes
-    Span<BondLink> link;                                         ///< own slots only
-    Span<Vec4<Real>> bond_spring, contact_spring, plane_spring;  ///< own slots only
+    Span<const BodyLaw<Real>> body_laws;                            ///< per body
+    Span<const PairLaw<Real>> pair_laws;                            ///< owners x owners
+    Span<const PairLaw<Real>> wall_laws;                            ///< per owner, against colliders
+    Span<BondLink> link;                                            ///< own slots only
+    Span<Vec4<Real>> bond_spring, contact_spring, collider_spring;  ///< own slots only
     Span<Vec4<Real>> ledger;   ///< J since it was cleared: (damping, friction, fracture, 0)
     Span<Vec4<Real>> carried;  ///< two a particle: force and torque that a carried one felt in the substeps
                                ///< since the last contact step, added up; none: nothing is carried

@@ -8,7 +8,7 @@
 #pragma once
 #include <bit>
 
-#include "sim_cuda/data/planes.h"
+#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/find_neighbours.h"
 #include "sim_cuda/kernels/insert_pairs.h"
@@ -82,7 +82,7 @@ struct SeeStrayed {
     Span<const uint32_t> buried;         ///< per particle of a body, as StartPaths has it
     Span<const uint32_t> label, regime;  ///< without `regime` everything is moved with its bonds
     Span<const ParticleConstants<Real>> constants;
-    PlaneSet<Real> planes;
+    ColliderSet<Real> colliders;
     Real remaining{};  ///< s that the lists hold from here
     Real gentle{};     ///< m/s: no meeting slower than this wakes bonds
     uint32_t in_bodies = 0;
@@ -97,7 +97,7 @@ struct SeeStrayed {
         for (uint32_t k = thread % kThreads; k < count; k += kThreads) {
             const uint32_t i = strayed[k];
             if (i == j)
-                seePlanes(i);
+                seeColliders(i);
             else if (const PathFromHere<Real> own = paths.anew(i);
                      mayMeet(own, other) && !isEnclosed(i) && !moveAsOne(i, j))
                 seePair(i, j, own, other);
@@ -152,23 +152,21 @@ struct SeeStrayed {
                                  remaining);
     }
 
-    DEM_FN void seePlanes(uint32_t i) const {
+    DEM_FN void seeColliders(uint32_t i) const {
         const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
         const Real radius = constants[i].floor_radius, skin = own.velocity.w;
-        for (uint32_t p = 0; p < planes.count; ++p) {
-            const Real gap = heightOver(p, own) - (radius + skin), sinking = sinkingTo(p, own);
-            if (!(sinking > Real(0)) || !(sinking * remaining > gap)) continue;
-            const bool was_near = heightOver(p, before) - maxOf(sinkingTo(p, before), Real(0)) * remaining <
+        forEachCollider(colliders, xyz(own.position), [&](uint32_t c, const TangentPlane<Real>& tangent) {
+            const Real gap = tangent.distance - (radius + skin), sinking = sinkingTo(tangent, own);
+            if (!(sinking > Real(0)) || !(sinking * remaining > gap)) return;
+            const TangentPlane<Real> then = colliders.tangent(c, xyz(before.position));
+            const bool was_near = then.distance - maxOf(sinkingTo(then, before), Real(0)) * remaining <
                                   radius + Real(0.5) * skin;
             if (sinking > gentle || !was_near)
                 tell(kMustDecide, gap > Real(0) ? minOf(gap / sinking, remaining) : Real(0));
-        }
+        });
     }
-    DEM_FN Real heightOver(uint32_t p, const PathFromHere<Real>& path) const {
-        return dot(xyz(planes.planes[p]), xyz(path.position)) - planes.planes[p].w;
-    }
-    DEM_FN Real sinkingTo(uint32_t p, const PathFromHere<Real>& path) const {
-        return -dot(xyz(planes.planes[p]), xyz(path.velocity));
+    DEM_FN static Real sinkingTo(const TangentPlane<Real>& tangent, const PathFromHere<Real>& path) {
+        return -dot(xyz(tangent.plane), xyz(path.velocity));
     }
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What particle i gets from one slot that is not a solid bond: a contact of its list, the record of a former
-// bond, a plane. Each thread writes its own slot only; both ends of a pair compute the same.
+// bond, a collider. Each thread writes its own slot only; both ends of a pair compute the same.
 #pragma once
 #include "sim_cuda/kernels/own_particle.h"
 #include "sim_cuda/kernels/touch_pair.h"
@@ -29,7 +29,7 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
 }
 
 /// `spring` as it was; writes what it becomes to `kept`, and books; `share` of the pair's energy is this
-/// particle's (1 against a plane).
+/// particle's (1 against a collider).
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
                                const PairMotion<Real>& pair, const Vec4<Real>& spring, Vec4<Real>& kept,
@@ -229,7 +229,7 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
     return touchingFormerBond<kLedger, kStep>(arrays, params, own, former, tally);
 }
 
-/// What turns with a particle that rolls on a plane.
+/// What turns with a particle that rolls on a collider.
 template <class Real>
 struct Turning {
     Real inertia{};  ///< kg m^2
@@ -241,36 +241,44 @@ struct TurnsAlone {
     static constexpr StepKind kStep = StepKind::kSubstep;
 };
 
-/// Plane p: a wall with R* = R_w, nothing moves on its side. `turned_with(i, plane)`: what turns with
+/// Calls visit(c, tangent) for every collider, as the particle has it.
+template <class Real, class Visit>
+DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Real>& own,
+                            const Visit& visit) {
+    const LoadedState<Real>& state = own.state;
+    forEachCollider(params.colliders, xyz(state.position),
+                    lowPart(state.position, state.velocity, state.spin), visit);
+}
+
+/// Collider c: a wall with R* = R_w, nothing moves on its side. `turned_with(i, plane)`: what turns with
 /// particle i at least, where something other than itself does.
 template <bool kLedger, class Real, class TurnedWith>
-DEM_FN Wrench<Real> planeContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                 const OwnParticle<Real>& own, uint32_t p, Tally<Real>& tally,
-                                 [[maybe_unused]] const TurnedWith& turned_with) {
-    const Vec4<Real> plane = params.planes.planes[p];
-    const Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
-    const Real height = (dot(xyz(plane), xyz(own.state.position)) - plane.w) + dot(xyz(plane), low);
-    const Real overlap = own.constants.floor_radius - height;
+DEM_FN Wrench<Real> colliderContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                    const OwnParticle<Real>& own, uint32_t c,
+                                    const TangentPlane<Real>& tangent, Tally<Real>& tally,
+                                    [[maybe_unused]] const TurnedWith& turned_with) {
+    const Vec3<Real> normal = xyz(tangent.plane);
+    const Real height = tangent.distance, overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
-    Vec4<Real>& spring = arrays.plane_spring[p * params.total + own.id];
+    Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
     TouchLaw<Real> law =
         contactTouchLaw<TurnedWith::kStep>(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
                                            own.constants.floor_radius, againstWall(own.constants), spring.w);
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), xyz(plane)), spring, spring, params,
+        releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), normal), spring, spring, params,
                               Real(1), tally);
         return {};
     }
     if constexpr (TurnedWith::kStep == StepKind::kContact) {
-        const Turning<Real> turning = turned_with(own.id, plane);
+        const Turning<Real> turning = turned_with(own.id, tangent.plane);
         law.inertia = maxOf(law.inertia, turning.inertia);
         law.radius = maxOf(law.radius, turning.radius);
     }
     PairMotion<Real> pair;
     pair.velocity_i = xyz(own.state.velocity);
     pair.spin_i = xyz(own.state.spin);
-    return applyTouch<kLedger, TurnedWith::kStep>(TouchGeometry<Real>{-xyz(plane), overlap, height, Real(0)},
-                                                  law, pair, spring, spring, params, Real(1), tally);
+    return applyTouch<kLedger, TurnedWith::kStep>(TouchGeometry<Real>{-normal, overlap, height, Real(0)}, law,
+                                                  pair, spring, spring, params, Real(1), tally);
 }
 
 }  // namespace demolish

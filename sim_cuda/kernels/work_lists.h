@@ -23,7 +23,7 @@ struct MarkWork {
     PlacesIn places;
     Span<const uint32_t> regime;
     Span<const uint32_t> meets;  ///< as JoinIslands has found it; empty: particles have been moved since
-    PlaneSet<Real> planes;
+    ColliderSet<Real> colliders;
     Span<uint32_t> active, fragment, bonded, carried;  ///< marks: by place, by slot, by particle, by particle
 
     DEM_FN void operator()(uint32_t thread) const {
@@ -44,7 +44,7 @@ struct MarkWork {
         bool anything = false, bonded = false;
     };
     DEM_FN Near nearOf(uint32_t i, uint32_t part) const {
-        Near near{part == 0 && nearPlane(i), false};
+        Near near{part == 0 && nearCollider(i), false};
         if (!meets.empty() && meets[i] == 0) return near;
         meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
             near.anything = true;
@@ -53,17 +53,16 @@ struct MarkWork {
         return near;
     }
     /// On the straight path that the contact lists rely on: a particle off it by more than its skin brings
-    /// this question again, if its new path leads to a plane (strayed_paths.h).
-    DEM_FN bool nearPlane(uint32_t i) const {
+    /// this question again, if its new path leads to a collider (strayed_paths.h).
+    DEM_FN bool nearCollider(uint32_t i) const {
         const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
         const Real reach = meetings.constants[i].floor_radius + velocity.w;
-        for (uint32_t p = 0; p < planes.count; ++p) {
-            const Vec3<Real> normal = xyz(planes.planes[p]);
-            const Real height = dot(normal, xyz(position)) - planes.planes[p].w;
-            const Real sinking = maxOf(-dot(normal, xyz(velocity)), Real(0));
-            if (madd(-sinking, meetings.horizon, height) < reach) return true;
-        }
-        return false;
+        bool near = false;
+        forEachCollider(colliders, xyz(position), [&](uint32_t, const TangentPlane<Real>& tangent) {
+            const Real sinking = maxOf(-dot(xyz(tangent.plane), xyz(velocity)), Real(0));
+            if (madd(-sinking, meetings.horizon, tangent.distance) < reach) near = true;
+        });
+        return near;
     }
 };
 

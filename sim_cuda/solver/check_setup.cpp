@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/solver/scene_tables.h"
 
 namespace demolish {
@@ -19,6 +20,10 @@ void demandRange(double value, double low, double high, const std::string& name)
 
 void demandFinite(const Double3& v, const std::string& name) {
     demand(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z), name + " is not a finite number.");
+}
+
+void demandUnit(const Quaternion& q, const std::string& name) {
+    demandRange(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 0.999, 1.001, "The square of " + name);
 }
 
 void checkMaterial(const Material& material) {
@@ -47,9 +52,20 @@ void checkBody(const BodyInstance& instance) {
     demandFinite(instance.position, "A body's position");
     demandFinite(instance.velocity, "A body's velocity");
     demandFinite(instance.angular_velocity, "A body's angular velocity");
-    const Quaternion q = instance.rotation;
-    demandRange(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w, 0.999, 1.001,
-                "The square of a body's rotation");
+    demandUnit(instance.rotation, "a body's rotation");
+}
+
+void checkShape(const Plane& plane) {
+    const Double3& n = plane.normal;
+    demandRange(n.x * n.x + n.y * n.y + n.z * n.z, 0.999, 1.001, "The square of a plane's normal");
+    demandRange(plane.offset, -1e6, 1e6, "The offset (m) of a plane");
+}
+
+void checkShape(const Box& box) {
+    for (const double edge : {box.size.x, box.size.y, box.size.z})
+        demandRange(edge, 1e-3, 1e4, "An edge (m) of a box");
+    demandFinite(box.position, "A box's position");
+    demandUnit(box.rotation, "a box's rotation");
 }
 
 void checkParams(const SolverParams& params) {
@@ -59,14 +75,33 @@ void checkParams(const SolverParams& params) {
     demandRange(params.settle_time, 0, 100, "Settling time (s)");
     demandRange(params.scene_radius, 1e-6, 1e6, "Scene radius (m)");
     demandFinite(params.gravity, "Gravity");
-    demand(params.planes.size() <= kMaxPlanes,
-           "A scene has at most " + std::to_string(kMaxPlanes) + " planes.");
-    demandRange(params.wall_friction, -1, 1.5, "Friction of the planes");
-    demandRange(params.wall_stiffness, 1e-3, 1, "Stiffness of the planes");
-    for (const Plane& plane : params.planes) {
-        const Double3 n = plane.normal;
-        demandRange(n.x * n.x + n.y * n.y + n.z * n.z, 0.999, 1.001, "The square of a plane's normal");
-    }
+    demand(params.colliders.size() <= kMaxColliders,
+           "A scene has at most " + std::to_string(kMaxColliders) + " colliders, its floor among them.");
+    demandRange(params.wall_friction, -1, 1.5, "Friction of the colliders");
+    demandRange(params.wall_stiffness, 1e-3, 1, "Stiffness of the colliders");
+    for (const Collider& collider : params.colliders)
+        std::visit([](const auto& shape) { checkShape(shape); }, collider);
+}
+
+bool isInside(const ColliderSet<double>& colliders, const Vec3<double>& point) {
+    bool inside = false;
+    forEachCollider(colliders, point, [&](uint32_t, const TangentPlane<double>& tangent) {
+        inside = inside || tangent.distance < 0;
+    });
+    return inside;
+}
+
+Vec3<double> vec(const Double3& v) {
+    return {v.x, v.y, v.z};
+}
+
+void checkStart(const BodyInstance& instance, size_t number, const ColliderSet<double>& colliders) {
+    const Quaternion& r = instance.rotation;
+    for (const Particle& particle : instance.body->particles)
+        if (isInside(colliders,
+                     vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed))))
+            throw UsageError("Body " + std::to_string(number) +
+                             " of the scene (counted from 0) starts inside a collider.");
 }
 
 }  // namespace
@@ -80,6 +115,11 @@ void checkProjectile(const Projectile& projectile) {
     demandFinite(projectile.velocity, "A projectile's velocity");
 }
 
+void checkStart(const Projectile& projectile, const std::vector<Collider>& colliders) {
+    demand(!isInside(makeColliderSet<double>(colliders), vec(projectile.position)),
+           "A projectile starts inside a collider.");
+}
+
 void checkSetup(const SceneSetup& setup) {
     demand(!setup.bodies.empty(), "The scene has no body.");
     for (const BodyInstance& instance : setup.bodies) checkBody(instance);
@@ -87,6 +127,10 @@ void checkSetup(const SceneSetup& setup) {
            "A run has at most " + std::to_string(kMaxProjectiles) + " projectiles.");
     for (const Projectile& projectile : setup.projectiles) checkProjectile(projectile);
     checkParams(setup.params);
+    const std::vector<Collider>& colliders = setup.params.colliders;
+    for (const Projectile& projectile : setup.projectiles) checkStart(projectile, colliders);
+    const auto set = makeColliderSet<double>(colliders);
+    for (size_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup.bodies[b], b, set);
 }
 
 }  // namespace demolish

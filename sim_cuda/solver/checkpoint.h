@@ -19,7 +19,7 @@ void visitFixedBuffers(DeviceScene<Backend, Real>& scene, const Visit& visit) {
     visit(particles.constants);
     visit(scene.data.bonds.link);
     visit(scene.data.bonds.spring);
-    visit(scene.data.plane_spring);
+    visit(scene.data.collider_spring);
     visit(scene.data.ledger);
     visit(scene.lists.contacts().row_start);
     visit(scene.lists.contacts().built_position);

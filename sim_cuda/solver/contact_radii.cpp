@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How large a particle is for contacts: with its like (nearest seed) and with planes (depth, sole rule).
+// How large a particle is for contacts: with its like (nearest seed) and with colliders (depth, sole rule).
 #include <tbb/parallel_for.h>
 
 #include <algorithm>

@@ -22,11 +22,7 @@ StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tab
     params.owners = tables.owners();
     params.in_bodies = tables.counts.in_bodies;
     params.total = tables.counts.total;
-    params.planes.count = static_cast<uint32_t>(from.planes.size());
-    for (size_t p = 0; p < from.planes.size(); ++p)
-        params.planes.planes[p] =
-            withW(toReal<Real>({from.planes[p].normal.x, from.planes[p].normal.y, from.planes[p].normal.z}),
-                  static_cast<Real>(from.planes[p].offset));
+    params.colliders = makeColliderSet<Real>(from.colliders);
     return params;
 }
 
@@ -46,7 +42,7 @@ struct DeviceScene {
     DeviceScene(const SceneSetup& from, const ProgressCallback& progress)
         : setup(from),
           tables(buildSceneTables(from, progress)),
-          data(backend, tables, static_cast<uint32_t>(from.params.planes.size())),
+          data(backend, tables, static_cast<uint32_t>(from.params.colliders.size())),
           lists(backend, tables.counts, tables.largest_radius),
           regimes(backend, from, tables),
           fragments(backend, tables.counts, from.bodies),

@@ -123,6 +123,7 @@ void DeviceSolver<Backend, Real>::sumFrame() {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::fire(const Projectile& projectile) {
+    checkStart(projectile, scene_.setup.params.colliders);
     projectiles_.fire(projectile, scene_.substeps);
     scene_.uploadLaws(projectiles_.all());
     loop_.startProjectiles();
@@ -148,7 +149,7 @@ uint64_t DeviceSolver<Backend, Real>::stateHash() const {
     scene_.backend.forEach(
         scene_.tables.counts.total,
         HashParticle<Real>{scene_.state(), scene_.data.bonds.in(), scene_.lists.contacts().in(),
-                           scene_.data.plane_spring.view(), scene_.params.planes.count,
+                           scene_.data.collider_spring.view(), scene_.params.colliders.count,
                            scene_.tables.counts.total, hash_sum_.span()},
         "hash the state");
     uint64_t hash = 0;

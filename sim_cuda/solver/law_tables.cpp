@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which constants hold between whom: bodies, projectiles and planes.
+// Which constants hold between whom: bodies, projectiles and colliders.
 #include <algorithm>
 
 #include "sim_cuda/physics/contact_laws.h"

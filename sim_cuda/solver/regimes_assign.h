@@ -97,9 +97,9 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
                          JoinIslands<kFirst, Real>{hits, island_.span(), meets_.span(), words_.span()},
                          "join islands");
         backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-        const FlagIslands<kLater, Real> flag{hits,          island_.view(), meets_.view(),
-                                             clock_.view(), params.planes,  params.gravity,
-                                             rules,         flags_.span(),  words_.span()};
+        const FlagIslands<kLater, Real> flag{hits,          island_.view(),   meets_.view(),
+                                             clock_.view(), params.colliders, params.gravity,
+                                             rules,         flags_.span(),    words_.span()};
         backend_.forEach(size_t{total} * kLater, flag, "flag islands");
     });
     return {meetings.label, island_.view(), flags_.view(), meetings.constants,  rules,
@@ -136,13 +136,13 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
     const Span<uint32_t> marks = marks_.span();
     withThreads([&](auto threads) {
         constexpr uint32_t kLater = decltype(threads)::kLater;
-        backend_.forEach(size_t{total} * kLater,
-                         MarkWork<kLater, Real>{meetings, places, regime_.view(),
-                                                frame_starts ? Span<const uint32_t>{} : meets_.view(),
-                                                params.planes, marks.part(0, total), marks.part(total, total),
-                                                marks.part(2 * size_t{total}, total),
-                                                marks.part(3 * size_t{total}, total)},
-                         "mark work");
+        backend_.forEach(
+            size_t{total} * kLater,
+            MarkWork<kLater, Real>{
+                meetings, places, regime_.view(), frame_starts ? Span<const uint32_t>{} : meets_.view(),
+                params.colliders, marks.part(0, total), marks.part(total, total),
+                marks.part(2 * size_t{total}, total), marks.part(3 * size_t{total}, total)},
+            "mark work");
     });
     backend_.exclusiveScan(marks, mark_sums_.span());
     const WriteWork<Real> write{places,

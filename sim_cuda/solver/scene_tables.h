@@ -58,6 +58,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
 /// Throws UsageError with one sentence that names the value and its range.
 void checkSetup(const SceneSetup& setup);
 void checkProjectile(const Projectile& projectile);
+void checkStart(const Projectile& projectile, const std::vector<Collider>& colliders);
 
 /// Half the distance to the nearest seed of the same body, m: no two particles of a body overlap at rest,
 /// whether bonded or not (physics A.6, models E.4).

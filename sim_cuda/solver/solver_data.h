@@ -37,7 +37,7 @@ struct SolverData {
 
     ParticleArrays<Backend, Real> particles;
     BondArrays<Backend, Real> bonds;
-    Buffer<Vec4<Real>> plane_spring, ledger;
+    Buffer<Vec4<Real>> collider_spring, ledger;
     Buffer<BodyLaw<Real>> body_laws;
     Buffer<PairLaw<Real>> pair_laws, wall_laws;
     uint32_t current = 0;  ///< which of the two states is the present one
@@ -46,7 +46,7 @@ struct SolverData {
         constants_in_substeps;                ///< where rigid fragments move too; none: particles.constants
     Span<Vec4<Real>> carried, carried_tally;  ///< as in SubstepArrays
 
-    SolverData(Backend& backend, const SceneTables& tables, uint32_t planes);
+    SolverData(Backend& backend, const SceneTables& tables, uint32_t colliders);
 
     void uploadLaws(Backend& backend, const LawTables& laws);
     /// Particle i of the present state anew. Waits.
@@ -63,11 +63,11 @@ struct SolverData {
 };
 
 template <class Backend, class Real>
-SolverData<Backend, Real>::SolverData(Backend& backend, const SceneTables& tables, uint32_t planes) {
+SolverData<Backend, Real>::SolverData(Backend& backend, const SceneTables& tables, uint32_t colliders) {
     uploadParticles(backend, tables);
     uploadBonds(backend, tables);
     const uint32_t total = tables.counts.total;
-    plane_spring = backend.template allocate<Vec4<Real>>(std::max<size_t>(1, size_t{planes} * total));
+    collider_spring = backend.template allocate<Vec4<Real>>(std::max<size_t>(1, size_t{colliders} * total));
     ledger = backend.template allocate<Vec4<Real>>(total);
 }
 
@@ -179,7 +179,7 @@ SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Rea
             bonds.link.span(),
             bonds.spring.span(),
             contacts.spring.span(),
-            plane_spring.span(),
+            collider_spring.span(),
             ledger.span(),
             carried,
             carried_tally,

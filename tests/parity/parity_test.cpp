@@ -93,6 +93,23 @@ TEST_F(Parity, HandedOverAndSleepingFragmentsMoveAlike) {
     EXPECT_GT(apart, 3u);  // frames in which bonds and rigid fragments go side by side
 }
 
+TEST_F(Parity, WhatBreaksOnATurnedBoxMovesAlike) {
+    SceneSetup setup = breakingScene();
+    setup.params.hand_over = setup.params.sleeping = true;
+    setup.bodies[0].position.y = 0.4;
+    setup.projectiles[0].position.y += 0.28;
+    const double turn = 0.3;
+    setup.params.colliders.push_back(
+        Box{{0.5, 0.2, 0.4}, {0.1, 0.1, 0}, {0, 0, std::sin(turn / 2), std::cos(turn / 2)}});
+    auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
+    for (int frame = 0; frame < 90; ++frame) {
+        ASSERT_EQ(cpu->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(gpu->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(gpu->stateHash(), cpu->stateHash()) << "frame " << frame;
+    }
+    EXPECT_GT(cpu->stats().bonds_broken, 100u);
+}
+
 TEST_F(Parity, SumsAgreeToRoundOff) {
     auto cpu = makeCpuSolver(breakingScene()), gpu = makeCudaSolver(breakingScene());
     for (int frame = 0; frame < 3; ++frame) {

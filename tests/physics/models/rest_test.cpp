@@ -100,7 +100,7 @@ SceneSetup pile(const PileRegimes& regimes) {
     setup.bodies[0].position = {0, 0.05, 0};
     setup.bodies[0].rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
     setup.bodies[0].velocity = {0, -4, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.substeps = 60;
     setup.params.hand_over = regimes.hand_over;

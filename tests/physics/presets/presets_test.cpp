@@ -69,7 +69,7 @@ SceneSetup broken(const std::string& preset, double speed_over_critical) {
     ball.position = {-0.35, 0.2, 0};
     ball.velocity = {3 * body.material.critical_velocity, 0, 0};
     setup.projectiles.push_back(ball);
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.substeps = 200;
     return setup;

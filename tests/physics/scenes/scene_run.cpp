@@ -35,7 +35,7 @@ BuiltShot built(const Shot& shot, const SceneRunOptions& options) {
     if (options.in_free_space) {
         SolverParams& params = built.setup.params;
         params.gravity = {};
-        params.planes.clear();
+        params.colliders.clear();
         params.settle_time = 0;
         built.solver = makeCpuSolver(built.setup);
         built.start = built.solver->save();

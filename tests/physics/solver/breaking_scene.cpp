@@ -23,7 +23,7 @@ SceneSetup breakingScene() {
     ball.start_time = 0.004;
     setup.projectiles.push_back(ball);
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 300;
     return setup;
 }

@@ -113,7 +113,7 @@ double floorForce(Solver& solver) {
 }
 SceneSetup pressed(double overlap, double adhesion) {
     SceneSetup setup = softBall(ContactLaw::kHertz, 1);
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.bodies[0].position.y = -overlap;
     setup.bodies[0].material.adhesion_energy = adhesion;
     return setup;

@@ -16,7 +16,7 @@ SceneSetup drop(double safety, uint32_t substeps) {
     setup.bodies[0].position = {0, 0.12, 0};
     setup.bodies[0].rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
     setup.bodies[0].velocity = {0, -3, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.step_safety = safety;
     setup.params.substeps = substeps;
@@ -71,7 +71,7 @@ TEST_F(Energy, TheFirstAndTheLastStepOfAContactAreBooked) {
         for (int part = 0; part < 8; ++part) {
             SceneSetup setup = freeBody(ballBody(0.05));
             setup.bodies[0].material.restitution = restitution;
-            setup.params.planes.push_back(Plane{});
+            setup.params.colliders.push_back(Plane{});
             setup.params.substeps = 200;
             setup.bodies[0].velocity = {0, -3, 0};
             setup.bodies[0].position = {0, 0.004 + 3 * part / (8 * 60.0 * setup.params.substeps), 0};

@@ -41,7 +41,7 @@ TEST_F(Falling, AFallHasTheEnergyOfTheBonds) {
 /// And none of it is lost when its bonds wake for the landing.
 TEST_F(Falling, ABodyThatWakesLandsAsItFell) {
     SceneSetup setup = thrownBrick(true);
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.bodies[0].material.critical_velocity = 9;  // so that the landing wakes it and breaks nothing
     auto solver = makeSolver(setup);
     solver->measure();

@@ -14,7 +14,7 @@ class Floor : public OnEitherDevice {};
 
 TEST_F(Floor, ASettledBodyStandsStill) {
     SceneSetup setup = freeBody(latticeBody(4, 5, 4, 0.05, 0.2));
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {0, -9.81, 0};
     setup.params.substeps = 100;
     setup.params.settle_time = 0.8;
@@ -39,7 +39,7 @@ SceneSetup onSlope(double tangent, double friction) {
     SceneSetup setup = freeBody(latticeBody(6, 2, 6, 0.05));
     setup.bodies[0].material.friction = friction;
     setup.bodies[0].material.critical_velocity = 100;
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {9.81 * std::sin(angle), -9.81 * std::cos(angle), 0};
     setup.params.substeps = 100;
     setup.params.frame_time = 0.25;

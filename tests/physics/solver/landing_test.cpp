@@ -27,7 +27,7 @@ SceneSetup rigidBlock(double turn, double height) {
                                 static_cast<float>(std::cos(turn / 2))};
     setup.bodies[0].position = {0, static_cast<float>(height + kEdge / 2 * std::abs(std::sin(turn))), 0};
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 200;
     return setup;
 }

@@ -114,7 +114,7 @@ SceneSetup freeBody(std::shared_ptr<const BreakableBody> body) {
     SceneSetup setup;
     setup.bodies.push_back({std::move(body), brittleMaterial(), {}, {}, {}, {}});
     setup.params.gravity = {0, 0, 0};
-    setup.params.planes.clear();
+    setup.params.colliders.clear();
     return setup;
 }
 

@@ -133,7 +133,7 @@ SceneSetup landingBlock(double turn) {
     setup.bodies[0].position = {0, 0.04 + 0.09 * std::abs(std::sin(turn)), 0};
     setup.bodies[0].velocity = {0, -0.3, 0};
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 200;
     return setup;
 }
@@ -184,7 +184,7 @@ SceneSetup twoBricks() {
     setup.bodies.push_back(setup.bodies[0]);
     setup.bodies[1].position = {20, 0, 0};
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 150;
     setup.params.settle_time = 0.3;
     Projectile ball;
@@ -300,7 +300,7 @@ SceneSetup rowOfBricks() {
         setup.bodies[k].position = {0.12 * k, 0, 0};
     }
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 150;
     setup.params.settle_time = 0.3;
     Projectile ball;

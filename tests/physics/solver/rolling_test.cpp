@@ -21,7 +21,7 @@ SceneSetup ballOnSlope(double tangent, double friction) {
     material.friction = friction;
     material.rolling_friction = 0;
     material.restitution = 0.1;
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.gravity = {kGravity * std::sin(angle), -kGravity * std::cos(angle), 0};
     setup.params.substeps = 100;
     setup.params.step_safety = 0.1;

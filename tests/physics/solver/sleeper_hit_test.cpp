@@ -18,7 +18,7 @@ class Sleeper : public OnEitherDevice {};
 SceneSetup brickAndBall(double distance, bool hand_over) {
     SceneSetup setup = freeBody(latticeBody(4, 6, 4, 0.03, 0.2));
     setup.params.gravity = {0, -9.81, 0};
-    setup.params.planes.push_back(Plane{});
+    setup.params.colliders.push_back(Plane{});
     setup.params.substeps = 150;
     setup.params.settle_time = 0.3;
     setup.params.sleeping = true;

@@ -28,7 +28,7 @@ SceneSetup twoBricks(bool exchanged) {
     setup.bodies[1].position = {0.11, 0.02, 0.01};
     setup.bodies[1].velocity = {-4, 0, 0.5};
     setup.bodies[1].angular_velocity = {0, 3, 1};
-    setup.params.planes.push_back(Plane{{0, 1, 0}, -0.02});
+    setup.params.colliders.push_back(Plane{{0, 1, 0}, -0.02});
     setup.params.gravity = {0, -9.81, 0};
     if (exchanged) std::swap(setup.bodies[0], setup.bodies[1]);
     return setup;

@@ -58,9 +58,7 @@ class Crowd {
                                          float(lists_.horizon()),
                                          4e-3f,
                                          2e-3f};
-        PlaneSet<float> floor;
-        floor.count = 1;
-        floor.planes[0] = {0, 1, 0, -0.16f};
+        const auto floor = makeColliderSet<float>({Plane{{0, 1, 0}, -0.16}});
         const FragmentRows rows{order_.view(), labels_.view().part(0, cloud_.in_bodies), first_.view(),
                                 size_.view()};
         RegimeRules rules;

@@ -85,9 +85,64 @@ TEST(SolverSetup, WhatCannotBeSimulatedIsRefused) {
     refused([](SceneSetup& s) { s.bodies[0].material.density = -1; });
     refused([](SceneSetup& s) { s.bodies[0].velocity.x = std::nan(""); });
     refused([](SceneSetup& s) { s.params.substeps = 0; });
-    refused([](SceneSetup& s) { s.params.planes.resize(5); });
+    refused([](SceneSetup& s) { s.params.colliders.resize(kMaxColliders + 1); });
     refused([](SceneSetup& s) { s.projectiles.resize(kMaxProjectiles + 1); });
     refused([](SceneSetup& s) { s.projectiles.push_back({{}, {}, -1, 7800, 3, 0}); });
+}
+
+/// The sentence with which a set-up with these colliders is refused; empty when it is taken.
+std::string refusalOf(const std::vector<Collider>& colliders) {
+    SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+    setup.bodies.push_back(setup.bodies[0]);
+    setup.bodies[1].position = {0.5, 0, 0};
+    setup.params.colliders = colliders;
+    try {
+        makeCpuSolver(setup);
+    } catch (const UsageError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SolverSetup, ABadBoxIsRefusedWithASentence) {
+    const Box aside{{0.1, 0.1, 0.1}, {3, 0, 0}, {}};
+    const auto refusedAs = [&](auto change) {
+        Box box = aside;
+        change(box);
+        return refusalOf({box});
+    };
+    EXPECT_EQ(refusalOf({aside}), "");
+    EXPECT_EQ(refusedAs([](Box& b) { b.size.y = 0; }),
+              "An edge (m) of a box is 0.000000, it must lie between 0.001000 and 10000.000000.");
+    EXPECT_NE(refusedAs([](Box& b) { b.size.x = -1; }), "");
+    EXPECT_NE(refusedAs([](Box& b) { b.size.z = std::nan(""); }), "");
+    EXPECT_NE(refusedAs([](Box& b) { b.size.z = 1e300 * 1e300; }), "");
+    EXPECT_EQ(refusedAs([](Box& b) { b.position.z = std::nan(""); }),
+              "A box's position is not a finite number.");
+    EXPECT_NE(refusedAs([](Box& b) { b.rotation.w = 2; }), "");
+    EXPECT_NE(refusedAs([](Box& b) { b.rotation.x = std::nan(""); }), "");
+    EXPECT_EQ(refusalOf(std::vector<Collider>(kMaxColliders + 1, aside)),
+              "A scene has at most 8 colliders, its floor among them.");
+    EXPECT_EQ(refusalOf(std::vector<Collider>(kMaxColliders, aside)), "");
+}
+
+TEST(SolverSetup, ABodyThatStartsInsideAColliderIsRefused) {
+    EXPECT_EQ(refusalOf({Plane{}, Box{{0.4, 0.2, 0.4}, {0.5, -0.1, 0}, {}}}), "") << "it stands on it";
+    EXPECT_EQ(refusalOf({Box{{0.1, 0.2, 0.4}, {0.5, 0, 0}, {}}}),
+              "Body 1 of the scene (counted from 0) starts inside a collider.");
+    EXPECT_EQ(refusalOf({Plane{{0, 1, 0}, 0.06}}),
+              "Body 0 of the scene (counted from 0) starts inside a collider.");
+}
+
+TEST(SolverSetup, AProjectileThatStartsInsideAColliderIsRefused) {
+    SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+    setup.params.colliders = {Box{{1, 1, 1}, {3, 0, 0}, {}}};
+    Projectile ball;
+    ball.position = {3.2, 0.1, 0};
+    auto solver = makeCpuSolver(setup);
+    EXPECT_THROW(solver->fire(ball), UsageError);
+    setup.projectiles = {ball};
+    EXPECT_THROW(makeCpuSolver(setup), UsageError);
 }
 
 TEST(SolverSetup, CancellingEndsInCancelled) {
