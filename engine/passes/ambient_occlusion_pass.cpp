@@ -24,11 +24,12 @@ AmbientOcclusionPass::AmbientOcclusionPass(const std::filesystem::path& shaders)
       blur_(shaders, {"occlusion_blur.comp"}) {}
 
 gl::Program& AmbientOcclusionPass::reduceFor(int samples, bool found) {
-    gl::Program& program = reduce_[{samples, found}];
+    gl::Program& program = reduce_[{samples, found, with_colliders_}];
     if (program.id() == 0)
-        program = gl::Program(
-            shaders_, {"occlusion_depth.comp"},
-            "#define SAMPLES " + std::to_string(samples) + (found ? "\n#define COMPUTED\n" : "\n"));
+        program = gl::Program(shaders_, {"occlusion_depth.comp"},
+                              "#define SAMPLES " + std::to_string(samples) +
+                                  (found ? "\n#define COMPUTED\n" : "\n") +
+                                  (with_colliders_ ? "#define COLLIDERS\n" : ""));
     return program;
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "engine/gl/program.h"
 #include "engine/render/render_targets.h"
@@ -19,13 +19,17 @@ class AmbientOcclusionPass {
     const gl::Texture& run(const RenderTargets& targets, float scene_radius, bool found);
     /// Makes the shader that run() needs with `found`. Throws GlError.
     void prepareFound(const RenderTargets& targets) { reduceFor(targets.samples, true); }
+    /// As LightPass::showColliders().
+    void showColliders(bool shows) { with_colliders_ = shows; }
 
   private:
     void resize(int width, int height);
     gl::Program& reduceFor(int samples, bool found);
     std::filesystem::path shaders_;
     gl::Program gather_, blur_;
-    std::map<std::pair<int, bool>, gl::Program> reduce_;  ///< made when first needed
+    /// By samples, `found` and whether there are colliders; made when first needed.
+    std::map<std::tuple<int, bool, bool>, gl::Program> reduce_;
+    bool with_colliders_ = false;
     gl::Texture depth_, raw_, blurred_;
 };
 

@@ -19,7 +19,7 @@ constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kSetupGroups = 2048, kLargeGroups = 1024,
-                 kCrackGroups = 4096, kBallGroups = 64, kClearGroups = 2048;
+                 kCrackGroups = 4096, kBallGroups = 64, kColliderGroups = 256, kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
 constexpr int kMostLanePixels = 24;
 constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 16, kLargeBytes = 88;
@@ -53,6 +53,11 @@ ComputedRaster::ComputedRaster(const std::filesystem::path& shaders, size_t task
       tasks_(gl::Buffer::immutable(task_room * kTaskBytes)),
       large_(gl::Buffer::immutable(largeRoom(task_room) * kLargeBytes)),
       task_room_(task_room) {}
+
+void ComputedRaster::prepare(const RenderTargets& targets, bool with_colliders) {
+    programsFor(targets);
+    if (with_colliders && colliders_.id() == 0) colliders_ = gl::Program(shaders_, {"raster_colliders.comp"});
+}
 
 ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targets) {
     Programs& programs = programs_[targets.samples];
@@ -160,17 +165,27 @@ void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool
                     GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, const RenderTargets& targets,
-                         const ShadowScene& scene, int shadow_texels, gl::PassClock& clock) {
+void ComputedRaster::castColliderShadows(const ColliderPass& colliders, int shadow_texels) {
+    if (colliders.count() == 0) return;
+    colliders_.set(kShadowTexels, shadow_texels);
+    colliders_.use();
+    glDispatchCompute(kColliderGroups, static_cast<GLuint>(colliders.count()), kShadowRegions);
+}
+
+void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, const ColliderPass& colliders,
+                         const RenderTargets& targets, const ShadowScene& scene, int shadow_texels,
+                         gl::PassClock& clock) {
     makeRoom(mesh, targets, shadow_texels);
     const bool with_shadows = shadow_scene_ != scene;
     if (with_shadows) shadow_scene_ = scene;
+    prepare(targets, colliders.count() > 0);
     Programs& programs = programsFor(targets);
     for (gl::Program* program : programs.raster())
         program->set(kShadowTexels, with_shadows ? shadow_texels : 0);
     bind(mesh, balls);
     clear(with_shadows ? shadow_texels : 0);
     clock.mark("clear");
+    if (with_shadows) castColliderShadows(colliders, shadow_texels);
     rasterise(programs, balls, false, with_shadows);
     clock.mark("depths");
     glFlush();  // the GPU begins while it is told the rest

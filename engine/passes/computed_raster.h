@@ -9,6 +9,7 @@
 #include "engine/gl/pass_clock.h"
 #include "engine/gl/program.h"
 #include "engine/gl/texture.h"
+#include "engine/passes/collider_pass.h"
 #include "engine/passes/shadow_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/render/render_targets.h"
@@ -26,12 +27,12 @@ class ComputedRaster {
     static bool suits(const FractureMesh& mesh, int width, int height, int samples);
 
     /// Makes the shaders for these targets, which run() would do otherwise. Throws GlError.
-    void prepare(const RenderTargets& targets) { programsFor(targets); }
+    void prepare(const RenderTargets& targets, bool with_colliders);
 
     /// For the frame whose uniforms are bound. The shadow map is made anew when it does not hold `scene`, in
     /// regions of `shadow_texels` squared. All that later passes read stays bound, but for bindShadowMap().
-    void run(const FractureMesh& mesh, const SpherePass& balls, const RenderTargets& targets,
-             const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
+    void run(const FractureMesh& mesh, const SpherePass& balls, const ColliderPass& colliders,
+             const RenderTargets& targets, const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
     void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
     /// The light pass has emptied what run() and addCracks() have put into the picture's samples, so that the
@@ -50,12 +51,13 @@ class ComputedRaster {
     };
     Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
+    void castColliderShadows(const ColliderPass& colliders, int shadow_texels);
     void makeCoarseShadows();
     static void rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows);
 
     std::filesystem::path shaders_;
-    gl::Program clear_, coarse_;
-    std::map<int, Programs> programs_;  ///< by samples, made when first needed
+    gl::Program clear_, coarse_, colliders_;  ///< the last: made when first needed
+    std::map<int, Programs> programs_;        ///< by samples, made when first needed
     gl::Buffer visible_, found_, tasks_, large_;
     gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
     gl::Texture shadow_coarse_;               ///< least depth of squares of it

@@ -33,6 +33,7 @@ void IdPass::draw(const IdScene& scene, const FrameView& view) {
     if (scene.mesh != nullptr && view.mode == ViewMode::kParticles)
         scene.spheres.drawParticleIds(*scene.mesh);
     scene.spheres.drawSphereIds();
+    scene.colliders.drawIds();
     if (scene.floor != nullptr) scene.floor->drawIds();
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);

@@ -7,6 +7,7 @@
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/program.h"
 #include "engine/passes/body_geometry.h"
+#include "engine/passes/collider_pass.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/render/fracture_mesh.h"
@@ -14,11 +15,13 @@
 
 namespace demolish::engine {
 
-/// What takes part in the id picture; `mesh` and `floor` may be null. Spheres have been set on the pass.
+/// What takes part in the id picture; `mesh` and `floor` may be null. Spheres and colliders have been set on
+/// their passes.
 struct IdScene {
     const FractureMesh* mesh;
     BodyGeometry& body;
     SpherePass& spheres;
+    ColliderPass& colliders;
     FloorPass* floor;
 };
 

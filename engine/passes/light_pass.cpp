@@ -46,18 +46,19 @@ void bindInputs(const RenderTargets& targets) {
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
 gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
-    gl::Program& program = programs_[{targets.samples, way}];
+    gl::Program& program = programs_[{targets.samples, way, with_colliders_}];
     if (program.id() != 0) return program;
-    const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    const std::string defines = "#define SAMPLES " + std::to_string(targets.samples) + "\n" +
+                                (with_colliders_ ? "#define COLLIDERS\n" : "");
     if (way == Way::kDrawn)
         program =
-            gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, samples + "#define SHADOW_DRAFT\n");
+            gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, defines + "#define SHADOW_DRAFT\n");
     else
         program = gl::Program(shaders_,
                               {way == Way::kComputed ? "light.comp"
                                : way == Way::kEmpty  ? "light_empty.comp"
                                                      : "light_found.comp"},
-                              samples);
+                              defines);
     program.set(kCurve, toneCurve());
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);

@@ -3,7 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
@@ -16,6 +16,8 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
+    /// Whether the frames to come show colliders, which are bound then: without them shaders are shorter.
+    void showColliders(bool shows) { with_colliders_ = shows; }
     /// The shadow map and the noise volume are bound, here and in all. Writes the RGBA8 texture `picture`.
     void compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
     /// The same from what ComputedRaster found and has bound.
@@ -35,7 +37,9 @@ class LightPass {
     gl::Program& programFor(const RenderTargets& targets, Way way);
     static void bindPicture(const gl::Texture& occlusion, GLuint picture);
     std::filesystem::path shaders_;
-    std::map<std::pair<int, Way>, gl::Program> programs_;  ///< by samples, made when first needed
+    /// By samples, way and whether there are colliders; made when first needed.
+    std::map<std::tuple<int, Way, bool>, gl::Program> programs_;
+    bool with_colliders_ = false;
     gl::VertexArray no_attributes_;
 };
 

@@ -10,6 +10,7 @@
 #include "engine/gl/texture.h"
 #include "engine/passes/body_geometry.h"
 #include "engine/passes/depth_eraser.h"
+#include "engine/scene/collider_draw.h"
 
 namespace demolish::engine {
 
@@ -22,6 +23,7 @@ struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
     bool as_particles = false;
     std::vector<float> spheres;  ///< position and radius of each
+    std::vector<ColliderDraw> colliders;
     glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};
     bool operator==(const ShadowScene&) const = default;
 };

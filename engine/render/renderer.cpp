@@ -11,6 +11,7 @@
 
 #include "engine/gl/error.h"
 #include "engine/passes/ambient_occlusion_pass.h"
+#include "engine/passes/collider_pass.h"
 #include "engine/passes/computed_raster.h"
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/depth_eraser.h"
@@ -46,6 +47,7 @@ struct Renderer::Passes {
           surface(shaders),
           spheres(shaders),
           floor(shaders),
+          colliders(shaders),
           cracks(shaders),
           occlusion(shaders),
           light(shaders),
@@ -72,6 +74,9 @@ struct Renderer::Passes {
         frame = makeFrameUniforms(view, shadowMapSize(view.quality));
         frame_block.upload(std::as_bytes(std::span(&frame, 1)));
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
+        colliders.setColliders(view.colliders);
+        light.showColliders(colliders.count() > 0);
+        occlusion.showColliders(colliders.count() > 0);
     }
 
     /// Software renderers fill memory faster than they look through it.
@@ -95,6 +100,7 @@ struct Renderer::Passes {
     SurfacePass surface;
     SpherePass spheres;
     FloorPass floor;
+    ColliderPass colliders;
     CrackPass cracks;
     AmbientOcclusionPass occlusion;
     LightPass light;
@@ -127,7 +133,7 @@ bool Renderer::Passes::readyToCompute() {
     if (!refusal.empty()) return false;
     try {
         if (!computed) computed.emplace(shader_folder, raster_tasks);
-        computed->prepare(*targets);
+        computed->prepare(*targets, colliders.count() > 0);
         occlusion.prepareFound(*targets);
         light.prepareFound(*targets);
     } catch (const gl::GlError& problem) {
@@ -145,6 +151,7 @@ ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameV
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
     }
+    scene.colliders = view.colliders;
     std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), scene.light_matrix);
     return scene;
 }
@@ -157,6 +164,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
         if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
+        colliders.drawShadows(region);
     }
     shadow.finish(erasesTiles(view));
     clock.mark("shadow");
@@ -200,7 +208,8 @@ void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, b
 }
 
 void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
-    computed->run(mesh, spheres, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality), clock);
+    computed->run(mesh, spheres, colliders, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality),
+                  clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
     clock.mark("cracks");
     computeLight(view, framebuffer, true);
@@ -235,7 +244,7 @@ IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const Sphe
                                   const FrameView& view) {
     uploadFrame(view);
     spheres.setSpheres(projectiles);
-    return {mesh, body, spheres, view.show_floor ? &floor : nullptr};
+    return {mesh, body, spheres, colliders, view.show_floor ? &floor : nullptr};
 }
 
 Renderer::Renderer(const std::filesystem::path& shader_folder, size_t raster_tasks)

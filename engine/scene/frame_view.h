@@ -2,8 +2,10 @@
 // What one picture is to show, and what was found under a pixel of it: plain values.
 #pragma once
 #include <cstdint>
+#include <vector>
 
 #include "engine/scene/camera.h"
+#include "engine/scene/collider_draw.h"
 #include "engine/scene/lighting.h"
 #include "engine/scene/surface_look.h"
 
@@ -30,6 +32,7 @@ struct FrameView {
     Camera camera;
     Lighting lighting;
     SurfaceLook look;
+    std::vector<ColliderDraw> colliders;  ///< at most kMostColliders are drawn
     ViewMode mode = ViewMode::kSurface;
     ColourMap colour_map = ColourMap::kFragment;
     bool show_cracks = true;
@@ -46,8 +49,9 @@ struct FrameView {
 struct Pick {
     bool hit = false;
     float position[3] = {0, 0, 0};  ///< m, world
-    uint32_t fragment = 0;          ///< slot, or kFloorId
+    uint32_t fragment = 0;          ///< slot, kFloorId or kColliderId
 };
-inline constexpr uint32_t kBackgroundId = 0xffffffffu, kFloorId = 0xfffffffeu, kSphereId = 0xfffffffdu;
+inline constexpr uint32_t kBackgroundId = 0xffffffffu, kFloorId = 0xfffffffeu, kSphereId = 0xfffffffdu,
+                          kColliderId = 0xfffffffcu;
 
 }  // namespace demolish::engine

@@ -6,6 +6,9 @@
 #include "common/shade.glsl"
 #include "common/floor.glsl"
 #include "common/tone.glsl"
+#ifdef COLLIDERS
+#include "common/collider_surface.glsl"
+#endif
 #if defined(COMPUTED)
 #include "common/computed_sample.glsl"
 #elif defined(EMPTY)
@@ -43,41 +46,59 @@ float visibilityAt(ivec2 pixel, float depth) {
 
 vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position[i]); }
 
-// What a sample shows: kSky and kFloor were not drawn, they follow from the ray.
-const int kSky = 0, kFloor = 1, kDrawn = 2;
+// What a sample shows: all but kDrawn were not drawn, they follow from the ray.
+const int kSky = 0, kFloor = 1, kDrawn = 2, kCollider = 3;
 
-int kindOf(ivec2 pixel, int i, vec3 ray, out float along) {
+// `normal`: of a collider.
+int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec3 normal) {
     along = floorAlong(ray);
+    normal = vec3(0.0);
+#ifdef COLLIDERS
+    Crossing solid = nearestCollider(ray);
+    bool is_solid = solid.enter < along;
+    if (is_solid) normal = solid.normal;
+    along = min(along, solid.enter);
+#else
+    const bool is_solid = false;
+#endif
     float depth = kShowsBodies ? depthAt(pixel, i) : 0.0, drawn = depth > 0.0 ? linearDepth(depth) : kNoFloor;
     bool is_drawn = kShowsBodies && depth > 0.0 && drawn <= along;
     along = min(drawn, along);
-    return is_drawn ? kDrawn : along == kNoFloor ? kSky : kFloor;
+    return is_drawn ? kDrawn : is_solid ? kCollider : along == kNoFloor ? kSky : kFloor;
 }
 
 vec3 lit(ivec2 pixel, int i) {
     vec3 ray = rayOf(pixel, i);
     float along;
-    int kind = kindOf(pixel, i, ray, along);
+    vec3 normal;
+    int kind = kindOf(pixel, i, ray, along, normal);
     if (kind == kSky) return skyRadiance(normalize(ray));
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
     if (kShowsBodies && kind == kDrawn) {
         s = surfaceAt(pixel, i, position);
+#ifdef COLLIDERS
+    } else if (kind == kCollider) {
+        s = colliderSurface(position, normal, along);
+#endif
     } else {
         s = floorSurface(position, ray);
     }
     return throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position);
 }
 
-// Samples that one triangle covers hold the same values, and so do those of the floor and of the sky: 4 bits of count for
-// each distinct one, at the place of the first like it.
+// Samples that one triangle covers hold the same values, and so do those of the floor, of the sky and of a face of a collider: 4
+// bits of count for each distinct one, at the place of the first like it.
 uint distinctSamples(ivec2 pixel) {
     int kinds[SAMPLES];
+    uint faces[SAMPLES];
     bool alike = true;
     for (int i = 0; i < SAMPLES; ++i) {
         float along;
-        kinds[i] = kindOf(pixel, i, rayOf(pixel, i), along);
-        alike = alike && kinds[i] != kDrawn && kinds[i] == kinds[0];
+        vec3 normal;
+        kinds[i] = kindOf(pixel, i, rayOf(pixel, i), along, normal);
+        faces[i] = packSnorm4x8(vec4(normal, 0.0));
+        alike = alike && kinds[i] != kDrawn && kinds[i] == kinds[0] && faces[i] == faces[0];
     }
     uint counts = uint(SAMPLES);
     // A loop in place of a branch: software renderers go through branches that no pixel takes, but not through loops.
@@ -85,7 +106,7 @@ uint distinctSamples(ivec2 pixel) {
         uvec3 values[SAMPLES];
         counts = 0u;
         for (int i = 0; i < SAMPLES; ++i) {
-            values[i] = kinds[i] == kDrawn ? valueAt(pixel, i) : uvec3(kinds[i], 0u, 0u);
+            values[i] = kinds[i] == kDrawn ? valueAt(pixel, i) : uvec3(kinds[i], faces[i], 0u);
             int first = i;
             for (int j = i - 1; j >= 0; --j) {
                 if (values[i] == values[j]) first = j;

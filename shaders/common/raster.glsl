@@ -5,7 +5,7 @@
 #include "common/body_triangle.glsl"
 #include "common/coverage.glsl"
 #include "common/visible.glsl"
-layout(binding = 0, r32ui) uniform coherent uimage2D shadow_map;  // depths as bits, two regions side by side
+#include "common/put_shadow.glsl"
 
 // Triangles that one lane has done and that may show: to be named.
 layout(std430, binding = 8) buffer Found {
@@ -29,7 +29,6 @@ const int kTaskEdge = 16;
 layout(location = 0) uniform int naming;               // 0: depths, 1: names
 layout(location = 1) uniform ivec2 sample_at[SAMPLES]; // inside the pixel, grid steps
 layout(location = 6) uniform ivec4 sample_box;         // least and most of these
-layout(location = 7) uniform int shadow_texels;        // along a region; 0: the map is not drawn
 layout(location = 8) uniform vec2 shadow_offset;       // slopes, least steps of depth
 layout(location = 9) uniform int lane_pixels;          // of a box that one lane goes through
 layout(location = 10) uniform uint task_room;
@@ -79,10 +78,4 @@ bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
         else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
     }
     return shows;
-}
-
-void putShadow(ivec2 pixel, int region, float depth) {
-    ivec2 at = pixel + ivec2(region * shadow_texels, 0);
-    uint bits = depth > 0.0 ? floatBitsToUint(min(depth, 1.0)) : 0u;
-    if (bits < imageLoad(shadow_map, at).r) imageAtomicMin(shadow_map, at, bits);
 }

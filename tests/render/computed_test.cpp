@@ -56,6 +56,20 @@ TEST_F(Computed, PiecesAndProjectilesAreTheSameFromEverySide) {
     }
 }
 
+TEST_F(Computed, CollidersAndTheirShadowsAreTheSame) {
+    Scene scene = small("broken_ball");
+    ColliderDraw box;
+    box.position = {-0.55f, 0.2f, 0.7f};
+    box.rotation = glm::angleAxis(0.4f, glm::normalize(glm::vec3(0.2f, 1, 0.1f)));
+    box.half_size = {0.3f, 0.2f, 0.25f};
+    scene.view.colliders = {box};
+    expectSameLook(scene);
+    scene.view.rasteriser = Rasteriser::kCompute;
+    const Image with = drawPicture(renderer(), scene);
+    scene.view.colliders.clear();
+    EXPECT_GT(differingPixels(with, drawPicture(renderer(), scene), 20), 500u);
+}
+
 TEST_F(Computed, OfOneSampleEveryPixelIsTheSame) {
     Scene scene = small("broken_ball");
     scene.view.samples = 1;

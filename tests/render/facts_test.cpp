@@ -37,7 +37,8 @@ bool hitsBlock(const FrameView& view, float x, float y) {
 
 /// Pixels whose whole neighbourhood hits (misses) the block must (must not) show it. Returns how many do not
 /// obey.
-size_t silhouetteErrors(const Scene& scene, const std::vector<uint32_t>& ids) {
+template <class IsBlock>
+size_t silhouetteErrors(const Scene& scene, const std::vector<uint32_t>& ids, const IsBlock& is_block) {
     size_t errors = 0, certain = 0;
     for (int y = 1; y + 1 < scene.view.height; ++y) {
         for (int x = 1; x + 1 < scene.view.width; ++x) {
@@ -48,7 +49,7 @@ size_t silhouetteErrors(const Scene& scene, const std::vector<uint32_t>& ids) {
             }
             if (hits != 0 && hits != 9) continue;
             ++certain;
-            errors += isBody(ids[static_cast<size_t>(y) * scene.view.width + x]) != (hits == 9);
+            errors += is_block(ids[static_cast<size_t>(y) * scene.view.width + x]) != (hits == 9);
         }
     }
     EXPECT_GT(certain, ids.size() * 9 / 10);
@@ -66,15 +67,61 @@ Scene shatteredInPlace() {
 TEST_F(Facts, WholeBlockFillsItsSilhouetteAndNothingElse) {
     const Scene scene = wholeBlock();
     const std::vector<uint32_t> ids = idsOf(scene);
-    EXPECT_EQ(silhouetteErrors(scene, ids), 0u);
+    EXPECT_EQ(silhouetteErrors(scene, ids, isBody), 0u);
     const auto counts = histogram(ids);
     EXPECT_EQ(counts.size(), 3u);
     EXPECT_TRUE(counts.contains(0) && counts.contains(kFloorId) && counts.contains(kBackgroundId));
 }
 
+TEST_F(Facts, ACollidersBoxFillsItsSilhouetteAndNothingElse) {
+    const Scene scene = solidBlock();
+    const std::vector<uint32_t> ids = idsOf(scene);
+    const auto isCollider = [](uint32_t id) { return id == kColliderId; };
+    EXPECT_EQ(silhouetteErrors(scene, ids, isCollider), 0u);
+    EXPECT_EQ(histogram(ids).size(), 3u);
+}
+
+/// Its lit picture agrees: each of the three faces has a light of its own, and round it lies floor.
+TEST_F(Facts, TheFacesOfACollidersBoxAreSeen) {
+    Scene scene = solidBlock();
+    const Image with = drawPicture(renderer(), scene);
+    const std::vector<uint32_t> ids = idsOf(scene);
+    scene.view.colliders.clear();
+    const Image without = drawPicture(renderer(), scene);
+    const auto brightnessAt = [&](glm::vec3 p) {
+        const FrameView& view = scene.view;
+        const float aspect = static_cast<float>(view.width) / static_cast<float>(view.height);
+        const glm::vec4 clip = view.camera.projection(aspect) * view.camera.view() * glm::vec4(p, 1);
+        const auto x = static_cast<int>((clip.x / clip.w * 0.5f + 0.5f) * static_cast<float>(view.width));
+        const auto y = static_cast<int>((0.5f - clip.y / clip.w * 0.5f) * static_cast<float>(view.height));
+        EXPECT_EQ(ids[static_cast<size_t>(y) * view.width + x], kColliderId);
+        const uint8_t* c = with.at(x, y);
+        return c[0] + c[1] + c[2];
+    };
+    const int top = brightnessAt({0, 1, 0}), front = brightnessAt({0, 0.5f, 0.5f}),
+              side = brightnessAt({0.5f, 0.5f, 0});
+    EXPECT_GT(std::abs(top - front), 20);
+    EXPECT_GT(std::abs(top - side), 20);
+    EXPECT_GT(std::abs(front - side), 20);
+    EXPECT_GT(differingPixels(with, without, 20), 5000u);
+}
+
+TEST_F(Facts, WhatStandsBeforeAColliderHidesItAndWhatLiesBehindItIsHidden) {
+    Scene scene = solidBlock();
+    scene.spheres = {{{0.9f, 0.5f, 1.2f}, 0.1f}, {{-0.4f, 0.3f, -0.8f}, 0.1f}};
+    const auto counts = histogram(idsOf(scene));
+    ASSERT_TRUE(counts.contains(kSphereId));
+    const size_t seen = counts.at(kSphereId);
+    scene.spheres.pop_back();
+    EXPECT_EQ(histogram(idsOf(scene)).at(kSphereId), seen);
+    const Image near = drawPicture(renderer(), scene);
+    scene.spheres.push_back({{-0.1f, 0.3f, -0.1f}, 0.1f});  // inside the block
+    EXPECT_EQ(differingPixels(near, drawPicture(renderer(), scene), 0), 0u);
+}
+
 TEST_F(Facts, FragmentsThatHaveNotMovedLeaveNoHole) {
     const Scene scene = shatteredInPlace();
-    EXPECT_EQ(silhouetteErrors(scene, idsOf(scene)), 0u);
+    EXPECT_EQ(silhouetteErrors(scene, idsOf(scene), isBody), 0u);
 }
 
 TEST_F(Facts, FragmentsThatHaveNotMovedShowNoSeam) {

@@ -38,12 +38,9 @@ bool onlyFloorAround(const std::vector<uint32_t>& ids, const FrameView& view, in
     return true;
 }
 
-/// The block and the camera stand `away` from the middle of the scene.
-void checkShadow(Renderer& renderer, RenderQuality quality, glm::vec3 away = {0, 0, 0}) {
-    Scene scene = wholeBlock(), empty = makeScene("empty_floor");
-    scene.body->write(
-        *scene.mesh, [](uint32_t) { return 0u; }, [&](uint32_t) { return Motion{.translation = away}; },
-        [](uint32_t, uint32_t) { return false; });
+/// A scene whose block stands `away` from the middle; the camera goes with it.
+void checkShadowOf(Scene scene, Renderer& renderer, RenderQuality quality, glm::vec3 away) {
+    Scene empty = makeScene("empty_floor");
     for (Scene* s : {&scene, &empty}) {
         s->view.quality = quality;
         s->view.camera.eye += away;
@@ -73,6 +70,70 @@ void checkShadow(Renderer& renderer, RenderQuality quality, glm::vec3 away = {0,
     EXPECT_GT(lit, 5000u);
     EXPECT_EQ(dark_wrong, 0u);
     EXPECT_EQ(lit_wrong, 0u);
+}
+
+void checkShadow(Renderer& renderer, RenderQuality quality, glm::vec3 away = {0, 0, 0}) {
+    Scene scene = wholeBlock();
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [&](uint32_t) { return Motion{.translation = away}; },
+        [](uint32_t, uint32_t) { return false; });
+    checkShadowOf(std::move(scene), renderer, quality, away);
+}
+
+void checkColliderShadow(Renderer& renderer, RenderQuality quality, glm::vec3 away = {0, 0, 0}) {
+    Scene scene = solidBlock();
+    scene.view.colliders[0].position += away;
+    checkShadowOf(std::move(scene), renderer, quality, away);
+}
+
+TEST_F(LightTest, ACollidersShadowFallsWhereItHidesTheSun) {
+    for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kDraft}) {
+        checkColliderShadow(renderer(), quality);
+        checkColliderShadow(renderer(), quality, {6, 0, -9});
+    }
+}
+
+/// The faces towards the sun are evenly bright but for the floor's grain: no stripes of its own shadow.
+TEST_F(LightTest, LitFacesOfACollidersBoxShowNoAcne) {
+    for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kDraft}) {
+        Scene scene = solidBlock();
+        scene.view.quality = quality;
+        const Image picture = drawPicture(renderer(), scene);
+        const std::vector<uint32_t> ids = renderer().fragmentIds(nullptr, {}, scene.view);
+        size_t checked = 0, jumps = 0;
+        for (int y = 1; y + 1 < scene.view.height; ++y)
+            for (int x = 1; x + 1 < scene.view.width; ++x) {
+                const auto id = [&](int dx) {
+                    return ids[static_cast<size_t>(y) * scene.view.width + x + dx];
+                };
+                if (id(-1) != kColliderId || id(0) != kColliderId || id(1) != kColliderId) continue;
+                ++checked;
+                jumps += std::abs(2 * brightness(picture, x, y) - brightness(picture, x - 1, y) -
+                                  brightness(picture, x + 1, y)) > 20;
+            }
+        EXPECT_GT(checked, 5000u);
+        EXPECT_LT(jumps, 450u) << "only the edges";
+    }
+}
+
+/// The block's shadow falls onto a step behind it as well.
+TEST_F(LightTest, ACollidersBoxReceivesShadow) {
+    Scene scene = wholeBlock();
+    ColliderDraw step;
+    const glm::vec3 away = glm::normalize(glm::vec3(1, 0, 1) * scene.view.lighting.sun_direction);
+    step.position = glm::vec3(0, 0.15f, 0) + 1.2f * away;
+    step.half_size = {0.4f, 0.15f, 0.4f};
+    scene.view.colliders = {step};
+    const Image with = drawPicture(renderer(), scene);
+    scene.mesh.reset();
+    const Image without = drawPicture(renderer(), scene);
+    const std::vector<uint32_t> ids = renderer().fragmentIds(wholeBlock().mesh.get(), {}, scene.view);
+    size_t darker = 0;
+    for (int y = 0; y < scene.view.height; ++y)
+        for (int x = 0; x < scene.view.width; ++x)
+            if (ids[static_cast<size_t>(y) * scene.view.width + x] == kColliderId)
+                darker += brightness(without, x, y) - brightness(with, x, y) > 25;
+    EXPECT_GT(darker, 200u);
 }
 
 TEST_F(LightTest, ShadowFallsWhereTheSunIsHidden) {

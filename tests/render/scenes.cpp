@@ -140,6 +140,14 @@ Scene brokenBlock() {
     return scene;
 }
 
+Scene solidBlock() {
+    Scene scene = emptyFloor();
+    ColliderDraw block;
+    block.position = {0, 0.5f, 0};
+    scene.view.colliders = {block};
+    return scene;
+}
+
 std::vector<std::string> sceneNames() {
     std::vector<std::string> names;
     for (const auto& [name, make] : table()) names.push_back(name);
@@ -164,7 +172,7 @@ size_t differingPixels(const Image& a, const Image& b, int more_than) {
 }
 
 bool isBody(uint32_t id) {
-    return id < kSphereId;
+    return id < kColliderId;
 }
 
 Image drawPicture(Renderer& renderer, const Scene& scene) {

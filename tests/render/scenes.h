@@ -34,5 +34,7 @@ bool isBody(uint32_t id);
 /// A block in one piece, and the same broken into flying pieces.
 Scene wholeBlock();
 Scene brokenBlock();
+/// In the place of the whole block a collider of its size.
+Scene solidBlock();
 
 }  // namespace demolish::engine::test

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+// Static solids as rays meet them; the C++ side is engine/passes/collider_pass.cpp. All are convex.
+struct Collider {
+    vec4 axis[3];  // xyz: unit; w: half the size along it, m
+    vec4 centre;   // xyz: m; w: shape, engine::ColliderShape
+};
+layout(std140, binding = 1) uniform Colliders {
+    Collider colliders[8];
+    uint collider_count;
+};
+
+// Where a ray enters and leaves a solid, in lengths of the ray; it misses what it leaves before it enters.
+struct Crossing {
+    float enter, leave;
+    vec3 normal;  // unit, outward, where it enters
+};
+
+// In the box's own frame.
+Crossing crossBox(vec3 from, vec3 ray, vec3 half_size) {
+    vec3 per_length = 1.0 / mix(ray, vec3(1e-12), lessThan(abs(ray), vec3(1e-12)));
+    vec3 middle = -from * per_length, reach = half_size * abs(per_length);
+    vec3 first = middle - reach, last = middle + reach;
+    float enter = max(first.x, max(first.y, first.z)), leave = min(last.x, min(last.y, last.z));
+    vec3 face = first.x == enter ? vec3(1.0, 0.0, 0.0) : first.y == enter ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    return Crossing(enter, leave, -sign(per_length) * face);
+}
+
+Crossing crossCollider(uint c, vec3 from, vec3 ray) {
+    mat3 axes = mat3(colliders[c].axis[0].xyz, colliders[c].axis[1].xyz, colliders[c].axis[2].xyz);
+    vec3 half_size = vec3(colliders[c].axis[0].w, colliders[c].axis[1].w, colliders[c].axis[2].w);
+    Crossing own = crossBox((from - colliders[c].centre.xyz) * axes, ray * axes, half_size);
+    return Crossing(own.enter, own.leave, axes * own.normal);
+}
+
+const float kNoCollider = 1e30;
+
+// The first that a ray from the eye enters; beyond kNoCollider: none. An eye inside a solid does not see it.
+Crossing nearestCollider(vec3 ray) {
+    Crossing nearest = Crossing(kNoCollider, kNoCollider, vec3(0.0));
+    for (uint c = 0u; c < collider_count; ++c) {
+        Crossing found = crossCollider(c, frame.eye.xyz, ray);
+        if (found.enter > 0.0 && found.enter <= found.leave && found.enter < nearest.enter) nearest = found;
+    }
+    return nearest;
+}
+
+// What the sun's map holds of a solid: a depth between its lit side and its far one. It casts the same shadow, and the lit side
+// keeps clear of it. `p`: m, on the ray of the sun. Returns whether the ray meets the solid.
+bool shadowPoint(uint c, vec3 p, out vec3 caster) {
+    Crossing found = crossCollider(c, p, -frame.to_sun.xyz);
+    caster = p - 0.5 * (found.enter + found.leave) * frame.to_sun.xyz;
+    return found.enter <= found.leave;
+}
