@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/scene_colliders.h"
 #include "app/session/shot_setup.h"
 
 namespace demolish {
@@ -21,6 +22,7 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     view.camera = shot.camera ? *shot.camera : framedCamera(box);
     view.lighting = shot.lighting;
     view.look = shot.look;
+    view.colliders = drawnColliders(shot);
     view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
     if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
     view.width = width;

@@ -6,6 +6,7 @@
 
 #include "app/session/data_folder.h"
 #include "app/session/material_file.h"
+#include "app/session/scene_colliders.h"
 #include "app/session/scene_parts_file.h"
 #include "app/session/threshold_table.h"
 #include "app/session/toml_reader.h"
@@ -147,6 +148,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     shot.bodies = readBodies(reader, shot.height);
     shot.balls = readBalls(reader, {std::max<size_t>(1, shot.bodies.size()), shot.height}, shot.impact);
     shot.phases = readPhases(reader);
+    shot.colliders = readColliders(reader, shot.height);
     readPicture(reader, shot);
     reader.requireAllRead();
     return shot;

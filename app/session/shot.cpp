@@ -59,6 +59,7 @@ void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
     to.scene_radius = from.scene_radius;
     to.hand_over = from.hand_over;
     to.sleeping = from.sleeping;
+    to.colliders = from.colliders;
     to.fps = from.fps;
 }
 

@@ -60,9 +60,10 @@ struct Shot {
     /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.
     std::optional<double> break_at;
     Impact impact;
-    std::vector<Placement> bodies;  ///< where each body stands; empty: one at the origin
-    std::vector<TimedBall> balls;   ///< of a ball impact, in order of time; empty: the one of `impact`
-    std::vector<Phase> phases;      ///< in order of time; empty: the shot has none
+    std::vector<Placement> bodies;    ///< where each body stands; empty: one at the origin
+    std::vector<TimedBall> balls;     ///< of a ball impact, in order of time; empty: the one of `impact`
+    std::vector<Phase> phases;        ///< in order of time; empty: the shot has none
+    std::vector<Collider> colliders;  ///< beside the floor, in heights of the body
     Fineness fineness;
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/scene_colliders.h"
 #include "app/session/shot_geometry.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
@@ -79,6 +80,7 @@ SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const B
     setup.params.seed = shot.seed;
     setup.params.hand_over = shot.hand_over;
     setup.params.sleeping = shot.sleeping;
+    setup.params.colliders = collidersOf(shot);
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
     setup.params.settle_time = dropped ? 0 : shot.settle_time;
     const double share = lowestThresholdShare(shot, *variants[0]);

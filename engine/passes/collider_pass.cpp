@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/render/renderer.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 namespace {

@@ -5,7 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <glm/gtc/quaternion.hpp>
+
 #include "app/session/data_folder.h"
+#include "app/session/scene_colliders.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/temporary_folder.h"
 
@@ -184,6 +188,81 @@ TEST(SceneFile, WantsAVersionAndAModel) {
     EXPECT_THAT(complaintAbout("model = \"models/block.obj\"\n"), HasSubstr("'version' is missing"));
     EXPECT_THAT(complaintAbout("version = 2\nmodel = \"a.obj\"\n"), HasSubstr("version"));
     EXPECT_THAT(complaintAbout("version = 1\n"), HasSubstr("'model' is missing"));
+}
+
+TEST(SceneFile, ReadsColliders) {
+    const TemporaryFolder folder;
+    const Shot shot = loadSceneFile(
+        folder.write("step.toml", kHead + "height_m = 0.5\n"
+                                          "[[collider]]\nshape = \"box\"\nsize_m = [1, 0.2, 0.6]\n"
+                                          "position_m = [0.1, 0.1, -0.3]\nrotation_deg = [0, 90, 0]\n"
+                                          "[[collider]]\nshape = \"plane\"\nnormal = [0, 0, 2]\n"
+                                          "position_m = [7, 8, -1.5]\n"));
+    const std::vector<Collider> colliders = collidersOf(shot);
+    ASSERT_EQ(colliders.size(), 3u);
+    EXPECT_EQ(std::get<Plane>(colliders[0]), Plane{}) << "the floor comes first";
+    const Box& box = std::get<Box>(colliders[1]);
+    EXPECT_NEAR(box.size.y, 0.2, 1e-12);
+    EXPECT_NEAR(box.position.z, -0.3, 1e-12);
+    EXPECT_NEAR(box.rotation.y, std::sqrt(0.5), 1e-12);
+    EXPECT_NEAR(box.rotation.w, std::sqrt(0.5), 1e-12);
+    const Plane& wall = std::get<Plane>(colliders[2]);
+    EXPECT_EQ(wall.normal, (Double3{0, 0, 1}));
+    EXPECT_NEAR(wall.offset, -1.5, 1e-12);
+    const auto drawn = drawnColliders(shot);
+    ASSERT_EQ(drawn.size(), 1u) << "planes are not seen";
+    EXPECT_NEAR(drawn[0].half_size.x, 0.5f, 1e-6f);
+}
+
+TEST(SceneFile, TurnsOfAColliderFollowEachOther) {
+    const TemporaryFolder folder;
+    const Shot shot = loadSceneFile(folder.write(
+        "turned.toml",
+        kHead + "collider = [{ shape = \"box\", size_m = [1, 2, 3], rotation_deg = [90, 0, 90] }]\n"));
+    const Quaternion q = std::get<Box>(shot.colliders.at(0)).rotation;
+    // y turns to z about x, and z stays about z; x stays about x and turns to y about z.
+    const glm::dquat turn(q.w, q.x, q.y, q.z);
+    EXPECT_NEAR(glm::length(turn * glm::dvec3(0, 1, 0) - glm::dvec3(0, 0, 1)), 0, 1e-12);
+    EXPECT_NEAR(glm::length(turn * glm::dvec3(1, 0, 0) - glm::dvec3(0, 1, 0)), 0, 1e-12);
+}
+
+TEST(SceneFile, CollidersGrowWithTheBody) {
+    const TemporaryFolder folder;
+    Shot shot = loadSceneFile(folder.write(
+        "a.toml", kHead + "collider = [{ shape = \"box\", size_m = [1, 2, 3], position_m = [0, 4, 0] }]\n"));
+    EXPECT_EQ(changeBetween(shot, shot), Change::kNothing);
+    Shot other = shot;
+    std::get<Box>(other.colliders[0]).size.x = 2;
+    EXPECT_EQ(changeBetween(shot, other), Change::kSolver);
+    shot.height *= 2;
+    const Box box = std::get<Box>(collidersOf(shot).at(1));
+    EXPECT_NEAR(box.size.z, 6, 1e-12);
+    EXPECT_NEAR(box.position.y, 8, 1e-12);
+}
+
+TEST(SceneFile, BadCollidersAreRefusedWithASentence) {
+    const auto complaint = [](const std::string& keys) {
+        return complaintAbout(kHead + "[[collider]]\n" + keys + "\n");
+    };
+    EXPECT_EQ(complaint("shape = \"box\"\nsize_m = [1, 1, 1]"), "");
+    EXPECT_THAT(complaint("size_m = [1, 1, 1]"), HasSubstr("collider[0].shape is missing"));
+    EXPECT_THAT(complaint("shape = \"blob\""), HasSubstr("must be \"plane\" or \"box\""));
+    EXPECT_THAT(complaint("shape = \"box\""), HasSubstr("collider[0].size_m is missing"));
+    for (const char* size :
+         {"[1, 0, 1]", "[1, -1, 1]", "[1e5, 1, 1]", "[nan, 1, 1]", "[inf, 1, 1]", "[1, 1]"})
+        EXPECT_THAT(complaint(std::string("shape = \"box\"\nsize_m = ") + size),
+                    testing::AllOf(HasSubstr("scene.toml:5"), HasSubstr("collider[0].size_m must be")))
+            << size;
+    EXPECT_THAT(complaint("shape = \"box\"\nsize_m = [1, 1, 1]\nposition_m = [nan, 0, 0]"),
+                HasSubstr("position_m must be"));
+    EXPECT_THAT(complaint("shape = \"box\"\nsize_m = [1, 1, 1]\nrotation_deg = 3"),
+                HasSubstr("rotation_deg must be"));
+    EXPECT_THAT(complaint("shape = \"box\"\nsize_m = [1, 1, 1]\nnormal = [0, 1, 0]"),
+                HasSubstr("there is no setting 'collider[0].normal'"));
+    EXPECT_THAT(complaint("shape = \"plane\"\nnormal = [0, 0, 0]"), HasSubstr("must not be zero"));
+    std::string many = kHead;
+    for (uint32_t i = 0; i < kMaxColliders; ++i) many += "[[collider]]\nshape = \"plane\"\n";
+    EXPECT_THAT(complaintAbout(many), HasSubstr("has 8 entries; at most 7 are possible"));
 }
 
 TEST(SceneFile, EveryShippedSceneAndMaterialLoads) {
