@@ -43,9 +43,14 @@ template <class Real>
 struct BondRowsIn {
     Span<const uint32_t> row_start;  ///< total + 1
     Span<const BondLink> link;       ///< per slot
-    Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; k_N, N/m)
-    Span<const Vec4<Real>> spring;   ///< per slot, once broken: (tangential spring seen from i, m; 0)
+    Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; normalStiffnessOf)
+    Span<const Vec4<Real>> spring;   ///< per slot, once broken: kept_spring.h
 };
+/// N/m, k_N, of what a slot knows of the bond at rest.
+template <class Real>
+DEM_FN Real normalStiffnessOf(const Vec4<Real>& rest) {
+    return rest.w;
+}
 
 /// The slot of the bond from i to j, in whatever state it is; row_start[i + 1] when there is none.
 DEM_FN uint32_t findBond(const Span<const uint32_t>& row_start, const Span<const BondLink>& link, uint32_t i,

@@ -26,16 +26,25 @@ struct TangentPlane {
 template <class Real>
 struct ColliderRows {
     ColliderShape shape = ColliderShape::kPlane;
-    /// Plane: (unit normal, offset in m). Box: three times (unit axis, half the edge along it in m), then
-    /// (centre in m, 0).
+    /// Plane: (unit normal; offsetOf). Box: three times (unit axis; halfEdgeOf), then (centre in m; 0).
     Vec4<Real> row[4];
 };
+/// m, of a plane: dot(normal, x) of its points.
+template <class Real>
+DEM_FN Real offsetOf(const Vec4<Real>& plane) {
+    return plane.w;
+}
+/// m, of a box along an axis.
+template <class Real>
+DEM_FN Real halfEdgeOf(const Vec4<Real>& axis) {
+    return axis.w;
+}
 
 /// `high` + `low`: the point (data/particles.h), m; likewise in what follows.
 template <class Real>
 DEM_FN TangentPlane<Real> tangentOfPlane(const Vec4<Real>& plane, const Vec3<Real>& high,
                                          const Vec3<Real>& low) {
-    return {plane, (dot(xyz(plane), high) - plane.w) + dot(xyz(plane), low)};
+    return {plane, (dot(xyz(plane), high) - offsetOf(plane)) + dot(xyz(plane), low)};
 }
 
 /// 1 with the sign of x, which is 1 for 0 as well.
@@ -53,7 +62,8 @@ DEM_FN TangentPlane<Real> tangentOfBox(const Vec4<Real> (&row)[4], const Vec3<Re
     const Vec3<Real> from_centre = (high - xyz(row[3])) + low;
     const Vec3<Real> at{dot(xyz(row[0]), from_centre), dot(xyz(row[1]), from_centre),
                         dot(xyz(row[2]), from_centre)};
-    const Vec3<Real> past{absOf(at.x) - row[0].w, absOf(at.y) - row[1].w, absOf(at.z) - row[2].w};
+    const Vec3<Real> past{absOf(at.x) - halfEdgeOf(row[0]), absOf(at.y) - halfEdgeOf(row[1]),
+                          absOf(at.z) - halfEdgeOf(row[2])};
     const Real most = maxOf(past.x, maxOf(past.y, past.z));
     const Vec3<Real> beyond{maxOf(past.x, Real(0)), maxOf(past.y, Real(0)), maxOf(past.z, Real(0))};
     const Real squared = length2(beyond), inverse = inverseSqrt(squared);

@@ -4,6 +4,7 @@
 // end of theirs. Built by solver/neighbour_lists.h.
 #pragma once
 #include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/kept_spring.h"
 #include "sim_cuda/data/sorted_row.h"
 #include "sim_cuda/data/vec4.h"
 
@@ -13,8 +14,7 @@ template <class Real>
 struct ContactRowsIn {
     Span<const uint32_t> row_start;  ///< total + 1
     Span<const uint32_t> neighbour;  ///< ids, ascending in each row
-    Span<const Vec4<Real>>
-        spring;  ///< (tangential spring seen from the row's particle, m; 0), null when not touching
+    Span<const Vec4<Real>> spring;   ///< kept_spring.h
 };
 
 /// The slot of j in the row of i; row_start[i + 1] when it is not listed.
@@ -26,10 +26,24 @@ DEM_FN uint32_t findContact(const Span<const uint32_t>& row_start, const Span<co
 /// Straight paths on which the lists rely: x(t) = x + v t from the build on (kernels/predicted_path.h).
 template <class Real>
 struct PathsIn {
-    Span<const Vec4<Real>> position;  ///< total: (x at the build, m; R_c + skin, m)
-    Span<const Vec4<Real>>
-        velocity;  ///< total: (v at the build, m/s; skin, m; negative: takes part in nothing)
+    Span<const Vec4<Real>> position;  ///< total: (x at the build, m; reachOf)
+    Span<const Vec4<Real>> velocity;  ///< total: (v at the build, m/s; skinOf)
 };
+/// m, of a path's position: R_c + skin.
+template <class Real>
+DEM_FN Real reachOf(const Vec4<Real>& path_position) {
+    return path_position.w;
+}
+/// m, of a path's velocity; kNoPath of whom takes part in nothing.
+template <class Real>
+DEM_FN Real skinOf(const Vec4<Real>& path_velocity) {
+    return path_velocity.w;
+}
+inline constexpr int kNoPath = -1;
+template <class Real>
+DEM_FN bool hasPath(const Vec4<Real>& path_velocity) {
+    return skinOf(path_velocity) >= Real(0);
+}
 
 template <class Backend, class Real>
 struct ContactArrays {

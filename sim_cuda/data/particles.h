@@ -83,6 +83,11 @@ template <class Real>
 DEM_FN Vec3<Real> lowPart(const Vec4<Real>& position, const Vec4<Real>& velocity, const Vec4<Real>& spin) {
     return {position.w, velocity.w, spin.w};
 }
+/// Another velocity or spin beside the low part that it carries.
+template <class Real>
+DEM_FN Vec4<Real> withLowOf(const Vec3<Real>& motion, const Vec4<Real>& former) {
+    return withW(motion, former.w);
+}
 /// Rounded to one number: for drawing, lists and colliders.
 template <class T>
 DEM_FN auto positionOf(const StateSpans<T>& state, size_t i) {

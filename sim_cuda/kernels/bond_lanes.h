@@ -144,7 +144,7 @@ class BondLanes {
         in_.spin_i.set(l, xyz(a.spin));
         in_.spin_j.set(l, xyz(b.spin));
         in_.rest.set(l, xyz(rest));
-        in_.stiffness[l] = rest.w;
+        in_.stiffness[l] = normalStiffnessOf(rest);
         in_.radius[l] = gradedRadius(link.grade, law);
         in_.strength[l] = gradedStrength(link.grade, law);
         in_.shear_ratio[l] = law.shear_ratio;

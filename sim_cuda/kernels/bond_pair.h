@@ -17,12 +17,12 @@ DEM_FN Real gradedStrength(uint32_t grade, const BodyLaw<Real>& law) {
     return law.strength_unit * static_cast<Real>(gradeStrength(grade));
 }
 
-/// `rest`: (x_j - x_i at rest, m; k_N, N/m).
+/// `rest`: as BondRowsIn has it.
 template <class Real>
 DEM_FN BondConstants<Real> bondConstants(const Vec4<Real>& rest, uint32_t grade, const BodyLaw<Real>& law) {
     const Real radius = gradedRadius(grade, law);
-    return {xyz(rest), roundBond(rest.w, law.shear_ratio, radius), radius, gradedStrength(grade, law),
-            law.beta_r};
+    return {xyz(rest), roundBond(normalStiffnessOf(rest), law.shear_ratio, radius), radius,
+            gradedStrength(grade, law), law.beta_r};
 }
 
 }  // namespace demolish

@@ -2,6 +2,7 @@
 // What contacts lose when a fragment at one of their ends becomes rigid: from then on they are as soft as
 // contact steps need them, while their overlap stays. For the ledger alone.
 #pragma once
+#include "sim_cuda/data/ledger.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/measure_energy.h"
 
@@ -22,7 +23,7 @@ struct BookSoftening {
         for (uint32_t s = arrays.bond_row[i]; s < arrays.bond_row[i + 1]; ++s) {
             const BondLink link = arrays.link[s];
             const uint32_t j = linkedParticle(link);
-            if (isBonded(link) || j < i || arrays.bond_spring[s].w > Real(0)) continue;
+            if (isBonded(link) || j < i || hasBeenSofter(arrays.bond_spring[s])) continue;
             lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
                 return as.bondSlotEnergy(loadOwn(as.arrays, i), s);
             });
@@ -30,7 +31,7 @@ struct BookSoftening {
         for (uint32_t s = arrays.contact_row[i]; s < arrays.contact_row[i + 1]; ++s) {
             const uint32_t j = arrays.neighbour[s];
             const Vec4<Real> spring = arrays.contact_spring[s];
-            if (j < i || spring.w > Real(0)) continue;
+            if (j < i || hasBeenSofter(spring)) continue;
             const PairLaw<Real> law =
                 arrays.pair_laws[arrays.owner[i] * bonded.params.owners + arrays.owner[j]];
             lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
@@ -38,7 +39,7 @@ struct BookSoftening {
             });
         }
         lost += lostToColliders(i);
-        ledger[i].x += lost;
+        bookedDamping(ledger[i]) += lost;
     }
 
   private:
@@ -57,7 +58,7 @@ struct BookSoftening {
         if (!becameRigid(i)) return lost;
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
         forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& tangent) {
-            if (!(bonded.arrays.collider_spring[c * bonded.params.total + i].w > Real(0)))
+            if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
                 lost += bonded.colliderEnergy(before, c, tangent.distance) -
                         rigid.colliderEnergy(after, c, tangent.distance);
         });

@@ -29,7 +29,7 @@ struct CountInBuckets {
         const uint64_t own = cellKey(gridCell(frame[0], paths.position[i], paths.velocity[i]));
         key[i] = own;
         if (place_kind[i] == kEnclosed) return;
-        const bool active = paths.velocity[i].w >= Real(0);
+        const bool active = hasPath(paths.velocity[i]);
         if (active && frame[0].sets_apart != 0 &&
             isOutside(xyz(paths.velocity[i]), ranges[0].bodies, slow[0])) {
             place_kind[i] = kSetApart;

@@ -55,7 +55,7 @@ struct NeighbourSearch {
     /// Members of all buckets; after them come those set apart.
     DEM_FN uint32_t members() const { return bucket_start[mask + 1]; }
     DEM_FN uint32_t allMembers() const { return members() + apart[0]; }
-    DEM_FN bool takesPart(uint32_t i) const { return paths.velocity[i].w >= Real(0); }
+    DEM_FN bool takesPart(uint32_t i) const { return hasPath(paths.velocity[i]); }
     DEM_FN bool meets(uint32_t i, uint32_t j) const {
         return mayMeet(paths.position[i], paths.velocity[i], paths.position[j], paths.velocity[j],
                        frame[0].horizon);

@@ -31,11 +31,15 @@ DEM_FN Vec4<Real> ballAroundPath(const GridFrame<Real>& frame, const Vec4<Real>&
                                  const Vec4<Real>& velocity) {
     const Real half_way = Real(0.5) * frame.horizon * length(xyz(velocity) - frame.common_velocity);
     return withW(middleOfPath(frame, position, velocity),
-                 madd(Real(1.01), position.w + half_way, Real(0.005) * frame.cell_size));
+                 madd(Real(1.01), reachOf(position) + half_way, Real(0.005) * frame.cell_size));
+}
+template <class Real>
+DEM_FN Real ballRadius(const Vec4<Real>& ball) {
+    return ball.w;
 }
 template <class Real>
 DEM_FN bool ballsTouch(const Vec4<Real>& a, const Vec4<Real>& b) {
-    const Real reach = a.w + b.w;
+    const Real reach = ballRadius(a) + ballRadius(b);
     return length2(xyz(b) - xyz(a)) < reach * reach;
 }
 

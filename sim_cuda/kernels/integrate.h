@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Leapfrog, kick then drift (physics B.1), and the ledger's share of a particle.
 #pragma once
+#include "sim_cuda/data/ledger.h"
 #include "sim_cuda/kernels/own_particle.h"
 
 namespace demolish {
@@ -27,9 +28,9 @@ DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench
     addToPosition(dt * velocity.x, next.position.x, low.x);
     addToPosition(dt * velocity.y, next.position.y, low.y);
     addToPosition(dt * velocity.z, next.position.z, low.z);
-    next.position.w = low.x;
-    next.velocity = withW(velocity, low.y);
-    next.spin = withW(spin, low.z);
+    next.velocity = withLowOf(velocity, next.velocity);
+    next.spin = withLowOf(spin, next.spin);
+    setLowPart(next, low);
     next.rotation = asVec4(advanced(asQuat(own.state.rotation), spin, dt));
     return next;
 }
@@ -53,11 +54,9 @@ DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnPar
     addToPosition(params.carry_time * velocity.x, next.position.x, low.x);
     addToPosition(params.carry_time * velocity.y, next.position.y, low.y);
     addToPosition(params.carry_time * velocity.z, next.position.z, low.z);
-    next.position.w = low.x;
-    next.velocity.w = low.y;
-    next.spin.w = low.z;
+    setLowPart(next, low);
     Vec4<Real>&force = arrays.carried[2 * size_t{own.id}], &torque = arrays.carried[2 * size_t{own.id} + 1];
-    force = withW(xyz(force) + load.force, force.w);
+    force = withW(xyz(force) + load.force, Real(0));
     torque = withW(xyz(torque) + load.torque, Real(0));
     return next;
 }
@@ -75,9 +74,9 @@ DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
 template <class Real>
 DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
                        const LoadedState<Real>& after, Real dt) {
-    ledger.x += madd(-dt, meanPower(tally.damping, before, after), tally.contact_loss);
-    ledger.y -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
-    ledger.z += tally.fracture;
+    bookedDamping(ledger) += madd(-dt, meanPower(tally.damping, before, after), tally.contact_loss);
+    bookedFriction(ledger) -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
+    bookedFracture(ledger) += tally.fracture;
 }
 
 /// A carried particle: the velocity at the end of the contact step is not known yet, so that what damps and
@@ -91,8 +90,8 @@ DEM_FN void bookCarried(const SubstepArrays<Real>& arrays, uint32_t i, const Tal
         sum = withW(xyz(sum) + parts[k], Real(0));
     }
     Vec4<Real>& ledger = arrays.ledger[i];
-    ledger.x += tally.contact_loss;
-    ledger.y -= tally.spring_energy;
+    bookedDamping(ledger) += tally.contact_loss;
+    bookedFriction(ledger) -= tally.spring_energy;
 }
 
 /// The sums of bookCarried, cleared.

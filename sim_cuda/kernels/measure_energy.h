@@ -99,7 +99,7 @@ struct MeasureEnergy {
         const Vec4<Real> spring = arrays.bond_spring[slot];
         const ParticleConstants<Real> other = arrays.constants[j];
         const BondStiffness<Real> faces =
-            cappedFaces(bond, params, pairInertia(own.constants, other), spring.w).stiffness;
+            cappedFaces(bond, params, pairInertia(own.constants, other), softestOf(spring)).stiffness;
         return Real(0.5) * (faces.normal * overlap * overlap + faces.shear * length2(xyz(spring)));
     }
 
@@ -110,9 +110,9 @@ struct MeasureEnergy {
         const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
         if (!(overlap > Real(0))) return Real(0);
         const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
-        return touchEnergy(
-            contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other), spring.w),
-            params, overlap, xyz(spring));
+        return touchEnergy(contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other),
+                                           softestOf(spring)),
+                           params, overlap, xyz(spring));
     }
 
     /// `height`: m, over the surface of collider c.
@@ -120,9 +120,10 @@ struct MeasureEnergy {
         const Real overlap = own.constants.floor_radius - height;
         if (!(overlap > Real(0))) return Real(0);
         const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
-        return touchEnergy(contactTouchLaw(arrays.wall_laws[own.owner], params, overlap,
-                                           own.constants.floor_radius, againstWall(own.constants), spring.w),
-                           params, overlap, xyz(spring));
+        return touchEnergy(
+            contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
+                            againstWall(own.constants), softestOf(spring)),
+            params, overlap, xyz(spring));
     }
 };
 

@@ -10,6 +10,13 @@ struct LoadedState {
     Vec4<Real> position, rotation, velocity, spin;
 };
 
+/// Where LoadedState has room for the low part of the position, m.
+template <class Real>
+DEM_FN void setLowPart(LoadedState<Real>& state, const Vec3<Real>& low) {
+    state.position.w = low.x;
+    state.velocity.w = low.y;
+    state.spin.w = low.z;
+}
 template <class Real>
 DEM_FN LoadedState<Real> loadState(const StateIn<Real>& in, uint32_t i) {
     return {in.position[i], in.rotation[i], in.velocity[i], in.spin[i]};

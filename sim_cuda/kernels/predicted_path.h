@@ -23,7 +23,7 @@ template <class Real>
 DEM_FN bool mayMeet(const Vec4<Real>& x_i, const Vec4<Real>& v_i, const Vec4<Real>& x_j,
                     const Vec4<Real>& v_j, Real horizon) {
     const Vec3<Real> x = xyz(x_j) - xyz(x_i), v = xyz(v_j) - xyz(v_i);
-    const Real reach = x_i.w + x_j.w, near2 = reach * reach;
+    const Real reach = reachOf(x_i) + reachOf(x_j), near2 = reach * reach;
     if (length2(x) < near2) return true;
     const Real closing = -dot(x, v), speed2 = length2(v);
     if (!(closing > Real(0))) return false;
@@ -38,7 +38,7 @@ DEM_FN bool leavesPath(const Vec4<Real>& built_position, const Vec4<Real>& built
                        const Vec3<Real>& position, const Vec3<Real>& velocity, Real elapsed, Real lookahead) {
     const Vec3<Real> turned = velocity - xyz(built_velocity);
     const Vec3<Real> strayed = axpy(-elapsed, xyz(built_velocity), position - xyz(built_position));
-    const Real trusted = Real(kTrustedSkin) * built_velocity.w;
+    const Real trusted = Real(kTrustedSkin) * skinOf(built_velocity);
     return trusted >= Real(0) && !(length2(axpy(lookahead, turned, strayed)) <= trusted * trusted);
 }
 

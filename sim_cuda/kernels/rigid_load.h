@@ -33,7 +33,7 @@ DEM_FN Wrench<Real> counted(const Wrench<Real>& wrench, uint32_t& touching) {
 /// keeps the stiffness of the fragment's others. `other`: in contact steps.
 template <class Real>
 DEM_FN bool keepsTouching(const ParticleConstants<Real>& other, const Vec4<Real>& spring) {
-    return other.isMovedByOther() && spring.w > Real(0);
+    return other.isMovedByOther() && hasBeenSofter(spring);
 }
 
 /// A slot of either list. `other`: the other end.
@@ -99,7 +99,7 @@ struct TurnsFragment {
         // At least the greatest principal value; of a ball the trace is 7.5 / (m R^2).
         const double norm = squareRoot(diagonal + 2 * (j.xy * j.xy + j.yz * j.yz + j.zx * j.zx));
         const double ball = 7.5 * body.inverse_mass / (j.xx + j.yy + j.zz);
-        const double height = dot(asDouble(xyz(plane)), body.centre) - double(plane.w);
+        const double height = dot(asDouble(xyz(plane)), body.centre) - double(offsetOf(plane));
         const double lies = height * height > ball ? ball / (height * height) : 1.0;
         return {Real(kRollingGrip / ((1.0 + body.touching) * norm)),
                 Real(kRollingRadiusShare * lies * squareRoot(ball))};

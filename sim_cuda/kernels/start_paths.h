@@ -30,7 +30,7 @@ struct StartPaths {
         const Vec3<Real> velocity = xyz(state.velocity[i]);
         const bool active = own.takesPart();
         built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
-        built_velocity[i] = withW(velocity, active ? skin : Real(-1));
+        built_velocity[i] = withW(velocity, active ? skin : Real(kNoPath));
         VelocityRanges<Real> ranges;
         if (i < in_bodies)
             place_kind[i] = standsBetweenBonds(buried, bond_row, link, i) ? kEnclosed : kInGrid;

@@ -108,7 +108,7 @@ struct SettleRegimes {
     DEM_FN void catchUp(uint32_t i, const Flight& flight) const {
         if (flight.free == 0 || !(constants[i].takesPart())) return;
         const Vec3<double> v = axpy(0.5 * flight.lag * substep, gravity, asDouble(xyz(in.velocity[i])));
-        state.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i].w);
+        state.velocity[i] = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i]);
     }
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {
@@ -117,9 +117,9 @@ struct SettleRegimes {
                      inertia = 1 / double(constants[i].inverse_inertia);
         const double before =
             kineticEnergy(mass, inertia, asDouble(xyz(in.velocity[i])), asDouble(xyz(in.spin[i])));
-        if (book) ledger[i].x += Real(before - kineticEnergy(mass, inertia, v, w));
-        state.velocity[i] = withW(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i].w);
-        state.spin[i] = withW(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, in.spin[i].w);
+        if (book) bookedDamping(ledger[i]) += Real(before - kineticEnergy(mass, inertia, v, w));
+        state.velocity[i] = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i]);
+        state.spin[i] = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, in.spin[i]);
     }
     DEM_FN void copyState(uint32_t i) const {
         other.position[i] = state.position[i];

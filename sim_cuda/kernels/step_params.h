@@ -51,7 +51,7 @@ struct SubstepArrays {
     Span<const PairLaw<Real>> wall_laws;                            ///< per owner, against colliders
     Span<BondLink> link;                                            ///< own slots only
     Span<Vec4<Real>> bond_spring, contact_spring, collider_spring;  ///< own slots only
-    Span<Vec4<Real>> ledger;   ///< J since it was cleared: (damping, friction, fracture, 0)
+    Span<Vec4<Real>> ledger;                                        ///< data/ledger.h
     Span<Vec4<Real>> carried;  ///< two a particle: force and torque that a carried one felt in the substeps
                                ///< since the last contact step, added up; none: nothing is carried
     Span<Vec4<Real>> carried_tally;  ///< four a particle, for the ledger: of that, what damps and what rubs

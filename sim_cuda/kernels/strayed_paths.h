@@ -50,11 +50,11 @@ struct PathsNow {
     }
     DEM_FN PathFromHere<Real> former(uint32_t i) const {
         const Vec4<Real> start = paths.position[i], velocity = paths.velocity[i];
-        return {withW(axpy(elapsed, xyz(velocity), xyz(start)), start.w), velocity};
+        return {withW(axpy(elapsed, xyz(velocity), xyz(start)), reachOf(start)), velocity};
     }
     DEM_FN PathFromHere<Real> anew(uint32_t i) const {
-        return {withW(positionOf(state, i), paths.position[i].w),
-                withW(xyz(state.velocity[i]), paths.velocity[i].w)};
+        return {withW(positionOf(state, i), reachOf(paths.position[i])),
+                withW(xyz(state.velocity[i]), skinOf(paths.velocity[i]))};
     }
     DEM_FN PathFromHere<Real> now(uint32_t i) const { return strays(i) ? anew(i) : former(i); }
 };
@@ -105,7 +105,7 @@ struct SeeStrayed {
     }
 
   private:
-    DEM_FN bool takesPart(uint32_t i) const { return paths.paths.velocity[i].w >= Real(0); }
+    DEM_FN bool takesPart(uint32_t i) const { return hasPath(paths.paths.velocity[i]); }
     DEM_FN bool isEnclosed(uint32_t i) const {
         return i < in_bodies && standsBetweenBonds(buried, bonds.row_start, bonds.link, i);
     }
@@ -132,7 +132,7 @@ struct SeeStrayed {
                         const PathFromHere<Real>& other) const {
         const Vec3<Real> x = xyz(other.position) - xyz(own.position),
                          v = xyz(other.velocity) - xyz(own.velocity);
-        const Real gap = length(x) - (own.position.w + other.position.w), speed2 = length2(v);
+        const Real gap = length(x) - (reachOf(own.position) + reachOf(other.position)), speed2 = length2(v);
         const Real seconds = gap > Real(0) ? minOf(gap * inverseSqrt(speed2), remaining) : Real(0);
         if (!isListed(i, j) && !hasRecord(i, j)) list(i, j);
         if (label[i] != label[j] && (speed2 > gentle * gentle || !wereToMeet(i, j)))
@@ -147,14 +147,15 @@ struct SeeStrayed {
     /// By the paths before, and by so much that the last decision has seen it.
     DEM_FN bool wereToMeet(uint32_t i, uint32_t j) const {
         const PathFromHere<Real> a = paths.former(i), b = paths.former(j);
-        return demolish::mayMeet(withW(xyz(a.position), a.position.w - Real(0.5) * a.velocity.w), a.velocity,
-                                 withW(xyz(b.position), b.position.w - Real(0.5) * b.velocity.w), b.velocity,
-                                 remaining);
+        return demolish::mayMeet(withW(xyz(a.position), reachOf(a.position) - Real(0.5) * skinOf(a.velocity)),
+                                 a.velocity,
+                                 withW(xyz(b.position), reachOf(b.position) - Real(0.5) * skinOf(b.velocity)),
+                                 b.velocity, remaining);
     }
 
     DEM_FN void seeColliders(uint32_t i) const {
         const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
-        const Real radius = constants[i].floor_radius, skin = own.velocity.w;
+        const Real radius = constants[i].floor_radius, skin = skinOf(own.velocity);
         forEachCollider(colliders, xyz(own.position), [&](uint32_t c, const TangentPlane<Real>& tangent) {
             const Real gap = tangent.distance - (radius + skin), sinking = sinkingTo(tangent, own);
             if (!(sinking > Real(0)) || !(sinking * remaining > gap)) return;
@@ -181,7 +182,8 @@ struct RestartStrayed {
         if (k >= words[kStrayedCount] || words[kStrayedCount] > kMostStrayed) return;
         const uint32_t i = strayed[k];
         const PathFromHere<Real> own = paths.anew(i);
-        built_position[i] = withW(axpy(-paths.elapsed, xyz(own.velocity), xyz(own.position)), own.position.w);
+        built_position[i] =
+            withW(axpy(-paths.elapsed, xyz(own.velocity), xyz(own.position)), reachOf(own.position));
         built_velocity[i] = own.velocity;
     }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a frame's report needs of every particle, in one pass: ledger, broken bonds, highest stress.
 #pragma once
+#include "sim_cuda/data/ledger.h"
 #include "sim_cuda/kernels/particle_value.h"
 
 namespace demolish {
@@ -32,9 +33,9 @@ struct SumFrame {
         const RowPart part{thread % kThreads, kThreads};
         FrameSums sums;
         if (part.number == 0) {
-            const Vec4<Real> ledger = arrays.ledger[i];
-            sums = {static_cast<double>(ledger.x), static_cast<double>(ledger.y),
-                    static_cast<double>(ledger.z)};
+            Vec4<Real> ledger = arrays.ledger[i];
+            sums = {static_cast<double>(bookedDamping(ledger)), static_cast<double>(bookedFriction(ledger)),
+                    static_cast<double>(bookedFracture(ledger))};
         }
         if (i >= in_bodies) return sums;
         sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i, part));

@@ -39,13 +39,13 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
     if constexpr (kLedger) {
         const Real before = overlapBefore(at.overlap, effect.opening, params.dt);
         tally.contact_loss += share * (crossingLoss(law.stiffness, at.overlap, before) +
-                                       softeningLoss(law, spring.w, at.overlap, before, held));
+                                       softeningLoss(law, softestOf(spring), at.overlap, before, held));
         add(tally.damping, effect.damping);
         add(tally.friction, effect.friction);
         const Real energy_before = Real(0.5) * law.shear * length2(held);
         tally.spring_energy += share * (effect.spring_energy - energy_before);
     }
-    kept = withW(effect.spring, law.softens ? law.stiffness : spring.w);
+    kept = keptSpring(effect.spring, law.softens ? law.stiffness : softestOf(spring));
     return effect.load;
 }
 
@@ -58,7 +58,7 @@ DEM_FN void releaseTouch(const TouchLaw<Real>& law, Real overlap, Real opening, 
             share * crossingLoss(law.stiffness, overlap, overlapBefore(overlap, opening, params.dt));
     const Vec3<Real> before = xyz(spring);
     const Real squared = length2(before);
-    if (!(squared > Real(0)) && !(spring.w > Real(0))) return;
+    if (!(squared > Real(0)) && !hasBeenSofter(spring)) return;
     kept = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * squared);
 }
@@ -79,7 +79,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real overlap = (radius + other.contact_radius) - line.distance;
     const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(overlap, Real(0)),
                                                       reduced(radius, other.contact_radius),
-                                                      pairInertia(own.constants, other), spring.w);
+                                                      pairInertia(own.constants, other), softestOf(spring));
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.normal), spring, kept, params, Real(0.5),
                               tally);
@@ -173,8 +173,8 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const ParticleConstants<Real>& other = former.constants;
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
     const PairInertia<Real> against = pairInertia(own.constants, other);
-    const BondConstants<Real> bond =
-        cappedFaces(bondConstants(former.rest, former.link.grade, body), params, against, former.spring.w);
+    const BondConstants<Real> bond = cappedFaces(bondConstants(former.rest, former.link.grade, body), params,
+                                                 against, softestOf(former.spring));
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
     if (!(overlap > Real(0))) {
         TouchLaw<Real> faces;
@@ -261,9 +261,9 @@ DEM_FN Wrench<Real> colliderContact(const SubstepArrays<Real>& arrays, const Ste
     const Real height = tangent.distance, overlap = own.constants.floor_radius - height;
     if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
-    TouchLaw<Real> law =
-        contactTouchLaw<TurnedWith::kStep>(arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)),
-                                           own.constants.floor_radius, againstWall(own.constants), spring.w);
+    TouchLaw<Real> law = contactTouchLaw<TurnedWith::kStep>(
+        arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)), own.constants.floor_radius,
+        againstWall(own.constants), softestOf(spring));
     if (!(overlap > Real(0))) {
         releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), normal), spring, spring, params,
                               Real(1), tally);

@@ -56,7 +56,7 @@ struct MarkWork {
     /// this question again, if its new path leads to a collider (strayed_paths.h).
     DEM_FN bool nearCollider(uint32_t i) const {
         const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
-        const Real reach = meetings.constants[i].floor_radius + velocity.w;
+        const Real reach = meetings.constants[i].floor_radius + skinOf(velocity);
         bool near = false;
         forEachCollider(colliders, xyz(position), [&](uint32_t, const TangentPlane<Real>& tangent) {
             const Real sinking = maxOf(-dot(xyz(tangent.plane), xyz(velocity)), Real(0));

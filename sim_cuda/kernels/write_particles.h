@@ -6,6 +6,12 @@
 
 namespace demolish {
 
+/// m, of a projectile as it is shown.
+template <class Real>
+DEM_FN Real shownRadius(const Vec4<Real>& shown) {
+    return shown.w;
+}
+
 template <class Real>
 struct WriteParticles {
     SubstepArrays<Real> arrays;     ///< only read
@@ -28,7 +34,7 @@ struct WriteParticles {
         if (projectile) {
             const Vec4<Real> waiting = shown[i - in_bodies];
             if (!own.constants.takesPart()) position = xyz(waiting);
-            radius = waiting.w;
+            radius = shownRadius(waiting);
         }
         ParticleInstance instance{};
         instance.position = {static_cast<float>(position.x), static_cast<float>(position.y),

@@ -21,8 +21,8 @@ void setVelocities(DeviceScene<Backend, Real>& scene, bool at_rest) {
     const SceneTables& tables = scene.tables;
     auto velocity = scene.backend.downloaded(now.velocity), spin = scene.backend.downloaded(now.spin);
     for (uint32_t i = 0; i < tables.counts.in_bodies; ++i) {
-        velocity[i] = withW(at_rest ? Vec3<Real>{} : toReal<Real>(tables.velocity[i]), velocity[i].w);
-        spin[i] = withW(at_rest ? Vec3<Real>{} : toReal<Real>(tables.spin[i]), spin[i].w);
+        velocity[i] = withLowOf(at_rest ? Vec3<Real>{} : toReal<Real>(tables.velocity[i]), velocity[i]);
+        spin[i] = withLowOf(at_rest ? Vec3<Real>{} : toReal<Real>(tables.spin[i]), spin[i]);
     }
     scene.backend.upload(now.velocity, velocity.data(), velocity.size());
     scene.backend.upload(now.spin, spin.data(), spin.size());
