@@ -24,10 +24,12 @@ namespace {
 constexpr int kRebuilds = 200;
 constexpr size_t kFrames = 40;  // of the shot, then it begins anew
 
-Shot blockHitSoon(uint32_t particles) {
+Shot blockThatFalls(uint32_t particles) {
     Shot shot = loadScene("block");
     shot.device = DeviceChoice::kCuda;
     shot.fineness.particles = particles;
+    shot.impact.kind = ImpactKind::kDrop;
+    shot.impact.velocity = 30;
     shot.impact.arrival_time = 0.03;
     return shot;
 }
@@ -48,7 +50,7 @@ class Rebuilds {
     void run() {
         try {
             for (; made_ < kRebuilds; ++made_) {
-                const BuiltShot built = buildShot(blockHitSoon(100 + 7 * (made_ % 60)), {}, {});
+                const BuiltShot built = buildShot(blockThatFalls(100 + 7 * (made_ % 60)), {}, {});
                 if (built.solver->advanceFrame() != StepStatus::kOk) throw std::runtime_error("a bad step");
             }
         } catch (...) {
@@ -91,7 +93,7 @@ Bytes brought(FrameBridge& bridge, Solver& solver, size_t particles, bool fresh)
 }
 
 TEST_F(RebuildBeside, DisturbsNoFrameByWhicheverWayItTravels) {
-    const BuiltShot shown = buildShot(blockHitSoon(600), {}, {});
+    const BuiltShot shown = buildShot(blockThatFalls(600), {}, {});
     Solver& solver = *shown.solver;
     std::vector<uint64_t> undisturbed;
     for (size_t frame = 0; frame < kFrames; ++frame) {
