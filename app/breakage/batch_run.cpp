@@ -10,7 +10,7 @@
 #include <map>
 #include <mutex>
 
-#include "app/bridge/fragment_reader.h"
+#include "app/bridge/host_frame.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -114,7 +114,7 @@ ItemResult runItem(const BreakagePlan& plan, const std::vector<BreakageRun>& run
     result.particles = stats.particles;
     result.bonds = stats.bonds;
     result.bonds_broken = stats.bonds_broken;
-    const std::vector<uint32_t> fragments = readFragments(*solver);
+    const std::vector<uint32_t> fragments = readFrame(*solver, FrameParts::kFragments).particle_fragment;
     const Criteria& criteria = plan.experiments[runs[0].experiment].criteria;
     size_t first = 0;
     for (const BodyInstance& instance : setup.bodies) {

@@ -2,7 +2,6 @@
 // Byte counts of the streams and the solver's view of them.
 #include "app/bridge/stream_layout.h"
 
-#include <algorithm>
 #include "engine/render/fracture_mesh.h"
 
 namespace demolish {
@@ -47,16 +46,6 @@ std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh) {
     std::array<size_t, kStreamCount> bytes{};
     for (size_t i = 0; i < kStreamCount; ++i) bytes[i] = mesh.stream(static_cast<engine::StreamId>(i)).size();
     return bytes;
-}
-
-DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices) {
-    DrawListUse use;
-    use.interior_indices = std::min<size_t>(commands.interior.count, interior_indices.size());
-    const auto used = interior_indices.first(use.interior_indices);
-    if (!used.empty()) use.interior_vertices = *std::max_element(used.begin(), used.end()) + size_t{1};
-    use.exterior_indices = commands.exterior.count;
-    use.crack_edges = commands.cracks.instance_count;
-    return use;
 }
 
 }  // namespace demolish

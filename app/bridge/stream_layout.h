@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 
+#include "app/bridge/draw_list_use.h"
 #include "app/bridge/frame_bridge.h"
 #include "sim_cuda/api/render_streams.h"
 
@@ -31,12 +32,5 @@ ColourStreams colourStreamsAt(void* memory, size_t particles);
 ColourBytes colourBytesAt(const void* memory, size_t particles);
 
 std::array<size_t, kStreamCount> streamBytes(const engine::FractureMesh& mesh);
-
-/// How much of the draw lists is in use.
-struct DrawListUse {
-    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
-};
-/// Vertices in use follow from the highest index.
-DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices);
 
 }  // namespace demolish

@@ -8,7 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <map>
 
-#include "app/bridge/fragment_reader.h"
+#include "app/bridge/host_frame.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 
@@ -142,7 +142,7 @@ bool ImpactTrial::broken(Solver& solver) const {
     if (!(solver.stats().largest_fragment_fraction < kIntactShare)) return false;
     if (solver.stats().largest_fragment_fraction < kCrushedShare) return true;
     const BreakableBody& body = *setup_.bodies[0].body;
-    const std::vector<uint32_t> fragment = readFragments(solver);
+    const std::vector<uint32_t> fragment = readFrame(solver, FrameParts::kFragments).particle_fragment;
     std::map<uint32_t, double> volume;
     double whole = 0;
     for (size_t i = 0; i < body.particles.size(); ++i) {

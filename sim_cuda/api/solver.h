@@ -52,6 +52,12 @@ struct Snapshot {
     std::vector<std::byte> bytes;
 };
 
+/// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.
+struct StreamSizes {
+    size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_indices = 0, crack_edges = 0;
+};
+StreamSizes streamSizes(const SceneSetup& setup);
+
 class Solver {
   public:
     virtual ~Solver() = default;
@@ -69,6 +75,9 @@ class Solver {
     /// memory for the CPU solver. Draw lists and interior vertices are written only if fracture changed since
     /// the last export into streams with `streams_fresh` false.
     virtual void exportFrame(const RenderStreams& streams, bool streams_fresh = false) = 0;
+
+    /// streamSizes() of the set-up that it was made from.
+    virtual StreamSizes exportSizes() const = 0;
 
     virtual const FrameStats& stats() const = 0;
     /// Energies and momenta of this moment, summed in double; costs a pass over the particles and bonds.
@@ -92,12 +101,6 @@ class Solver {
     /// exported to does so on it, so that nothing needs the legacy stream.
     virtual void* workStream() const = 0;
 };
-
-/// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.
-struct StreamSizes {
-    size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_indices = 0, crack_edges = 0;
-};
-StreamSizes streamSizes(const SceneSetup& setup);
 
 /// What exporting a frame writes into exterior_indices where particles are in these fragments (one slot a
 /// particle of the bodies).

@@ -34,6 +34,7 @@ class DeviceSolver final : public Solver {
     void exportFrame(const RenderStreams& streams, bool streams_fresh) override {
         exporter_.write(scene_, projectiles_, stats().bonds_broken, streams, streams_fresh);
     }
+    StreamSizes exportSizes() const override { return streamSizes(scene_.setup); }
     const FrameStats& stats() const override { return books_.stats(); }
     void measure() override;
     void bookEnergy(bool on) override;

@@ -83,11 +83,10 @@ void FrameExporter<Backend, Real>::write(Scene& scene, const Projectiles& projec
     }
     if (streams.colours.stress.data != nullptr) writeColours(scene, streams.colours);
     writeFragments(scene, streams);
-    const bool draws_surface = streams.commands.data != nullptr;
-    if (draws_surface && (streams_fresh || written_of_ != broken)) {
+    const bool draws_surface = streams.commands.data != nullptr, lists_changed = written_of_ != broken;
+    if (draws_surface && (streams_fresh || lists_changed))
         surface_.write(streams, scene.fragments.clusters.fragment());
-        written_of_ = broken;
-    }
+    if (draws_surface && !streams_fresh) written_of_ = broken;  // fresh streams may be another reader's
     scene.backend.synchronize();
 }
 

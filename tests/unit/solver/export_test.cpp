@@ -117,5 +117,23 @@ TEST(SolverExport, AnExportWithoutDrawListsLeavesThemToTheNext) {
     EXPECT_EQ(commands.cracks.count, 6u);
 }
 
+TEST(SolverExport, FreshStreamsOfAnotherReaderLeaveTheDrawListsToTheNext) {
+    auto solver = makeCpuSolver(breakingScene());
+    const auto exported = [&](bool fresh) {
+        DrawCommands commands{};
+        RenderStreams lists;
+        lists.commands = {&commands, 1};
+        solver->exportFrame(lists, fresh);
+        return commands.cracks.count;
+    };
+    EXPECT_EQ(exported(false), 6u);
+    EXPECT_EQ(exported(false), 0u) << "nothing has broken since";
+    for (int k = 0; k < 3; ++k) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    ASSERT_GT(solver->stats().bonds_broken, 0u);
+    EXPECT_EQ(exported(true), 6u);
+    EXPECT_EQ(exported(false), 6u) << "these streams have not seen the break";
+    EXPECT_EQ(exported(false), 0u);
+}
+
 }  // namespace
 }  // namespace demolish::tests

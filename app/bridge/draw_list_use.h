@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much of the draw lists is in use.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "sim_cuda/api/render_streams.h"
+
+namespace demolish {
+
+struct DrawListUse {
+    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
+};
+/// Vertices in use follow from the highest index.
+inline DrawListUse drawListUse(const DrawCommands& commands, std::span<const uint32_t> interior_indices) {
+    DrawListUse use;
+    use.interior_indices = std::min<size_t>(commands.interior.count, interior_indices.size());
+    const auto used = interior_indices.first(use.interior_indices);
+    if (!used.empty()) use.interior_vertices = *std::max_element(used.begin(), used.end()) + size_t{1};
+    use.exterior_indices = commands.exterior.count;
+    use.crack_edges = commands.cracks.instance_count;
+    return use;
+}
+
+}  // namespace demolish
