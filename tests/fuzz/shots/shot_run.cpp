@@ -102,7 +102,7 @@ void step(const RandomShot& random, const Watching& watching, Session& session, 
             return;
         }
         run.frames = frame + 1;
-        watcher.look(frame);
+        watcher.look(run.frames);
         if (run.frames % stretch == 0) run.hashes.push_back(session.solver().stateHash());
     }
 }
@@ -133,6 +133,7 @@ ShotRun runShot(const RandomShot& random, const Watching& watching) {
         step(random, watching, session, run);
         run.broken = session.solver().stats().bonds_broken;
         if (watching.ledger && run.stopped.empty()) closeBooks(session, run);
+        run.hashes.push_back(session.solver().stateHash());
     } catch (const Error& error) {
         run.refused = error.what();
     }

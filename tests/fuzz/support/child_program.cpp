@@ -3,6 +3,7 @@
 #include "tests/fuzz/support/child_program.h"
 
 #include <fcntl.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,6 +48,7 @@ std::string contentOf(int file) {
 [[noreturn]] void become(std::vector<char*>& words, const std::vector<std::string>& environment, int out,
                          int err) {
     setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);  // nothing of ours outlives a test that was stopped
     const int nothing = open("/dev/null", O_RDONLY);
     dup2(nothing, STDIN_FILENO);
     dup2(out, STDOUT_FILENO);
