@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A solid and a particle count in, a breakable body out: the stages of authoring in order.
+#include <algorithm>
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
@@ -36,6 +37,17 @@ void requirePossibleCount(uint32_t count) {
                          std::to_string(kMaxParticles) + " particles, not " + std::to_string(count) + ".");
 }
 
+/// Where a surface goes through itself its inside can count as outside: cells come out with no volume or
+/// less, and nothing can be made of them.
+void requireVolumes(const std::string& name, const std::vector<Particle>& particles) {
+    const auto empty = std::count_if(particles.begin(), particles.end(),
+                                     [](const Particle& particle) { return !(particle.volume > 0); });
+    if (empty > 0)
+        throw InputFileError("The model '" + name + "' is inside out in places (" + std::to_string(empty) +
+                             " of " + std::to_string(particles.size()) +
+                             " cells have no volume); turn the faces of those parts round.");
+}
+
 }  // namespace
 
 std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, const FillOptions& options,
@@ -57,6 +69,7 @@ std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, c
     auto body = std::make_shared<BreakableBody>();
     body->name = info.name;
     body->particles = massProperties(solid.mesh(), solid.queries(), complex);
+    requireVolumes(info.name, body->particles);
     stages.enter("Bonding cells", 0.72, 0.78);
     body->bonds = makeBonds(complex, spacing);
     stages.enter("Making crack surfaces", 0.78, 1);

@@ -27,7 +27,7 @@ struct Options {
     size_t count = 100;
     std::vector<std::string> formats;
     std::optional<uint64_t> only;
-    double seconds = 60;  ///< that one file may take
+    double seconds = 60;  ///< of processor time that one file may take
     fs::path keep = fs::temp_directory_path() / "demolish_fuzz_files";
 };
 
@@ -99,7 +99,9 @@ class Fuzzer {
         command = format.place(bytes, folder);
         command.words.insert(command.words.begin(), test::programPath());
         ++files_;
-        const ChildEnd end = runChild(command.words, {.seconds = options_.seconds}, command.environment);
+        const ChildEnd end =
+            runChild(command.words, {.seconds = 10 * options_.seconds, .cpu_seconds = options_.seconds},
+                     command.environment);
         ++exits_[format.name][describe(end)];
         return end;
     }
@@ -154,7 +156,7 @@ int parseAndRun(int argument_count, char** arguments) {
     app.add_option("--count", options.count, "Files of each format");
     app.add_option("--format", options.formats, "These alone")->delimiter(',');
     app.add_option("--only", options.only, "This file of the seed alone");
-    app.add_option("--limit", options.seconds, "Seconds that one file may take");
+    app.add_option("--limit", options.seconds, "Processor seconds that one file may take");
     app.add_option("--keep", options.keep, "Folder for files that showed something");
     CLI11_PARSE(app, argument_count, arguments);
     if (test::programPath().empty()) {

@@ -175,7 +175,6 @@ Shot RandomShot::shot() const {
 }
 
 std::vector<std::string> RandomShot::benchWords() const {
-    if (first_impact || !by_hand.empty()) return {};
     std::vector<std::string> words = {"bench"};
     if (!options.scene.empty()) words.push_back(options.scene);
     const auto add = [&words](const char* option, const std::string& value) {

@@ -42,7 +42,9 @@ struct RandomShot {
 
     /// What makeShot() makes of it, with its balls brought forward.
     Shot shot() const;
-    /// The arguments of `demolish bench` that show the same; empty where it cannot.
+    /// Can `demolish bench` show the same? It fires no balls by hand and lets them come when the scene says.
+    bool isForBench() const { return !first_impact && by_hand.empty(); }
+    /// Its arguments: the same shot, or the same but for that.
     std::vector<std::string> benchWords() const;
 };
 

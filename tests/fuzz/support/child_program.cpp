@@ -12,6 +12,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <stdexcept>
 #include <thread>
@@ -23,6 +24,14 @@ using Clock = std::chrono::steady_clock;
 
 double secondsSince(Clock::time_point begun) {
     return std::chrono::duration<double>(Clock::now() - begun).count();
+}
+
+/// s, of all its threads; 0 once it has ended.
+double cpuSeconds(pid_t process) {
+    clockid_t clock{};
+    timespec time{};
+    if (clock_getcpuclockid(process, &clock) != 0 || clock_gettime(clock, &time) != 0) return 0;
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 /// A file without a name.
@@ -84,7 +93,9 @@ ChildEnd runChild(const std::vector<std::string>& words, const ChildLimits& limi
             killed = true;
             kill(child, SIGKILL);
         }
-        if (end.seconds > limits.seconds && !end.timed_out) {
+        const bool over = end.seconds > limits.seconds ||
+                          (limits.cpu_seconds > 0 && cpuSeconds(child) > limits.cpu_seconds);
+        if (over && !end.timed_out) {
             end.timed_out = true;
             kill(-child, SIGKILL);
         }

@@ -7,8 +7,9 @@
 namespace demolish::fuzz {
 
 struct ChildLimits {
-    double seconds = 60;    ///< of wall time; then the child and what it started are killed
-    double kill_after = 0;  ///< s; > 0: the child alone gets SIGKILL then
+    double seconds = 60;     ///< of wall time; then the child and what it started are killed
+    double cpu_seconds = 0;  ///< > 0: the same for its own processor time, which other work does not lengthen
+    double kill_after = 0;   ///< s; > 0: the child alone gets SIGKILL then
 };
 
 struct ChildEnd {

@@ -76,6 +76,15 @@ TEST_F(FillTest, CountsOutOfRangeAreRefused) {
     EXPECT_EQ(fillWithParticles(*solid, {.particles = kMinParticles})->particles.size(), kMinParticles);
 }
 
+/// A box that is inside out sticks out of a wall: beyond the wall it counts less than nothing.
+TEST_F(FillTest, CellsWithoutVolumeAreRefused) {
+    TriangleMesh mesh =
+        test::joined(test::makeCube(1), test::turnedInsideOut(test::makeCube(0.6)), {0.5, 0, 0});
+    mesh.name = "inside_out";
+    const auto solid = load(mesh);
+    EXPECT_THROW(fillWithParticles(*solid, {.particles = 1000}), InputFileError);
+}
+
 TEST_F(FillTest, SameBodyForOneAndTwoThreads) {
     const auto solid = load(test::makeTorus(1, 0.3, 40, 20));
     const auto make = [&](size_t threads) {
