@@ -14,6 +14,7 @@
 #include "app/commands/frame_csv.h"
 #include "app/commands/frame_curve.h"
 #include "app/commands/help_text.h"
+#include "app/commands/interrupt.h"
 #include "app/commands/kernel_bench.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
@@ -48,16 +49,23 @@ BenchPlan planFor(const BenchOptions& options, const Shot& shot) {
 }
 
 /// The timed frames go without the ledger, as a viewer would; a report gets it from the same frames once
-/// more. Throws NumericalError if booking changed the run, which it must not.
-EnergyBalance energyOfTheSameFrames(Session& timed, uint64_t frames) {
-    BuildOptions options{.draw_geometry = timed.built().has_draw_geometry, .reuse = &timed.built()};
-    Session session(buildShot(timed.built().shot, options, {}), {.draw = false});
-    for (uint64_t frame = 0; frame < frames; ++frame) requireOk(session.advance());
+/// more; none if that is interrupted. Throws NumericalError if booking changed the run, which it must not.
+std::optional<EnergyBalance> energyOfTheSameFrames(Session& timed, uint64_t frames) try {
+    const BuildOptions options{.draw_geometry = timed.built().has_draw_geometry, .reuse = &timed.built()};
+    const auto goes_on = [](double, const char*) { return !InterruptWatch::asked(); };
+    Session session(buildShot(timed.built().shot, options, goes_on), {.draw = false});
+    ProgressBar bar;
+    for (uint64_t frame = 0; frame < frames; ++frame) {
+        requireOk(session.advance(watchFrame(bar, frame, frames, "booking energy")));
+        if (InterruptWatch::asked()) return std::nullopt;
+    }
     if (session.solver().stateHash() != timed.solver().stateHash())
         throw NumericalError(
             "the run with the energy ledger ended in another state than the timed one; report this");
     session.solver().measure();
     return session.energy();
+} catch (const Cancelled&) {
+    return std::nullopt;
 }
 
 RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& session,
@@ -146,6 +154,7 @@ void runBench(const BenchOptions& options) {
     const bool draws = plan.mode != BenchMode::kSimulateOnly;
     const bool on_gpu = choosesCuda(shot);
     const PictureSize size = pictureSize(options.shot, kDefaultSize);
+    const InterruptWatch interrupts;
     const StopWatch watch;
     BuiltShot built = buildWithBar(shot, {.draw_geometry = draws, .ledger = false});
     announce(built);
@@ -155,13 +164,16 @@ void runBench(const BenchOptions& options) {
                                        .record = options.record || plan.mode == BenchMode::kDrawOnly,
                                        .memory_limit = kRecordingLimit});
     const BenchRun run = runBenchPlan(plan, session, stage.get());
+    if (run.status == StepStatus::kOk && run.samples.empty())
+        throw Interrupted("interrupted before the first timed frame; nothing was written");
 
     session.solver().measure();
     RunReport report = reportOf(plan, run, session, stage.get(), size);
     report.wall_seconds = watch.milliseconds() / 1000;
     LastFiles files;
     files.write(options.json, [&] {
-        if (run.status == StepStatus::kOk) report.energy = energyOfTheSameFrames(session, plan.frames);
+        if (run.status == StepStatus::kOk && !InterruptWatch::asked())
+            report.energy = energyOfTheSameFrames(session, plan.frames);
         return reportJson(session.built(), report);
     });
     files.write(options.csv, [&] {
@@ -173,6 +185,9 @@ void runBench(const BenchOptions& options) {
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
     files.requireAllWritten();
     requireOk(run.status);
+    if (InterruptWatch::asked())
+        throw Interrupted("interrupted after " + std::to_string(run.samples.size()) + " of " +
+                          std::to_string(plan.frames) + " frames; what was reported is of these");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/commands/interrupt.h"
 #include "app/session/picture.h"
 
 namespace demolish {
@@ -28,10 +29,10 @@ BenchRun stepAndDraw(const BenchPlan& plan, Session& session, BenchStage* stage)
     BenchRun run;
     ProgressBar bar;
     TriangleCounter triangles;
-    const auto frame = [&](bool timed) {
+    const auto frame = [&](uint64_t done, uint64_t all, bool timed) {
         const StopWatch watch;
-        run.status = session.advance();
-        if (run.status != StepStatus::kOk) return;
+        run.status = session.advance(watchFrame(bar, done, all, timed ? "timing" : "warming up"));
+        if (run.status != StepStatus::kOk || session.frameUnderWay()) return;
         if (stage != nullptr) stage->draw(session);
         const double frame_ms = watch.milliseconds();
         if (!timed) return;
@@ -39,14 +40,16 @@ BenchRun stepAndDraw(const BenchPlan& plan, Session& session, BenchStage* stage)
         run.samples.push_back(sampleOf(session, triangles, frame_ms, draw_ms));
         if (stage != nullptr) stage->addPasses(run.passes);
     };
-    for (uint64_t k = 0; k < plan.warmup && run.status == StepStatus::kOk; ++k) frame(false);
+    const auto goes_on = [&] { return run.status == StepStatus::kOk && !InterruptWatch::asked(); };
+    for (uint64_t k = 0; k < plan.warmup && goes_on(); ++k) frame(k, plan.warmup, false);
+    if (InterruptWatch::asked()) return run;
     session.apply(command::Reset{}, 0);
     run.status = StepStatus::kOk;
-    for (uint64_t k = 0; k < plan.frames && run.status == StepStatus::kOk; ++k) {
-        frame(true);
+    for (uint64_t k = 0; k < plan.frames && goes_on(); ++k) {
+        frame(k, plan.frames, true);
         bar.show(static_cast<double>(k + 1) / static_cast<double>(plan.frames), "timing");
     }
-    if (run.status == StepStatus::kOk) tellIfFull(session, plan.frames);
+    if (goes_on()) tellIfFull(session, plan.frames);
     return run;
 }
 
@@ -55,13 +58,14 @@ BenchRun drawRecorded(const BenchPlan& plan, Session& session, BenchStage& stage
     ProgressBar bar;
     TriangleCounter triangles;
     for (uint64_t k = 0; k < plan.frames && run.status == StepStatus::kOk; ++k) {
-        run.status = session.advance();
+        run.status = session.advance(watchFrame(bar, k, plan.frames, "recording"));
+        if (InterruptWatch::asked()) return run;
         bar.show(static_cast<double>(k + 1) / static_cast<double>(plan.frames), "recording");
     }
     const size_t recorded = session.status().recorded_frames;  // the first is the shot before its first step
     if (run.status == StepStatus::kOk) tellIfFull(session, plan.frames);
     for (uint64_t k = 0; k < plan.warmup; ++k) stage.draw(session);
-    for (size_t k = 1; k < recorded; ++k) {
+    for (size_t k = 1; k < recorded && !InterruptWatch::asked(); ++k) {
         session.apply(command::Scrub{k}, 0);
         stage.wait();
         const StopWatch watch;

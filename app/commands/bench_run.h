@@ -52,8 +52,8 @@ class BenchStage {
     engine::FrameCapture target_;
 };
 
-/// Runs the plan; stops at the first bad status with what was timed so far. `stage` is null when nothing is
-/// drawn. For BenchMode::kDrawOnly the session must record.
+/// Runs the plan; stops at the first bad status, or when interrupted, with what was timed so far. `stage` is
+/// null when nothing is drawn. For BenchMode::kDrawOnly the session must record.
 BenchRun runBenchPlan(const BenchPlan& plan, Session& session, BenchStage* stage);
 
 /// Frames from the start of the shot to the end of its last phase; 120 for a shot without phases.

@@ -79,8 +79,8 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double
     return view;
 }
 
-/// Draws and simulates all frames; stops at the first bad status, or between two frames when asked to, with
-/// what was drawn so far.
+/// Draws and simulates all frames; stops at the first bad status, or when asked to, with what was drawn so
+/// far.
 void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
     std::vector<engine::FrameView> views;
     for (const double yaw : capture.options.camera_yaw)
@@ -88,6 +88,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     engine::FrameCapture target(
         capture.size.width, capture.size.height,
         [&](uint64_t frame, engine::Image image) { files.add(frame, std::move(image)); });
+    constexpr const char* kLabel = "breaking and drawing";
     ProgressBar bar;
     TriangleCounter triangles;
     const uint64_t frames = capture.moments.back() + 1;
@@ -95,8 +96,8 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
         if (frame > 0 && InterruptWatch::asked()) break;
-        if (frame > 0) capture.status = session.advance();
-        if (capture.status != StepStatus::kOk) break;
+        if (frame > 0) capture.status = session.advance(watchFrame(bar, frame, frames, kLabel));
+        if (capture.status != StepStatus::kOk || session.frameUnderWay()) break;
         if (frame == capture.moments[drawn]) {
             for (size_t camera = 0; camera < views.size(); ++camera) {
                 stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());
@@ -108,7 +109,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
         if (frame > 0)
             capture.samples.push_back(
                 sampleOf(session, triangles, watch.milliseconds(), stage.renderer().lastDrawMs()));
-        bar.show(static_cast<double>(frame + 1) / static_cast<double>(frames), "breaking and drawing");
+        bar.show(static_cast<double>(frame + 1) / static_cast<double>(frames), kLabel);
     }
     target.finish();
 }

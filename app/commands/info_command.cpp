@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Version, devices, renderer, transfer path: each line is asked of the machine, not assumed.
+// Version, devices, renderer, transfer path, the cost of a shot: each line is asked of the machine, not
+// assumed.
 #include "app/commands/info_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -10,7 +12,10 @@
 #include "app/commands/build_version.h"
 #include "app/commands/help_text.h"
 #include "app/commands/machine_facts.h"
+#include "app/commands/text_table.h"
+#include "app/session/built_shot.h"
 #include "app/session/data_folder.h"
+#include "app/session/shot_cost.h"
 #include "engine/gl/error.h"
 #include "engine/platform/headless_context.h"
 #include "engine/platform/window.h"
@@ -68,13 +73,50 @@ void runInfo() {
     std::printf("scenes       %s\n", scenes.c_str());
 }
 
+void printPace(const char* name, const SubstepTime& time, const ShotWork& work) {
+    std::printf("%-13s %s a substep, %.3g ns a particle\n", name, shownTime(time.of(work.particles)).c_str(),
+                1e9 * time.of(work.particles) / work.particles);
+}
+
+/// Makes the cells, since the step follows from them, and no solver.
+void printShot(const ShotOptions& options) {
+    const Shot shot = makeShot(options);
+    const bool on_gpu = choosesCuda(shot);
+    const BuiltShot built = prepareShot(shot, {.draw_geometry = false}, {});
+    const ShotWork work = workOf(built.shot, built.setup);
+    const DevicePace pace = measurePace(on_gpu, work.particles);
+    const ShotCost cost = costOf(work, pace);
+    std::printf("shot          %s: %u %s, %u particles of %.3g mm, %u bonds\n", modelName(shot.model).c_str(),
+                work.bodies, work.bodies == 1 ? "body" : "bodies", work.particles, 1000 * built.body->spacing,
+                work.bonds);
+    std::printf("time step     %.4g us: %u substeps a frame of 1/%g s\n", 1e6 * work.time_step, work.substeps,
+                shot.fps / shot.time_scale);
+    std::printf("making        cells in %s, settling in about %s (%llu substeps)\n",
+                shownTime(built.build_seconds).c_str(), shownTime(cost.settle_seconds).c_str(),
+                static_cast<unsigned long long>(work.settle_substeps));
+    std::printf("a frame       about %s with all bodies awake, %s while all of them break\n",
+                shownTime(cost.whole_frame_ms / 1000).c_str(),
+                shownTime(cost.breaking_frame_ms / 1000).c_str());
+    std::printf("measured on   %s\n", on_gpu ? findCudaDevice().name.c_str() : machineName().c_str());
+    printPace("  whole", pace.whole, work);
+    printPace("  breaking", pace.breaking, work);
+    if (const std::string note = slowNote(work, cost); !note.empty())
+        std::printf("note          %s\n", note.c_str());
+}
+
 }  // namespace
 
-void addInfoCommand(CLI::App& app) {
-    auto* command =
-        app.add_subcommand("info", "Version, devices, OpenGL renderer, and how frames travel to it");
-    setExamples(*command, {"info"});
-    command->callback([] { runInfo(); });
+void addInfoCommand(CLI::App& app, ShotOptions& options) {
+    auto* command = app.add_subcommand(
+        "info", "Version, devices, OpenGL renderer and transfer; with a shot's options: what it will take");
+    addShotOptions(*command, options);
+    setExamples(*command, {"info", "info bunny --particles 100000"});
+    command->callback([command, &options] {
+        const auto given = command->get_options();
+        const bool of_a_shot = std::any_of(given.begin(), given.end(),
+                                           [](const CLI::Option* option) { return option->count() > 0; });
+        of_a_shot ? printShot(options) : runInfo();
+    });
 }
 
 }  // namespace demolish

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// demolish info: what this machine has, and how frames would travel.
+// demolish info: what this machine has, how frames would travel, and what a shot will take on it.
 #pragma once
+#include "app/commands/shot_options.h"
 
 namespace CLI {
 class App;
@@ -8,6 +9,6 @@ class App;
 
 namespace demolish {
 
-void addInfoCommand(CLI::App& app);
+void addInfoCommand(CLI::App& app, ShotOptions& options);
 
 }  // namespace demolish

@@ -2,19 +2,22 @@
 // A flag, all that a signal handler may touch.
 #include "app/commands/interrupt.h"
 
+#include <atomic>
+
 namespace demolish {
 namespace {
 
-volatile std::sig_atomic_t end_asked = 0;
+std::atomic<bool> end_asked = false;  // threads read it, and a signal handler may write it
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void ask(int) {
-    end_asked = 1;
+    end_asked = true;
 }
 
 }  // namespace
 
 InterruptWatch::InterruptWatch() {
-    end_asked = 0;
+    end_asked = false;
     struct sigaction action {};
     action.sa_handler = ask;
     action.sa_flags = SA_RESETHAND | SA_RESTART;
@@ -30,7 +33,7 @@ InterruptWatch::~InterruptWatch() {
 }
 
 bool InterruptWatch::asked() {
-    return end_asked != 0;
+    return end_asked;
 }
 
 }  // namespace demolish

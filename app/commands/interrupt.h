@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ctrl-C between two frames instead of within one, so that what was made so far is whole.
+// Ctrl-C is heard where something can be ended, so that what was made so far is whole.
 #pragma once
 #include <array>
 #include <csignal>

@@ -1,84 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Blocks in three states, each stepped and timed as a whole.
+// Blocks in three states and the floors of their bodies.
 #include "app/commands/kernel_bench.h"
 
-#include <algorithm>
 #include <array>
-#include <chrono>
-#include <memory>
 
-#include "sim_cuda/api/errors.h"
-#include "sim_cuda/api/solver.h"
+#include "app/session/block_timing.h"
 
 namespace demolish {
 namespace {
 
 constexpr std::array<uint32_t, 6> kGpuSizes{2'000, 10'000, 50'000, 100'000, 200'000, 1'000'000};
 constexpr size_t kCpuSizes = 2;  // of them
-constexpr int kRepeats = 5, kMostBreakingBatches = 40;
-constexpr double kFall = -4;  // m/s: shatters the weak block
-constexpr double kWeak = 1;   // m/s, critical velocity of the block that shatters; a thousandth: of sand
-constexpr double kSand = 1e-6;
-
-enum class BlockState { kIntact, kShattering, kBroken };
-
-SceneSetup setupOf(std::shared_ptr<const BreakableBody> body, BlockState state) {
-    const bool falls = state != BlockState::kIntact;
-    SceneSetup setup;
-    BodyInstance block;
-    block.body = std::move(body);
-    block.material.name = "stone";
-    block.material.density = 2650;
-    block.material.tough_cells = state == BlockState::kShattering ? 12 : 0;
-    block.material.critical_velocity = state == BlockState::kBroken ? kSand : kWeak;
-    block.position = {0, falls ? 0.001 : 1.0, 0};
-    block.velocity = {0, falls ? kFall : 0.0, 0};
-    setup.bodies.push_back(std::move(block));
-    if (state != BlockState::kBroken) setup.params.gravity = {0, 0, 0};
-    setup.params.ledger = false;
-    return setup;
-}
-
-void step(Solver& solver, uint32_t substeps) {
-    const StepStatus status = solver.advanceSubsteps(substeps);
-    if (status != StepStatus::kOk) throw NumericalError(describe(status));
-    solver.synchronize();
-}
-
-/// us a substep: the median of some batches.
-double microseconds(Solver& solver, uint32_t substeps) {
-    using Clock = std::chrono::steady_clock;
-    std::array<double, kRepeats> times{};
-    for (auto& time : times) {
-        const auto begun = Clock::now();
-        step(solver, substeps);
-        time = std::chrono::duration<double, std::micro>(Clock::now() - begun).count() / substeps;
-    }
-    std::sort(times.begin(), times.end());
-    return times[kRepeats / 2];
-}
-
-uint32_t batchSize(bool cuda, size_t particles) {
-    if (!cuda) return 20;
-    return particles < 100'000 ? 1000 : 200;
-}
-
-struct StateTime {
-    double microseconds = 0;
-    uint32_t bonds = 0, broken = 0;
-};
-
-StateTime timeState(bool cuda, const std::shared_ptr<const BreakableBody>& body, BlockState state) {
-    const SceneSetup setup = setupOf(body, state);
-    const auto solver = cuda ? makeCudaSolver(setup) : makeCpuSolver(setup);
-    const uint32_t batch = batchSize(cuda, body->particles.size());
-    step(*solver, batch);
-    if (state == BlockState::kBroken)
-        for (int k = 0; k < kMostBreakingBatches && solver->stats().bonds_broken < solver->stats().bonds; ++k)
-            step(*solver, batch);
-    const double time = microseconds(*solver, batch);
-    return {time, solver->stats().bonds, solver->stats().bonds_broken};
-}
 
 }  // namespace
 
@@ -88,9 +20,9 @@ std::span<const uint32_t> kernelSizes(bool cuda) {
 
 KernelRow timeKernel(bool cuda, uint32_t particles) {
     const auto body = stoneBlock(particles);
-    const StateTime intact = timeState(cuda, body, BlockState::kIntact);
-    const StateTime shattering = timeState(cuda, body, BlockState::kShattering);
-    const StateTime broken = timeState(cuda, body, BlockState::kBroken);
+    const BlockTime intact = timeBlock(cuda, body, BlockState::kIntact);
+    const BlockTime shattering = timeBlock(cuda, body, BlockState::kShattering);
+    const BlockTime broken = timeBlock(cuda, body, BlockState::kBroken);
     KernelRow row;
     row.particles = static_cast<uint32_t>(body->particles.size());
     row.bonds = intact.bonds;

@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <new>
 #include <string_view>
@@ -85,7 +86,8 @@ int tellError() {
         return fail(error.code(), error.what());
     } catch (const Interrupted& interrupted) {
         std::fprintf(stderr, "demolish: %s\n", interrupted.what());
-        return kInterruptedCode;
+        std::fflush(nullptr);
+        std::_Exit(kInterruptedCode);  // a body may still be in the making: nothing waits for it
     } catch (const engine::gl::GlError& error) {
         return fail(ExitCode::kDevice, error.what());
     } catch (const engine::ImageError& error) {
@@ -136,12 +138,13 @@ int run(int argument_count, char** arguments) {
     BenchOptions bench;
     BreakageOptions breakage;
     CalibrateOptions calibrate;
+    ShotOptions info;
     addViewCommand(app, view);
     addCaptureCommand(app, capture);
     addBenchCommand(app, bench);
     addBreakageCommand(app, breakage);
     addCalibrateCommand(app, calibrate);
-    addInfoCommand(app);
+    addInfoCommand(app, info);
     refuseEmptyValues(app);
     return parseAndRun(app, argument_count, arguments);
 }

@@ -24,6 +24,7 @@ std::string sessionJson(const Session& session) {
     json["time"] = status.stats.time;
     json["rebuilding"] = status.waiting || status.rebuilding;
     json["playing"] = status.playing;
+    json["frame_share"] = status.frame_share.value_or(0);
     json["replaying"] = status.replaying;
     json["cursor"] = status.cursor;
     json["recorded_frames"] = status.recorded_frames;

@@ -70,11 +70,13 @@ void applyFineness(const ShotOptions& options, Shot& shot) {
     if (options.seed) shot.seed = static_cast<uint64_t>(wholeNumber("--seed", *options.seed, kSeedRange));
 }
 
-/// The scene's camera suits the scene's height only, its balls grow with the body.
+/// The scene's camera suits the scene's height only, its balls grow with the body, and what weight takes to
+/// settle goes with the root of the height, as all that falls.
 void applyHeight(double height, bool is_scene, Shot& shot) {
     const double ratio = height / shot.height;
     shot.height = height;
     if (!is_scene) return;
+    shot.settle_scale = std::sqrt(ratio);
     shot.camera.reset();
     shot.impact.ball_radius = 0;
     for (TimedBall& ball : shot.balls)

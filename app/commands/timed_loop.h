@@ -13,11 +13,16 @@
 
 namespace demolish {
 
-/// Builds a shot with a progress bar on the way.
+/// Builds a shot with a progress bar on the way; says so first where it will be slow. Throws Interrupted at
+/// once when interrupted, and leaves a thread behind.
 BuiltShot buildWithBar(const Shot& shot, const BuildOptions& options);
 
 /// One line on stderr: where it runs and what it breaks.
 void announce(const BuiltShot& built);
+
+/// For Session::advance(): moves the bar on within a frame, the one after the first `done` of `all`, and
+/// stops it at an interrupt.
+FrameWatch watchFrame(ProgressBar& bar, uint64_t done, uint64_t all, const char* label);
 
 class StopWatch {
   public:

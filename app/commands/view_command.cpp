@@ -71,6 +71,11 @@ void followBody(ViewDesk& desk, const Session& session, std::filesystem::path& m
     model = session.built().shot.model;
 }
 
+/// The turn of the window ends before the simulated frame does.
+bool withinFrame(const Session& session) {
+    return session.playing() && session.frameUnderWay();
+}
+
 struct ViewLoop {
     engine::Window& window;
     engine::Renderer& renderer;
@@ -84,6 +89,7 @@ struct ViewLoop {
     std::filesystem::path model{};
     std::shared_ptr<const BreakableBody> body{};
     std::string dropped{};
+    double turns_ms = 0;  ///< of a frame that takes several turns, so far
 
     void frame() {
         const StopWatch watch;
@@ -105,7 +111,9 @@ struct ViewLoop {
         draw();
         if (script != nullptr) script->afterDraw();
         window.swapBuffers();
-        desk.history.add(sampleOf(session, triangles, watch.milliseconds(), renderer.lastDrawMs()));
+        turns_ms += watch.milliseconds();
+        if (!withinFrame(session))
+            desk.history.add(sampleOf(session, triangles, std::exchange(turns_ms, 0), renderer.lastDrawMs()));
     }
 
     void draw() {
@@ -124,6 +132,7 @@ ScriptHooks hooksFor(engine::Window& window, Session& session, const ViewDesk& d
         return !status.waiting && !status.rebuilding;
     };
     hooks.conditions["building"] = [&session] { return session.status().rebuilding; };
+    hooks.conditions["within_frame"] = [&session] { return withinFrame(session); };
     hooks.conditions["measuring"] = [&desk] { return desk.threshold.measuring; };
     hooks.conditions["measured"] = [&desk] { return !desk.threshold.measuring; };
     hooks.screenshot = [&window](const std::filesystem::path& file) {
@@ -149,6 +158,7 @@ void runView(const ViewOptions& options) {
     ViewDesk desk(session, shot);
     const engine::ColourRamp colour_ramp(dataFolder() / "shaders");
     desk.colour_ramp = colour_ramp.texture().id();
+    desk.pace = measurePace(session.solver().onGpu(), session.status().stats.particles);
     desk.gl_renderer = window.info().renderer;
     desk.view.quality = renderQuality(options.shot, window.info().software);
     if (window.info().software) desk.view.samples = 2;

@@ -99,6 +99,7 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
     context.threshold = threshold;
+    context.pace = pace;
     context.colour_ramp = colour_ramp;
     if (measured && context.shot.break_at && context.shot.break_at == measured->shot.break_at) {
         context.shot.material.critical_velocity = measured->shot.material.critical_velocity;

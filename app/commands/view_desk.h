@@ -27,6 +27,7 @@ struct ViewDesk {
     std::string message;       ///< what a load said; "" if it went well
     PictureArea picture;
     ThresholdView threshold;
+    DevicePace pace;  ///< of the device that the shot runs on
 
     ViewDesk(const Session& session, const Shot& preset_shot);
 

@@ -10,6 +10,7 @@
 #include "app/session/commands.h"
 #include "app/session/frame_times.h"
 #include "app/session/session.h"
+#include "app/session/shot_cost.h"
 #include "app/session/threshold.h"
 #include "engine/scene/frame_view.h"
 
@@ -55,6 +56,7 @@ struct PanelContext {
     std::string load_scene;  ///< scene to load instead, by name
     std::string load_model;  ///< mesh file to load instead
     ThresholdView threshold{};
+    DevicePace pace{};         ///< of the device that the shot runs on
     unsigned colour_ramp = 0;  ///< GL texture, the scale of the particle colours
     bool measure_threshold = false, cancel_measuring = false;  ///< pressed
 };

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include <cmath>
+#include <cstdio>
 
 #include "app/panel/widgets.h"
 
@@ -22,6 +23,25 @@ void showRebuild(PanelContext& context) {
     ImGui::SameLine();
     if (button(context, "particles.cancel", "Cancel", "Keep the body as it is"))
         context.commands.emplace_back(command::CancelRebuild{});
+}
+
+/// Of the size that is chosen, built or not: finer particles need shorter steps in proportion.
+void showWork(const PanelContext& context, double size) {
+    const SessionStatus& status = context.status;
+    ShotWork work;
+    const double each = status.body_volume / (size * size * size);
+    work.particles = static_cast<uint32_t>(each * static_cast<double>(status.bodies));
+    const double finer = context.shot.substeps ? 1 : status.particle_size / size;
+    work.substeps = static_cast<uint32_t>(std::lround(status.substeps_per_frame * finer));
+    const double seconds = costOf(work, context.pace).breaking_frame_ms / 1000;
+    char text[96];
+    std::snprintf(text, sizeof text, "%u particles, %u substeps, to %s", work.particles, work.substeps,
+                  shownTime(seconds).c_str());
+    seconds > 1 ? ImGui::TextColored(ImVec4(1.0f, 0.55f, 0.40f, 1), "%s", text)
+                : ImGui::TextDisabled("%s", text);
+    tooltipOnHover(
+        "About how many in all bodies, substeps a frame, and how long a frame takes at most, while all of it "
+        "breaks. Faster: larger particles, fewer --substeps (softer), a taller body.");
 }
 
 }  // namespace
@@ -51,8 +71,7 @@ void showParticlesPanel(PanelContext& context) {
         fineness.particles.reset();
         context.changed = true;
     }
-    ImGui::TextDisabled("about %.0f particles, %u substeps a frame", volume / (size * size * size),
-                        status.substeps_per_frame);
+    showWork(context, size);
     showRebuild(context);
 }
 

@@ -84,7 +84,7 @@ void ScriptDriver::prepare(const Line& line, const ItemRegistry& items, const Pi
     const std::string& name = line.words[0];
     const std::string& argument = line.words[1];
     if (name == "wait") {
-        inputs_.resize(static_cast<size_t>(std::stoul(argument)));
+        inputs_.resize(static_cast<size_t>(std::stoul(argument)), Input{.waits = true});
     } else if (name == "key") {
         const auto key = kKeys.find(argument);
         if (key == kKeys.end()) fail(line, "names no key: " + argument);
@@ -130,7 +130,7 @@ void ScriptDriver::inject(ItemRegistry& items, const PictureArea& picture) {
         ++next_;
     }
     const Input input = inputs_.empty() ? Input{} : inputs_.front();
-    if (!inputs_.empty()) inputs_.pop_front();
+    if (!inputs_.empty() && !(input.waits && hooks_.conditions.at("within_frame")())) inputs_.pop_front();
     apply(input);
 }
 

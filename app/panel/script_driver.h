@@ -17,9 +17,10 @@
 namespace demolish {
 
 /// One line a command:
-///   wait N                 N frames
+///   wait N                 N frames; turns of the window within a simulated frame do not count
 ///   until rebuilt          until no rebuild is waiting or running
 ///   until building         until a rebuild runs on its worker
+///   until within_frame     until a turn of the window ends within a simulated frame
 ///   until measuring        until a threshold is being measured
 ///   until measured         until none is
 ///   set ID FRACTION        presses the slider ID at this share of its width
@@ -55,6 +56,7 @@ class ScriptDriver {
         std::optional<float> x = {}, y = {};  ///< px of the window
         bool left = false, middle = false, ctrl = false, shift = false;
         int key = -1;
+        bool waits = false;  ///< for the end of a simulated frame
         std::string text = {};
     };
     void prepare(const Line& line, const ItemRegistry& items, const PictureArea& picture);

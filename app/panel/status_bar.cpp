@@ -20,6 +20,8 @@ void showStatusBar(PanelContext& context) {
     ImGui::SameLine(0, 24);
     if (!status.message.empty())
         ImGui::TextColored(ImVec4(1.0f, 0.55f, 0.40f, 1), "%s", status.message.c_str());
+    else if (status.frame_share && status.playing)
+        ImGui::Text("frame at %.0f %%", 100 * *status.frame_share);
     else if (status.replaying)
         ImGui::TextDisabled("showing the recording");
     else

@@ -15,6 +15,10 @@
 namespace demolish {
 namespace {
 
+double secondsSince(std::chrono::steady_clock::time_point begun) {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
+
 /// Maps a stage's own 0..1 into its share of the whole bar.
 ProgressCallback part(const ProgressCallback& progress, double from, double to) {
     if (!progress) return {};
@@ -81,7 +85,7 @@ uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
     return each;
 }
 
-BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {
+BuiltShot prepareShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {
     const auto begun = std::chrono::steady_clock::now();
     validate(shot);
     const bool on_gpu = choosesCuda(shot);
@@ -108,10 +112,22 @@ BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const Progres
     chooseVelocity(built.shot, *built.body);
     built.setup = makeSetup(built.shot, built.variants);
     built.setup.params.ledger = options.ledger;
+    built.build_seconds = secondsSince(begun);
+    return built;
+}
+
+void makeSolver(BuiltShot& built, const ProgressCallback& progress) {
+    const auto begun = std::chrono::steady_clock::now();
     const ProgressCallback last_part = part(progress, 0.75, 1);
-    built.solver = on_gpu ? makeCudaSolver(built.setup, last_part) : makeCpuSolver(built.setup, last_part);
+    built.solver = choosesCuda(built.shot) ? makeCudaSolver(built.setup, last_part)
+                                           : makeCpuSolver(built.setup, last_part);
     built.start = built.solver->save();
-    built.build_seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+    built.build_seconds += secondsSince(begun);
+}
+
+BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress) {
+    BuiltShot built = prepareShot(shot, options, progress);
+    makeSolver(built, progress);
     return built;
 }
 

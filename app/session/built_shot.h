@@ -47,7 +47,11 @@ inline constexpr uint32_t kMaxSceneParticles = 16'000'000;
 /// many, or when they are too many for all bodies together.
 uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu);
 
-/// Throws the errors of authoring and solver; Cancelled when `progress` says so.
+/// All but solver and start: mesh, cells, set-up. Throws as buildShot().
+BuiltShot prepareShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress);
+/// The rest of it.
+void makeSolver(BuiltShot& built, const ProgressCallback& progress);
+/// Both. Throws the errors of authoring and solver; Cancelled when `progress` says so.
 BuiltShot buildShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress);
 
 }  // namespace demolish

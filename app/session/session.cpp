@@ -27,14 +27,14 @@ struct Session::Obey {
     double now;
 
     void operator()(const command::Play&) const { session.playing_ = true; }
-    void operator()(const command::Pause&) const { session.playing_ = false; }
-    void operator()(const command::TogglePlay&) const { session.playing_ = !session.playing_; }
+    void operator()(const command::Pause&) const { session.playing_ = session.stepping_ = false; }
+    void operator()(const command::TogglePlay&) const {
+        session.playing_ = !session.playing_ && !std::exchange(session.stepping_, false);
+    }
     void operator()(const command::Step&) const {
         session.playing_ = false;
-        if (!session.atEnd())
-            session.show(session.cursor_ + 1);
-        else
-            session.advance();
+        session.stepping_ = true;
+        session.goOn();
     }
     void operator()(const command::Reset&) const { session.restart(); }
     void operator()(const command::Fire&) const { session.fireByHand(); }
@@ -54,7 +54,7 @@ struct Session::Obey {
         session.wantWhatIsBuilt();
     }
     void operator()(const command::MeasureEnergy& measure) const {
-        Solver& solver = *session.built_.solver;
+        Solver& solver = session.solver();
         session.measuring_ = measure.on;
         const bool booked = solver.booksEnergy();
         solver.bookEnergy(measure.on || session.built_.setup.params.ledger);
@@ -62,7 +62,7 @@ struct Session::Obey {
         booked ? solver.measure() : session.openBooks();
     }
     void operator()(const command::Scrub& scrub) const {
-        session.playing_ = false;
+        session.playing_ = session.stepping_ = false;
         session.show(scrub.frame);
     }
 };
@@ -85,8 +85,16 @@ void Session::adopt(BuiltShot built) {
     restart();
 }
 
+Solver& Session::solver() {
+    built_.solver->giveUpFrame();
+    frame_share_.reset();
+    under_way_ms_ = 0;
+    return *built_.solver;
+}
+
 void Session::restart() {
-    built_.solver->bookEnergy(measuring_ || built_.setup.params.ledger);
+    stepping_ = false;
+    solver().bookEnergy(measuring_ || built_.setup.params.ledger);
     built_.solver->restore(built_.start);
     projectiles_ = static_cast<uint32_t>(built_.setup.projectiles.size());
     balls_started_.clear();
@@ -167,7 +175,7 @@ void Session::restartIfNotHit() {
 void Session::fire(const Projectile& ball) {
     try {
         if (!atEnd()) show(newest_);
-        built_.solver->fire(ball);
+        solver().fire(ball);
         ++projectiles_;
     } catch (const UsageError& error) {
         message_ = error.what();
@@ -196,13 +204,22 @@ void Session::bringFrame(bool fresh) {
     recording_.add(std::move(frame));
 }
 
-StepStatus Session::advance() {
+StepStatus Session::advance(const FrameWatch& watch) {
     const auto begun = Clock::now();
-    startDueBalls();
+    if (!frame_share_) startDueBalls();
+    const auto looked_at = [&](double share) {
+        frame_share_ = share;
+        return watch(share);
+    };
     const ExpectedTransfer expected(output_ ? &output_->bridge() : nullptr);
-    const StepStatus status = built_.solver->advanceFrame(wanted_.time_scale);
+    const StepStatus status =
+        built_.solver->advanceFrame(wanted_.time_scale, watch ? FrameWatch(looked_at) : FrameWatch{});
     built_.solver->synchronize();
-    last_sim_ms_ = msSince(begun);
+    under_way_ms_ += msSince(begun);
+    if (built_.solver->frameUnfinished()) return status;
+    frame_share_.reset();
+    stepping_ = false;
+    last_sim_ms_ = std::exchange(under_way_ms_, 0);
     if (status != StepStatus::kOk) {
         playing_ = false;
         message_ = describe(status);
@@ -222,11 +239,19 @@ void Session::update(double now, bool may_step) {
     if (auto shot = debounce_.take(now)) worker_.start(*shot, built_);
     takeRebuild();
     last_sim_ms_ = last_transfer_ms_ = 0;
-    if (!playing_ || !may_step) return;
-    if (!atEnd())
+    const bool due = may_step || frame_share_;
+    if (stepping_ || (playing_ && due)) goOn();
+}
+
+/// To the next frame that is recorded, or as far towards the next one as a turn of the window allows.
+void Session::goOn() {
+    if (!atEnd()) {
+        stepping_ = false;
         show(cursor_ + 1);
-    else
-        advance();
+        return;
+    }
+    const auto begun = Clock::now();
+    advance([begun](double) { return msSince(begun) < 1000 * kLongestTurn; });
 }
 
 void Session::show(size_t frame) {
@@ -236,7 +261,7 @@ void Session::show(size_t frame) {
     last_sim_ms_ = last_transfer_ms_ = 0;
     if (atEnd()) {
         // Replayed frames have overwritten it, perhaps in another colour: stepping goes on from it.
-        output_->bridge().transfer(*built_.solver, {colour_, projectiles_, true});
+        output_->bridge().transfer(solver(), {colour_, projectiles_, true});
         spheres_ = spheresOf(output_->bridge().projectiles());
         shown_ = built_.solver->stats();
         return;
@@ -287,7 +312,7 @@ void Session::setColour(ParticleColour colour) {
     if (!output_) return;
     recording_.finishCopies();
     if (atEnd())
-        output_->bridge().transfer(*built_.solver, {colour_, projectiles_, false});
+        output_->bridge().transfer(solver(), {colour_, projectiles_, false});
     else
         show(cursor_);
 }
@@ -306,8 +331,9 @@ SessionStatus Session::status() const {
     status.on_gpu = built_.solver->onGpu();
     status.measuring = measuring_;
     if (measuring_ && atEnd()) status.energy = energy();
-    status.playing = playing_;
+    status.playing = playing();
     status.replaying = !atEnd();
+    status.frame_share = frame_share_;
     status.cursor = cursor_;
     status.newest = newest_;
     status.recorded_frames = recording_.size();

@@ -30,7 +30,8 @@ struct SessionStatus {
     std::string device, transfer, transfer_note;
     bool on_gpu = false;
     bool playing = false, replaying = false;
-    size_t cursor = 0, newest = 0;  ///< frame on screen, and the solver's, which follows a full recording
+    std::optional<double> frame_share;  ///< of a frame under way, what is simulated
+    size_t cursor = 0, newest = 0;      ///< frame on screen, and the solver's, which follows a full recording
     size_t recorded_frames = 0, recorded_bytes = 0, memory_limit = 0;
     uint32_t substeps_per_frame = 0;
     size_t bodies = 1;
@@ -46,24 +47,33 @@ struct SessionStatus {
     std::string message;  ///< last thing that went wrong, or ""
 };
 
+/// s that a window may wait for a frame before it looks at what its user does.
+inline constexpr double kLongestTurn = 0.1;
+
 class Session {
   public:
     /// With options.draw the GL context must be current, here and in every other call. Fires the shot's
     /// balls.
     Session(BuiltShot built, const SessionOptions& options);
 
-    /// One simulated frame, brought to the buffers. A status other than kOk leaves the picture as it was.
-    StepStatus advance();
+    /// One simulated frame, brought to the buffers. A status other than kOk leaves the picture as it was, and
+    /// so does a frame that `watch` stops: the next call goes on with it.
+    StepStatus advance(const FrameWatch& watch = {});
+    /// The share of it that is simulated; none between two frames.
+    std::optional<double> frameUnderWay() const { return frame_share_; }
+    bool playing() const { return playing_ || stepping_; }
 
     /// Obeys; `now` in s on any steady clock.
     void apply(const command::Any& command, double now);
     /// Starts and takes over rebuilds; then, while playing, one frame: replayed up to the end of the
-    /// recording, simulated from there. `may_step` false: no frame is due yet.
+    /// recording, simulated from there. `may_step` false: no frame is due yet. A frame that takes longer than
+    /// kLongestTurn is spread over several calls; paused, it waits, and what needs the solver gives it up.
     void update(double now, bool may_step = true);
 
     const Shot& shot() const { return wanted_; }  ///< as chosen, perhaps not yet built
     const BuiltShot& built() const { return built_; }
-    Solver& solver() { return *built_.solver; }
+    /// As of the last whole frame: one that is under way is given up.
+    Solver& solver();
     const engine::FractureMesh* mesh() const { return output_ ? &output_->mesh() : nullptr; }
     const std::vector<engine::SphereDraw>& spheres() const { return spheres_; }
     const char* transfer() const;
@@ -71,6 +81,7 @@ class Session {
     /// Since the shot's start, or since it was asked for in a shot that is run without ledger; as of the last
     /// Solver::measure().
     EnergyBalance energy() const { return {start_energy_, built_.solver->stats().energy, books_since_}; }
+    /// ms of simulating the last frame, all calls of advance() together.
     double lastSimMs() const { return last_sim_ms_; }
     /// ms to write the last simulated frame and bring it to the renderer's buffers; 0 when none was.
     double lastTransferMs() const { return last_transfer_ms_; }
@@ -88,6 +99,7 @@ class Session {
     Shot shotOfBalls() const;
     void startDueBalls();
     void fireByHand();
+    void goOn();
     void bringFrame(bool fresh);
     void show(size_t frame);
     void change(const Shot& shot, double now);
@@ -116,7 +128,10 @@ class Session {
     size_t newest_ =
         0;  ///< the solver's frame: the last recorded one, or one more where that is not recorded
     double last_sim_ms_ = 0, last_transfer_ms_ = 0;
+    std::optional<double> frame_share_;  ///< of a frame under way
+    double under_way_ms_ = 0;            ///< that it has taken so far
     bool playing_ = false;
+    bool stepping_ = false;  ///< one frame, and no more
     bool measuring_ = false;
 };
 

@@ -56,6 +56,7 @@ void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
     to.wave_speed = from.wave_speed;
     to.substeps = from.substeps;
     to.settle_time = from.settle_time;
+    to.settle_scale = from.settle_scale;
     to.scene_radius = from.scene_radius;
     to.hand_over = from.hand_over;
     to.sleeping = from.sleeping;

@@ -68,7 +68,8 @@ struct Shot {
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
-    double settle_time = 0;            ///< s
+    double settle_time = 0;            ///< s, at the scene's own height
+    double settle_scale = 1;           ///< of that time at this height
     double scene_radius = 1000;        ///< m, what flies farther ends the run
     bool hand_over = true;             ///< as SolverParams
     bool sleeping = true;

@@ -82,7 +82,8 @@ SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const B
     setup.params.sleeping = shot.sleeping;
     setup.params.colliders = collidersOf(shot);
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
-    setup.params.settle_time = dropped ? 0 : shot.settle_time;
+    setup.params.settle_time = dropped ? 0 : shot.settle_time * shot.settle_scale;
+    setup.params.settle_damping = SolverParams{}.settle_damping / shot.settle_scale;
     const double share = lowestThresholdShare(shot, *variants[0]);
     for (const Placement& place : placementsOf(shot)) {
         BodyInstance instance;

@@ -75,7 +75,7 @@ void addImpact(const Shot& shot, const BreakableBody& body, Hash& hash) {
     hash.add(ball.height_fraction.value_or(impact.height_fraction));
     hash.add(ball.aim.value_or(Double3{}));
     hash.add(ball.aim.has_value());
-    hash.add(shot.settle_time);
+    hash.add(shot.settle_time * shot.settle_scale);
 }
 
 }  // namespace

@@ -89,6 +89,7 @@ struct SolverParams {
     double wall_stiffness = 1;   ///< Hertz: share of a rigid wall's E* and G*; 1/2: the wall is of the
                                  ///< body's own material, as (1) reads at R* = R
     double settle_time = 0;      ///< s of settling before frame 0 (models.md E.4), 0 = none
+    double settle_damping = 12;  ///< 1/s, at which velocities decay meanwhile
     double scene_radius = 1000;  ///< m; particles beyond it stop the run with kLeftScene
     uint64_t seed = 1;
     bool ledger = true;      ///< book damping and friction work every substep

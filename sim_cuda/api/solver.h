@@ -37,6 +37,10 @@ struct SceneSetup {
 /// What a progress bar shows; return false to cancel (then Cancelled is thrown).
 using ProgressCallback = std::function<bool(double fraction, const char* stage)>;
 
+/// Asked between the stretches of a frame with the share of it that is simulated, 0..1; false: stop there. A
+/// stretch is a few dozen substeps.
+using FrameWatch = std::function<bool(double share)>;
+
 /// What the softening rule gave (models.md E.1-E.2); shown in panel and report.
 struct SofteningReport {
     double bond_modulus = 0;       ///< Pa, E_b
@@ -64,7 +68,13 @@ class Solver {
 
     /// Advances one frame of params.frame_time * time_scale (slow motion: 0 < time_scale <= 1). On a bad
     /// status nothing has changed but the status; the caller may restore() and change a knob.
-    virtual StepStatus advanceFrame(double time_scale = 1.0) = 0;
+    /// Stopped by `watch` the frame stays unfinished, and the next call goes on with it, to the same bits
+    /// (its own time_scale holds). Until it is whole or given up, stats() are those of the frame before, and
+    /// of the other calls only restore() and advanceSubsteps(), which give it up, are allowed.
+    virtual StepStatus advanceFrame(double time_scale = 1.0, const FrameWatch& watch = {}) = 0;
+    virtual bool frameUnfinished() const = 0;
+    /// Back to the last whole frame; nothing happens without an unfinished one.
+    virtual void giveUpFrame() = 0;
     /// Exactly n substeps; for tests and benchmarks.
     virtual StepStatus advanceSubsteps(uint32_t n) = 0;
 
@@ -101,6 +111,9 @@ class Solver {
     /// exported to does so on it, so that nothing needs the legacy stream.
     virtual void* workStream() const = 0;
 };
+
+/// Substeps that a frame of softened bodies takes, at this slow motion.
+uint32_t substepsOfFrame(const SolverParams& params, double time_scale = 1);
 
 /// What exporting a frame writes into exterior_indices where particles are in these fragments (one slot a
 /// particle of the bodies).

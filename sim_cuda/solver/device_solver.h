@@ -28,8 +28,13 @@ class DeviceSolver final : public Solver {
   public:
     DeviceSolver(const SceneSetup& setup, const ProgressCallback& progress);
 
-    StepStatus advanceFrame(double time_scale) override;
-    StepStatus advanceSubsteps(uint32_t n) override { return advance(n); }
+    StepStatus advanceFrame(double time_scale, const FrameWatch& watch) override;
+    StepStatus advanceSubsteps(uint32_t n) override {
+        giveUpFrame();
+        return advance(n, {});
+    }
+    bool frameUnfinished() const override { return loop_.frameUnfinished(); }
+    void giveUpFrame() override { loop_.giveUpFrame(); }
     void fire(const Projectile& projectile) override;
     void exportFrame(const RenderStreams& streams, bool streams_fresh) override {
         exporter_.write(scene_, projectiles_, stats().bonds_broken, streams, streams_fresh);
@@ -49,7 +54,7 @@ class DeviceSolver final : public Solver {
     void* workStream() const override { return scene_.backend.stream(); }
 
   private:
-    StepStatus advance(uint32_t n);
+    StepStatus advance(uint32_t n, const FrameWatch& watch);
     void sumFrame();
     void clearLedger() { scene_.backend.fill(scene_.data.ledger.span(), Vec4<Real>{}); }
     void readState(ByteStream& in);
@@ -75,7 +80,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       hash_sum_(scene_.backend.template allocate<uint64_t>(1)) {
     const bool settles = setup.params.settle_time > 0;
     loop_.stepper().recordAhead(scene_);
-    if (settles) settle(scene_, loop_, setup.params.settle_time, progress);
+    if (settles) settle(scene_, loop_, progress);
     loop_.startProjectiles();
     scene_.fragments.recluster(scene_.data);
     scene_.fragments.advanceAges();
@@ -85,19 +90,19 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
 }
 
 template <class Backend, class Real>
-StepStatus DeviceSolver<Backend, Real>::advanceFrame(double time_scale) {
+StepStatus DeviceSolver<Backend, Real>::advanceFrame(double time_scale, const FrameWatch& watch) {
     if (!(time_scale > 0 && time_scale <= 1))
         throw UsageError("Slow motion must lie above 0 and at most at 1.");
-    return advance(static_cast<uint32_t>(std::max(1.0, std::round(scene_.tables.substeps * time_scale))));
+    return advance(slowedSubsteps(scene_.tables.substeps, time_scale), watch);
 }
 
 template <class Backend, class Real>
-StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n) {
-    const auto frame = loop_.advance(n);
+StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n, const FrameWatch& watch) {
+    const auto frame = loop_.advance(n, watch);
     books_.setStatus(frame.status);
+    if (frame.substeps == 0) return frame.status;
     books_.setAwake(scene_.regimes);
-    if (frame.status != StepStatus::kOk) return frame.status;
-    books_.closeFrame(n, scene_.time(), frame.list_rebuilds);
+    books_.closeFrame(frame.substeps, scene_.time(), frame.list_rebuilds);
     if (frame.quiet)
         scene_.fragments.advanceAges();
     else
@@ -172,6 +177,7 @@ Snapshot DeviceSolver<Backend, Real>::save() const {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::restore(const Snapshot& snapshot) {
+    giveUpFrame();
     try {
         ByteStream in(snapshot.bytes);
         readState(in);

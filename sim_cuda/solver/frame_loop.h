@@ -8,10 +8,13 @@
 //
 // A look and the decision that follows it stand at fixed substeps, so that every device takes the same one;
 // the substeps between them hide the way of the answer from the GPU. If a look saw something bad, the state
-// set aside is put back.
+// set aside is put back. Between two stretches a frame may be left, and gone on with later.
 #pragma once
 #include <algorithm>
+#include <optional>
+#include <utility>
 
+#include "sim_cuda/api/solver.h"
 #include "sim_cuda/solver/checkpoint.h"
 #include "sim_cuda/solver/decisions.h"
 #include "sim_cuda/solver/list_schedule.h"
@@ -38,7 +41,8 @@ class FrameLoop {
 
     struct Frame {
         StepStatus status = StepStatus::kOk;
-        bool quiet = false;  ///< everything slept: nothing has changed but the time
+        bool quiet = false;     ///< everything slept: nothing has changed but the time
+        uint32_t substeps = 0;  ///< of the whole frame; 0: it is unfinished
         uint32_t list_rebuilds = 0;
     };
 
@@ -52,8 +56,12 @@ class FrameLoop {
           look_(scene.backend),
           strays_(scene.backend) {}
 
-    /// A frame of n substeps. After a bad status everything is as it was.
-    Frame advance(uint32_t n);
+    /// A frame of n substeps, or the rest of an unfinished one of any number, as far as `watch` wants. After
+    /// a bad status everything is as it was.
+    Frame advance(uint32_t n, const FrameWatch& watch);
+    bool frameUnfinished() const { return frame_.has_value(); }
+    /// Everything is as it was before an unfinished frame.
+    void giveUpFrame();
     /// At most one stretch, of n substeps, and nothing around it.
     StepStatus runStretch(uint32_t n);
     /// Those whose time has come take part from now on.
@@ -66,8 +74,16 @@ class FrameLoop {
     void resume(const LoopState& state);
 
   private:
+    struct FrameUnderWay {
+        uint32_t substeps = 0, remaining = 0;
+        bool moved = false;   ///< anything, so far
+        uint64_t builds = 0;  ///< of contact lists, before it
+        LoopState before;
+    };
+
     bool staysQuiet(uint32_t n) const;
-    StepStatus runFrame(uint32_t n);
+    void beginFrame(uint32_t n);
+    StepStatus runFrame(const FrameWatch& watch);
     Stretch stretch() const;
     uint32_t untilNextStart(uint32_t at_most) const;
     void decide(bool frame_starts, uint32_t remaining);
@@ -89,34 +105,49 @@ class FrameLoop {
     StateLook<Backend, Real> look_;
     StrayPaths<Backend, Real> strays_;
     Checkpoint<Backend, Real> frame_start_;
+    std::optional<FrameUnderWay> frame_;
     bool quiet_ = false;
 };
 
 template <class Backend, class Real>
-typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint32_t n) {
-    if (staysQuiet(n)) {
-        scene_.substeps += n;
-        decisions_.noteFrame(n);
-        return {StepStatus::kOk, true, 0};
+typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint32_t n,
+                                                                           const FrameWatch& watch) {
+    if (!frame_) {
+        if (staysQuiet(n)) {
+            scene_.substeps += n;
+            decisions_.noteFrame(n);
+            return {StepStatus::kOk, true, n, 0};
+        }
+        beginFrame(n);
     }
-    const LoopState before = state();
-    const uint64_t builds = scene_.lists.builds();
+    const StepStatus status = runFrame(watch);
+    if (status != StepStatus::kOk) {
+        giveUpFrame();
+        return {status, false, 0, 0};
+    }
+    if (frame_->remaining > 0) return {};
+    const FrameUnderWay frame = *std::exchange(frame_, std::nullopt);
+    decisions_.noteFrame(frame.substeps);
+    return {status, false, frame.substeps, static_cast<uint32_t>(scene_.lists.builds() - frame.builds)};
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
+    frame_ = {n, n, false, scene_.lists.builds(), state()};
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
-    if (scene_.regimes.on()) {
-        freshenLists();
-        decide(true, n);
-    }
-    const StepStatus status = runFrame(n);
-    if (status != StepStatus::kOk) {
-        frame_start_.putBack(scene_);
-        stepper_.takePlacing();
-        resume(before);
-        return {status, false, 0};
-    }
-    decisions_.noteFrame(n);
-    return {status, false, static_cast<uint32_t>(scene_.lists.builds() - builds)};
+    if (!scene_.regimes.on()) return;
+    freshenLists();
+    decide(true, n);
+}
+
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::giveUpFrame() {
+    if (!frame_) return;
+    frame_start_.putBack(scene_);
+    stepper_.takePlacing();
+    resume(std::exchange(frame_, std::nullopt)->before);
 }
 
 /// Everything sleeps, and no projectile starts: the frame would change nothing but the time.
@@ -126,9 +157,10 @@ bool FrameLoop<Backend, Real>::staysQuiet(uint32_t n) const {
            projectiles_.nextStart() >= scene_.substeps + n;
 }
 
+/// To the end of the frame, or as far as `watch` wants.
 template <class Backend, class Real>
-StepStatus FrameLoop<Backend, Real>::runFrame(uint32_t n) {
-    bool moved = false;
+StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
+    uint32_t& n = frame_->remaining;
     while (n > 0) {
         startProjectiles();
         decideIfDue(n);
@@ -138,14 +170,15 @@ StepStatus FrameLoop<Backend, Real>::runFrame(uint32_t n) {
             n -= quiet;
             continue;
         }
-        moved = true;
+        frame_->moved = true;
         const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
         const StepStatus status = runStretch(part);
         if (status != StepStatus::kOk) return status;
         n -= part;
+        if (watch && n > 0 && !watch(1 - static_cast<double>(n) / frame_->substeps)) return status;
     }
-    quiet_ = !moved;
-    if (!moved) return StepStatus::kOk;
+    quiet_ = !frame_->moved;
+    if (quiet_) return StepStatus::kOk;
     look(0);
     return look_.wait().status;
 }

@@ -245,10 +245,18 @@ double trialFrequency(const SceneSetup& setup, const SceneTables& tables, uint32
     return highestFrequency(tables, first, count, shearRatio(setup.bodies[number].material));
 }
 
+uint32_t substepsWithin(double frame_time, double dt) {
+    return static_cast<uint32_t>(std::max(1.0, std::ceil(frame_time / dt - 1e-9)));
+}
+
+double softenedStep(const SolverParams& params) {
+    return 1.0 / 60 / params.substeps;
+}
+
 /// s: 1/60 s over the substeps asked for, or what the stiffest body allows.
 double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_omega) {
     const SolverParams& params = setup.params;
-    if (params.soften) return 1.0 / 60 / params.substeps;
+    if (params.soften) return softenedStep(params);
     double dt = params.frame_time;
     for (size_t b = 0; b < setup.bodies.size(); ++b) {
         if (!(trial_omega[b] > 0)) continue;
@@ -293,7 +301,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     tables.counts = {first.back(), first.back() + kMaxProjectiles};
     tables.row_start.resize(tables.counts.total + 1, tables.row_start.back());
     const double dt = chooseTimeStep(setup, omega);
-    tables.substeps = static_cast<uint32_t>(std::max(1.0, std::ceil(setup.params.frame_time / dt - 1e-9)));
+    tables.substeps = substepsWithin(setup.params.frame_time, dt);
     tables.time_step = setup.params.frame_time / tables.substeps;
     tables.contact_cap = contactCap(setup.params.step_safety, tables.time_step);
     for (uint32_t b = 0; b < tables.bodies; ++b) {
@@ -302,6 +310,14 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     }
     report(progress, 1, "Finding the stable time step");
     return tables;
+}
+
+uint32_t slowedSubsteps(uint32_t substeps, double time_scale) {
+    return static_cast<uint32_t>(std::max(1.0, std::round(substeps * time_scale)));
+}
+
+uint32_t substepsOfFrame(const SolverParams& params, double time_scale) {
+    return slowedSubsteps(substepsWithin(params.frame_time, softenedStep(params)), time_scale);
 }
 
 double softenedWaveSpeed(const BreakableBody& body, const Material& material, uint32_t substeps,

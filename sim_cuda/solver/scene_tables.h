@@ -52,6 +52,9 @@ struct SceneTables {
     uint32_t substeps = 0;      ///< per frame of params.frame_time
 };
 
+/// Substeps of a frame in slow motion, at least one.
+uint32_t slowedSubsteps(uint32_t substeps, double time_scale);
+
 /// Throws Cancelled when the callback says so.
 SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& progress);
 

@@ -10,9 +10,8 @@
 
 namespace demolish {
 
-/// Gravity is switched on over this share of the settling time; velocities decay at this rate meanwhile
-/// (models E.4).
-inline constexpr double kSettleRampShare = 0.3, kSettleDamping = 12;
+/// Gravity is switched on over this share of the settling time (models E.4).
+inline constexpr double kSettleRampShare = 0.3;
 
 /// Zero, or those of the set-up; the low parts of the positions stay. Waits.
 template <class Backend, class Real>
@@ -29,26 +28,28 @@ void setVelocities(DeviceScene<Backend, Real>& scene, bool at_rest) {
     scene.backend.synchronize();
 }
 
-/// For so many seconds; the run starts anew after them. Throws NumericalError when the bodies blow up,
+/// As SolverParams say; the run starts anew after it. Throws NumericalError when the bodies blow up,
 /// Cancelled when the callback says so.
 template <class Backend, class Real>
-void settle(DeviceScene<Backend, Real>& scene, FrameLoop<Backend, Real>& loop, double seconds,
+void settle(DeviceScene<Backend, Real>& scene, FrameLoop<Backend, Real>& loop,
             const ProgressCallback& progress) {
+    const SolverParams& asked = scene.setup.params;
     const StepParams<Real> free_params = scene.params;
-    const auto substeps = static_cast<uint64_t>(std::ceil(seconds / scene.tables.time_step));
+    const auto substeps = static_cast<uint64_t>(std::ceil(asked.settle_time / scene.tables.time_step));
     scene.params.breaking = 0;
-    scene.params.velocity_keep = static_cast<Real>(1 - kSettleDamping * scene.tables.time_step);
+    scene.params.velocity_keep = static_cast<Real>(1 - asked.settle_damping * scene.tables.time_step);
     setVelocities(scene, true);
     while (scene.substeps < substeps) {
         const double share = static_cast<double>(scene.substeps) / static_cast<double>(substeps);
         scene.params.gravity =
             static_cast<Real>(std::min(1.0, share / kSettleRampShare)) * free_params.gravity;
-        for (int stretch = 0; stretch < 5; ++stretch)
+        for (int stretch = 0; stretch < 5; ++stretch) {
+            if (progress && !progress(share, "Settling")) throw Cancelled();
             if (loop.runStretch(kBondedStretch.length()) != StepStatus::kOk)
                 throw NumericalError(
                     "The bodies blew up while settling: see that none stands in another, or raise "
                     "--substeps.");
-        if (progress && !progress(share, "Settling")) throw Cancelled();
+        }
     }
     scene.params = free_params;
     setVelocities(scene, false);

@@ -137,6 +137,30 @@ TEST_F(WindowProgram, SlidersFireAndReset) {
     EXPECT_LT(engine::compare(pieces, whole).ssim, 0.98) << "breaking must show in the picture";
 }
 
+TEST_F(WindowProgram, PausesWithinALongFrame) {
+    run(R"(
+until within_frame
+state within
+screenshot 17_within_frame
+click transport.play
+state paused
+key right
+until within_frame
+click transport.reset
+state reset
+)",
+        {"--fps", "1", "--substeps", "20000"}, 1000);
+    if (HasFatalFailure()) return;
+    const auto within = read("within"), paused = read("paused"), reset = read("reset");
+    EXPECT_EQ(within["playing"], true);
+    EXPECT_GT(within["frame_share"].get<double>(), 0);
+    EXPECT_EQ(paused["playing"], false);
+    EXPECT_GT(paused["frame_share"].get<double>(), 0) << "it waits";
+    EXPECT_EQ(reset["frame_share"], 0.0);
+    EXPECT_EQ(reset["playing"], false);
+    for (const auto& state : {within, paused, reset}) EXPECT_EQ(state["time"], 0.0);
+}
+
 TEST_F(WindowProgram, CancelKeepsTheBody) {
     run(R"(
 wait 2

@@ -79,6 +79,29 @@ TEST(Capture, InterruptedItKeepsWhatWasMade) {
     }
 }
 
+TEST(Capture, InterruptedWithinALongFrameItKeepsTheFramesBefore) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto out = folder.path() / "frames";
+    const std::string said = (folder.path() / "said.txt").string();
+    // A frame of a second in 1,200,000 substeps takes minutes; who waits for its end is killed.
+    const ProgramRun run = runProgram(
+        {"capture", "block", "--device", "cpu", "--particles", "1000", "--fps", "1", "--substeps", "20000",
+         "--frames", "3", "--size", "96x54", "--out", out, "--report", folder.path() / "report.json"},
+        {},
+        {"bash", "-c",
+         "\"$@\" 2> '" + said + "' & p=$!; while kill -0 $p && ! grep -q 'breaking and drawing' '" + said +
+             "'; do sleep 0.05; done; sleep 0.3; kill -TERM $p; "
+             "for k in $(seq 300); do kill -0 $p || break; sleep 0.1; done; kill -KILL $p; wait $p",
+         "bash"});
+    EXPECT_EQ(run.exit_code, 130);
+    EXPECT_THAT(readText(said), testing::HasSubstr("after frame 1 of 3; what was made until then is whole"));
+    const auto report = nlohmann::json::parse(readText(folder.path() / "report.json"));
+    EXPECT_EQ(report["frames"], 1);
+    EXPECT_EQ(report["bonds_broken"], 0);
+    EXPECT_EQ(engine::readPng(out / "frame_0000.png").width, 96);
+}
+
 TEST(Capture, AFilmThatDoesNotFitOnTheDiskIsCodeSix) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     if (std::system("ffmpeg -version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no ffmpeg here";

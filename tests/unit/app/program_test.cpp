@@ -50,6 +50,42 @@ TEST_F(Program, HelpReadsWell) {
     EXPECT_THAT(version.out, testing::MatchesRegex("demolish [0-9.]+ \\(([0-9a-z.-]+|unknown)\\)\n"));
 }
 
+TEST_F(Program, InfoOfAShotSaysWhatItWillTake) {
+    const ProgramRun quick = runProgram({"info", "block", "--particles", "100", "--device", "cpu"});
+    ASSERT_EQ(quick.exit_code, 0) << quick.err;
+    EXPECT_THAT(quick.out, AllOf(HasSubstr("1 body, 100 particles"), HasSubstr("substeps a frame"),
+                                 HasSubstr("a frame       about"), Not(HasSubstr("GL renderer"))));
+    const ProgramRun slow = runProgram(
+        {"info", "block", "--particles", "2000", "--device", "cpu", "--fps", "1", "--substeps", "20000"});
+    EXPECT_THAT(slow.out, AllOf(HasSubstr("1200000 substeps a frame"), HasSubstr("this shot is slow here"),
+                                HasSubstr("fewer --substeps (now 20000 per 1/60 s")));
+    expectOneSentence(runProgram({"info", "teapot"}), 2, "block, bunny");
+}
+
+TEST_F(Program, AnInterruptEndsTheMakingAtOnce) {
+    // A stage of 400,000 cells takes longer than the five seconds after which who still runs is killed.
+    const ProgramRun run = runProgram(
+        {"bench", "block", "--particles", "400000", "--no-draw", "--device", "cpu", "--frames", "1"}, {},
+        {"bash", "-c",
+         "\"$@\" & p=$!; sleep 3; kill -TERM $p; for k in $(seq 50); do kill -0 $p || break; sleep 0.1; "
+         "done; "
+         "kill -KILL $p; wait $p",
+         "bash"});
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("interrupted before the first frame; nothing was made"));
+}
+
+TEST_F(Program, ASlowShotIsSaidBeforeItRuns) {
+    const ProgramRun run =
+        runProgram({"bench", "block", "--particles", "2000", "--no-draw", "--device", "cpu", "--fps", "1",
+                    "--substeps", "20000", "--frames", "1"},
+                   {},
+                   {"bash", "-c",
+                    "\"$@\" & p=$!; (sleep 100; kill -KILL $p) & sleep 15; kill -TERM $p; wait $p", "bash"});
+    EXPECT_EQ(run.exit_code, 130) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("this shot is slow here"));
+}
+
 TEST_F(Program, MistakesInUsageAreCodeTwo) {
     expectOneSentence(runProgram({}), 2, "give a command: view, capture");
     expectOneSentence(runProgram({"brake", "bunny"}), 2, "no command 'brake'; choose one of: view, capture");

@@ -136,6 +136,69 @@ TEST_F(SessionTest, EnergyIsBookedOnlyWhileItIsAskedForWhereNoReportNeedsIt) {
     EXPECT_FALSE(session.solver().booksEnergy());
 }
 
+/// A frame of it takes any machine much longer than a turn of the window.
+Shot longFrames() {
+    Shot shot = smallBlock();
+    shot.fineness.particles = 500;
+    shot.fps = 1;
+    shot.substeps = 20000;
+    return shot;
+}
+
+TEST(LongFrame, IsSpreadOverTheTurnsOfTheWindow) {
+    Session session(buildShot(longFrames(), {}, {}), {.draw = false});
+    const uint64_t start = session.solver().stateHash();
+    session.apply(command::Play{}, 0);
+    session.update(0);
+    ASSERT_TRUE(session.frameUnderWay());
+    double share = *session.frameUnderWay();
+    session.update(0, false);
+    ASSERT_GT(*session.frameUnderWay(), share) << "what has begun goes on, though no new frame is due";
+    EXPECT_EQ(session.status().frame_share, session.frameUnderWay());
+    EXPECT_EQ(session.status().stats.frame, 0u);
+
+    session.apply(command::Pause{}, 0);
+    share = *session.frameUnderWay();
+    session.update(0);
+    EXPECT_EQ(*session.frameUnderWay(), share) << "paused, it waits";
+    session.apply(command::Step{}, 0);
+    EXPECT_GT(*session.frameUnderWay(), share) << "and goes on";
+    EXPECT_TRUE(session.playing()) << "until the step is done";
+    session.apply(command::TogglePlay{}, 0);
+    EXPECT_FALSE(session.playing());
+
+    EXPECT_EQ(session.solver().stateHash(), start) << "given up, it leaves the frame before";
+    EXPECT_FALSE(session.frameUnderWay());
+}
+
+TEST(LongFrame, IsGivenUpForWhatNeedsTheSolver) {
+    Session session(buildShot(longFrames(), {}, {}), {.draw = false});
+    const std::vector<command::Any> needing = {command::Fire{}, command::Reset{},
+                                               command::MeasureEnergy{true}};
+    for (const command::Any& command : needing) {
+        session.apply(command::Play{}, 0);
+        session.update(0);
+        ASSERT_TRUE(session.frameUnderWay());
+        session.apply(command, 0);
+        EXPECT_FALSE(session.frameUnderWay());
+        EXPECT_EQ(session.status().stats.frame, 0u);
+    }
+}
+
+TEST(LongFrame, InSlicesItIsTheSame) {
+    Session sliced(buildShot(smallBlock(), {}, {}), {.draw = false}),
+        whole(buildShot(smallBlock(), {}, {}), {.draw = false});
+    for (uint64_t frame = 1; frame <= 12; ++frame) {
+        do {
+            ASSERT_EQ(sliced.advance([](double) { return false; }), StepStatus::kOk);
+            EXPECT_EQ(sliced.status().stats.frame, sliced.frameUnderWay() ? frame - 1 : frame);
+        } while (sliced.frameUnderWay());
+        ASSERT_EQ(whole.advance(), StepStatus::kOk);
+        ASSERT_EQ(sliced.solver().stateHash(), whole.solver().stateHash());
+    }
+    EXPECT_GT(whole.status().stats.bonds_broken, 0u);
+}
+
 TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
     const command::ShootAt click{{0, 1, 3}, {0, 0.5, 0}};
     chosen_.impact.velocity = 0;

@@ -68,6 +68,87 @@ TEST(SolverRun, ARestoredStateGoesOnExactly) {
     }
 }
 
+/// What breaks, with pieces that are handed over and sleep.
+SceneSetup regimesScene() {
+    SceneSetup setup = breakingScene();
+    setup.params.hand_over = setup.params.sleeping = true;
+    return setup;
+}
+
+TEST(SolverRun, AFrameInSlicesGivesTheSameBits) {
+    for (const SceneSetup& setup : {breakingScene(), regimesScene()}) {
+        auto sliced = makeCpuSolver(setup), whole = makeCpuSolver(setup);
+        double last = 0;
+        int slices = 0;
+        const auto stop = [&](double share) {
+            EXPECT_GT(share, last);
+            EXPECT_LT(share, 1);
+            last = share;
+            ++slices;
+            return slices % 3 != 0;
+        };
+        for (int frame = 0; frame < 12; ++frame) {
+            ASSERT_EQ(whole->advanceFrame(), StepStatus::kOk);
+            last = 0;
+            do {
+                EXPECT_EQ(sliced->stats().frame, static_cast<uint64_t>(frame));
+                ASSERT_EQ(sliced->advanceFrame(1, stop), StepStatus::kOk);
+            } while (sliced->frameUnfinished());
+            ASSERT_EQ(sliced->stateHash(), whole->stateHash());
+            EXPECT_EQ(sliced->stats().substeps, whole->stats().substeps);
+            EXPECT_EQ(sliced->stats().list_rebuilds, whole->stats().list_rebuilds);
+        }
+        EXPECT_GT(slices, 30);
+        EXPECT_GT(whole->stats().bonds_broken, 100u);
+        EXPECT_EQ(sliced->stats().energy.damping, whole->stats().energy.damping);
+    }
+}
+
+TEST(SolverRun, AFrameThatIsGivenUpLeavesTheOneBefore) {
+    auto given_up = makeCpuSolver(regimesScene()), whole = makeCpuSolver(regimesScene());
+    for (int frame = 0; frame < 8; ++frame) {
+        const uint64_t before = given_up->stateHash();
+        const uint32_t broken = given_up->stats().bonds_broken, awake = given_up->stats().awake_particles;
+        for (const double until : {0.0, 0.8}) {
+            ASSERT_EQ(given_up->advanceFrame(1, [&](double share) { return share < until; }),
+                      StepStatus::kOk);
+            ASSERT_TRUE(given_up->frameUnfinished());
+            given_up->giveUpFrame();
+            EXPECT_FALSE(given_up->frameUnfinished());
+            EXPECT_EQ(given_up->stateHash(), before);
+            EXPECT_EQ(given_up->stats().frame, static_cast<uint64_t>(frame));
+            EXPECT_EQ(given_up->stats().bonds_broken, broken);
+            EXPECT_EQ(given_up->stats().awake_particles, awake);
+        }
+        ASSERT_EQ(given_up->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(whole->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(given_up->stateHash(), whole->stateHash());
+    }
+    EXPECT_GT(whole->stats().bonds_broken, 100u);
+}
+
+TEST(SolverRun, RestoringForgetsAnUnfinishedFrame) {
+    auto solver = makeCpuSolver(regimesScene());
+    ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    const Snapshot snapshot = solver->save();
+    const uint64_t saved = solver->stateHash();
+    ASSERT_EQ(solver->advanceFrame(1, [](double) { return false; }), StepStatus::kOk);
+    solver->restore(snapshot);
+    EXPECT_FALSE(solver->frameUnfinished());
+    EXPECT_EQ(solver->stateHash(), saved);
+}
+
+TEST(SolverRun, SettlingCanBeCancelledAtAnyStretch) {
+    SceneSetup setup = breakingScene();
+    setup.params.settle_time = 0.5;
+    int asked = 0;
+    const auto cancel = [&](double, const char* stage) {
+        return std::string(stage) != "Settling" || ++asked < 2;
+    };
+    EXPECT_THROW(makeCpuSolver(setup, cancel), Cancelled);
+    EXPECT_EQ(asked, 2);
+}
+
 TEST(SolverRun, ASnapshotOfAnotherSceneIsRefused) {
     const Snapshot snapshot = makeCpuSolver(breakingScene())->save();
     EXPECT_THROW(makeCpuSolver(freeBody(latticeBody(2, 2, 2, 0.1)))->restore(snapshot), UsageError);
