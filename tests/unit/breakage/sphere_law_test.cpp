@@ -33,10 +33,12 @@ std::shared_ptr<const BreakableBody> pairOfSpheres(double a, double b) {
     return body;
 }
 
+/// One body above the floor.
 SceneSetup sphereScene(std::shared_ptr<const BreakableBody> body) {
     SceneSetup setup;
     BodyInstance instance;
     instance.body = std::move(body);
+    instance.position.y = 1e-3;
     instance.material.bond_law = BondLaw::kSpheres;
     instance.material.youngs_modulus = 200e9;
     instance.material.fracture_energy = 30;
