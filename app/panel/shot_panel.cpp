@@ -15,8 +15,8 @@ void showModelField(PanelContext& context) {
     std::strncpy(path, context.state.typed_model.c_str(), sizeof path - 1);
     ImGui::TextUnformatted("Model file");
     ImGui::SetNextItemWidth(-ImGui::GetFontSize() * 4);
-    const bool entered = ImGui::InputTextWithHint("##model", "path, or drop a file here", path,
-                                                  sizeof path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint("##model", "path, or drop a file here", path, sizeof path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
     noteItem(context, "shot.model");
     tooltipOnHover(
         "A closed mesh in any format that assimp reads (OBJ, PLY, STL, glTF, ...). It stands on the floor, "

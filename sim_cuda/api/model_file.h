@@ -12,15 +12,15 @@ namespace demolish {
 
 /// Reads every triangle of the file's scene (node transforms applied, in metres where the format says its
 /// unit), welds vertices of equal position and drops triangles that lost a corner by it. Not checked yet
-/// whether it is closed. Throws InputFileError: no plain file, unreadable, no triangles, faces of vertices that
-/// are not there, numbers that are not finite. A damaged file may still end the process, by a fault in the
-/// library that reads it.
+/// whether it is closed. Throws InputFileError: no plain file, unreadable, no triangles, faces of vertices
+/// that are not there, numbers that are not finite. A damaged file may still end the process, by a fault in
+/// the library that reads it.
 TriangleMesh importTriangles(const std::filesystem::path& file);
 
 /// Checks the mesh and stands it on the floor (lowest y = 0, centred in x and z). Throws InputFileError with
-/// one sentence that names `file`: no triangles, not closed (with the count of open edges), triangles that are
-/// there twice, zero or negative volume, too large or too small to be scaled; UsageError for a height that is
-/// not positive.
+/// one sentence that names `file`: no triangles, not closed (with the count of open edges), triangles that
+/// are there twice, zero or negative volume, too large or too small to be scaled; UsageError for a height
+/// that is not positive.
 std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
                                                const MeshPlacement& placement = {});
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/api/triangle_mesh.h"
+#include "sim_cuda/authoring/double3.h"
 
 namespace demolish {
 
