@@ -31,7 +31,8 @@ class Reading {
     Reading(const fs::path& file, const ProgressCallback& progress)
         : file_(file),
           progress_(progress),
-          deadline_(ChildProcess::Clock::now() + kMostWaitingTime),
+          most_time_(mostReadingTime(file)),
+          deadline_(ChildProcess::Clock::now() + most_time_.waiting),
           child_({.words = {"demolish", kReadModelCommand, file.string()},
                   .program = readerProgram(),
                   .output = ChildStream::kPiped,
@@ -64,9 +65,9 @@ class Reading {
         const auto tooSlow = [](std::chrono::seconds limit) {
             return "took longer than " + std::to_string(limit.count()) + " s to be read; " + kSaveItAnew;
         };
-        if (!end && ChildProcess::Clock::now() >= deadline_) return tooSlow(kMostWaitingTime);
+        if (!end && ChildProcess::Clock::now() >= deadline_) return tooSlow(most_time_.waiting);
         if (!end) return kNoAnswer;
-        if (end->signal == SIGXCPU) return tooSlow(kMostReadingTime);
+        if (end->signal == SIGXCPU) return tooSlow(most_time_.computing);
         if (end->signal == SIGKILL)
             return "had its reader killed, as when memory runs out; end other programs or make it coarser";
         if (end->signal != 0) return std::string("crashed the reader; ") + kSaveItAnew;
@@ -79,6 +80,7 @@ class Reading {
     static constexpr std::chrono::seconds kGrace{10};
     const fs::path& file_;
     const ProgressCallback& progress_;
+    const ReadingTime most_time_;
     const ChildProcess::Clock::time_point deadline_;
     ChildProcess child_;
 };

@@ -47,7 +47,7 @@ ModelAnswer answerFor(const std::filesystem::path& file) {
 }  // namespace
 
 void serveModel(const std::filesystem::path& file) {
-    limitThisReader();
+    limitThisReader(mostReadingTime(file).computing);
     std::set_new_handler(endWithoutMemory);
     writeAnswer(answerFor(file), writeToStdout);
     _exit(EXIT_SUCCESS);  // nothing is worth cleaning up

@@ -39,9 +39,16 @@ uint64_t mostReadingGibibytes() {
     return std::clamp<uint64_t>((machine >> 30) / 2, 1, 8);
 }
 
-void limitThisReader() {
+ReadingTime mostReadingTime(const std::filesystem::path& file) {
+    std::error_code error;
+    const uintmax_t bytes = std::filesystem::file_size(file, error);
+    const std::chrono::seconds computing(20 + (error ? 0 : static_cast<int64_t>(bytes >> 20)));
+    return {computing, 2 * computing};
+}
+
+void limitThisReader(std::chrono::seconds computing) {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
-    const auto seconds = static_cast<uint64_t>(kMostReadingTime.count());
+    const auto seconds = static_cast<uint64_t>(computing.count());
     limit(RLIMIT_CPU, seconds, seconds + 5);  // first SIGXCPU, which tells what it was, then SIGKILL
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0);

@@ -3,19 +3,24 @@
 #pragma once
 #include <chrono>
 #include <cstdint>
+#include <filesystem>
 
 namespace demolish {
 
-inline constexpr std::chrono::seconds kMostReadingTime{60};  ///< of a processor
-inline constexpr std::chrono::seconds kMostWaitingTime{
-    180};                                ///< of a clock, for what hangs and computes nothing
 inline constexpr int kOutOfMemory = 90;  ///< exit code of a reader that had too little
+
+struct ReadingTime {
+    std::chrono::seconds computing;  ///< of a processor
+    std::chrono::seconds waiting;    ///< of a clock, for what hangs and computes nothing
+};
+/// 20 s and a second more for each MiB, many times what a sound file needs; twice that by the clock.
+ReadingTime mostReadingTime(const std::filesystem::path& file);
 
 /// Eight, or half of the machine's where that is less.
 uint64_t mostReadingGibibytes();
 
 /// Memory (not where a sanitizer needs terabytes of addresses), processor time, no files, no core dump; and
 /// it ends with its parent.
-void limitThisReader();
+void limitThisReader(std::chrono::seconds computing);
 
 }  // namespace demolish

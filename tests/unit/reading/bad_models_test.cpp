@@ -81,6 +81,15 @@ TEST_F(BadModels, CountsThatNobodyHasMemoryFor) {
                       "huge.off' ");
 }
 
+TEST_F(BadModels, AHeaderThatItsReaderNeverComesToTheEndOf) {
+    const std::string whole = plyOfOneFace("0 1 2");
+    std::string torn = whole;
+    torn.resize(whole.find("element face") + 10);
+    const std::string file = folder_.write("torn.ply", torn + whole.substr(whole.find("0 0 0")));
+    // Two seconds of a processor, so that nobody waits for the twenty that it would have.
+    expectRefused(benchOf(file, {"bash", "-c", "ulimit -t 2; exec \"$@\"", "bash"}), "torn.ply' ");
+}
+
 TEST_F(BadModels, DeepNesting) {
     expectRefused("nested.gltf", gltfOfNodes(200), "nested.gltf' ");
     expectRefused("deeper.gltf", gltfOfNodes(200000), "deeper.gltf' ");

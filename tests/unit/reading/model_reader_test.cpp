@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "app/reading/model_reader.h"
+#include "app/reading/reading_limits.h"
 #include "app/session/data_folder.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -75,13 +76,21 @@ TEST_F(ModelReader, TurnsDownWithTheReadersOwnWords) {
 TEST_F(ModelReader, FindsWordsForEveryEndOfTheReader) {
     for (const char* signal : {"SEGV", "ABRT", "BUS", "FPE", "ILL"})
         EXPECT_THAT(refusalOf(std::string("kill -") + signal + " $$"), HasSubstr("crashed the reader"));
-    EXPECT_THAT(refusalOf("kill -XCPU $$"), HasSubstr("took longer than 60 s"));
+    EXPECT_THAT(refusalOf("kill -XCPU $$"), HasSubstr("took longer than 20 s"));
     EXPECT_THAT(refusalOf("kill -KILL $$"), HasSubstr("had its reader killed"));
     EXPECT_THAT(refusalOf("exit 90"), HasSubstr("GiB of memory"));
     EXPECT_THAT(refusalOf("exit 1"), HasSubstr("no usable answer"));
     EXPECT_THAT(refusalOf("exit 0"), HasSubstr("no usable answer"));
     EXPECT_THAT(refusalOf("echo DemoMesh"), HasSubstr("no usable answer"));
     EXPECT_THAT(refusalOf("head -c 100000 /dev/urandom"), HasSubstr("no usable answer"));
+}
+
+TEST_F(ModelReader, TimeGrowsWithTheFile) {
+    EXPECT_EQ(mostReadingTime("/no/such/file").computing.count(), 20);
+    const auto large = folder_.write("large.obj", "");
+    fs::resize_file(large, uint64_t{100} << 20);
+    EXPECT_EQ(mostReadingTime(large).computing.count(), 120);
+    EXPECT_EQ(mostReadingTime(large).waiting.count(), 240);
 }
 
 TEST_F(ModelReader, SwallowsWhatTheReaderSays) {
