@@ -26,10 +26,10 @@ uint32_t gatherBlocks(uint32_t active) {
 inline constexpr uint32_t kFewActive = 8192;
 
 /// T threads a particle. The first block waits for the step before in any case, so that the next one may rely
-/// on it. Left to itself the compiler gives a thread 89 registers in place of 80, and a multiprocessor a
+/// on it. Left to itself the compiler takes nine registers more, and a multiprocessor gets a
 /// block less.
 template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 4 : 6)
+__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 5 : 6)
     rigidLoadKernel(const RigidGather<Real> gather) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
     letNextStart();
