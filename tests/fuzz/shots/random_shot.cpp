@@ -120,7 +120,8 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
     while (!affordable() && size.ofEach() > 2) size.particles /= 2;
     while (!affordable() && random.shot().fps < 500) options.fps = 2 * random.shot().fps;
     if (dice.chance(0.25))
-        options.particle_size = rounded(std::min(size.spacing(), kParticleSizeRange.most));
+        options.particle_size =
+            rounded(std::clamp(size.spacing(), kParticleSizeRange.least, kParticleSizeRange.most));
     else
         options.particles = size.ofEach();
     const double frames = (limits.cost - cost().start) / cost().frame;
