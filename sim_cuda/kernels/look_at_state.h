@@ -21,7 +21,9 @@ struct LookAtState {
         if (!(constants[i].takesPart())) return;
         const Vec3<Real> position = positionOf(paths.state, i);
         const Vec3<Real> velocity = xyz(paths.state.velocity[i]), spin = xyz(paths.state.spin[i]);
-        const Real motion = length2(velocity) + length2(spin), distance2 = length2(position);
+        const Vec4<Real> turned = paths.state.rotation[i];
+        const Real motion = length2(velocity) + length2(spin) + (length2(xyz(turned)) + turned.w * turned.w),
+                   distance2 = length2(position);
         if (!(motion + distance2 <= Real(1e30)))
             atomicOrU32(&words[kLookStatus], kSawNotFinite);
         else if (distance2 > scene_radius * scene_radius)

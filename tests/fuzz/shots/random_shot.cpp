@@ -119,9 +119,10 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
     };
     while (!affordable() && size.ofEach() > 2) size.particles /= 2;
     while (!affordable() && random.shot().fps < 500) options.fps = 2 * random.shot().fps;
-    if (dice.chance(0.25))
-        options.particle_size =
-            rounded(std::clamp(size.spacing(), kParticleSizeRange.least, kParticleSizeRange.most));
+    const double spacing = rounded(size.spacing());
+    // A size out of range would ask for other particles than the cost was reckoned for.
+    if (dice.chance(0.25) && spacing >= kParticleSizeRange.least && spacing <= kParticleSizeRange.most)
+        options.particle_size = spacing;
     else
         options.particles = size.ofEach();
     const double frames = (limits.cost - cost().start) / cost().frame;

@@ -97,7 +97,7 @@ struct PileRegimes {
 /// A brick thrown to pieces on the floor.
 SceneSetup pile(const PileRegimes& regimes) {
     SceneSetup setup = freeBody(latticeBody(5, 5, 5, 0.05, 0.2));
-    setup.bodies[0].position = {0, 0.05, 0};
+    setup.bodies[0].position = {0, 0.25, 0};
     setup.bodies[0].rotation = {0.1, 0.2, 0.3, 0.9273618495495703};
     setup.bodies[0].velocity = {0, -4, 0};
     setup.params.colliders.push_back(Plane{});
