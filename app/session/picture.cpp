@@ -22,7 +22,6 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     view.camera = shot.camera ? *shot.camera : framedCamera(box);
     view.lighting = shot.lighting;
     view.look = shot.look;
-    view.colliders = drawnColliders(shot);
     view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
     if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
     view.width = width;
@@ -33,6 +32,8 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     view.scene_centre[0] = static_cast<float>(0.5 * (box.low.x + box.high.x));
     view.scene_centre[1] = static_cast<float>(0.5 * size_y);
     view.scene_centre[2] = static_cast<float>(0.5 * (box.low.z + box.high.z));
+    const float(&centre)[3] = view.scene_centre;
+    view.colliders = drawnColliders(shot, {{centre[0], centre[1], centre[2]}, view.scene_radius});
     return view;
 }
 

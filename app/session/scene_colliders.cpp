@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A shape more: what reads it, and an overload each of scaled() and draw().
+// A shape more: what reads it, and an overload each of scaled() and drawn().
 #include "app/session/scene_colliders.h"
 
 #include <cmath>
@@ -12,6 +12,9 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr Range kEdgeRange{1e-3, 1e4};  // m
+/// Of a plane, in radii of the scene: how far it is drawn beyond the place nearest to the scene, and how
+/// deep.
+constexpr double kPlaneReach = 3, kPlaneDepth = 0.1;
 
 void require(TomlReader& reader, const std::string& path) {
     if (!reader.has(path)) reader.fail(path, "is missing");
@@ -52,11 +55,18 @@ Collider scaled(const Collider& collider, double by) {
     return std::visit([by](const auto& shape) { return scaled(shape, by); }, collider);
 }
 
-void draw(const Plane&, std::vector<engine::ColliderDraw>&) {}
-void draw(const Box& box, std::vector<engine::ColliderDraw>& drawn) {
+engine::ColliderDraw drawn(const Plane& plane, const SceneSight& sight) {
+    const glm::dvec3 normal = toGlm(plane.normal), centre = toGlm(sight.centre);
+    const double distance = glm::dot(normal, centre) - plane.offset, depth = kPlaneDepth * sight.radius;
+    const double reach = kPlaneReach * sight.radius + std::abs(distance);
+    const glm::dvec3 up = std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    return {engine::ColliderShape::kPlane, glm::vec3(centre - (distance + 0.5 * depth) * normal),
+            glm::quat(glm::quatLookAt(-normal, up)), glm::vec3(reach, reach, 0.5 * depth)};
+}
+engine::ColliderDraw drawn(const Box& box, const SceneSight&) {
     const Quaternion& q = box.rotation;
-    drawn.push_back({engine::ColliderShape::kBox, glm::vec3(toGlm(box.position)),
-                     glm::quat(glm::dquat(q.w, q.x, q.y, q.z)), glm::vec3(0.5 * toGlm(box.size))});
+    return {engine::ColliderShape::kBox, glm::vec3(toGlm(box.position)),
+            glm::quat(glm::dquat(q.w, q.x, q.y, q.z)), glm::vec3(0.5 * toGlm(box.size))};
 }
 
 }  // namespace
@@ -81,11 +91,12 @@ std::vector<Collider> collidersOf(const Shot& shot) {
     return colliders;
 }
 
-std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot) {
-    std::vector<engine::ColliderDraw> drawn;
+std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot, const SceneSight& sight) {
+    std::vector<engine::ColliderDraw> list;
     for (const Collider& collider : collidersOf(shot))
-        std::visit([&](const auto& shape) { draw(shape, drawn); }, collider);
-    return drawn;
+        if (collider != Collider{Plane{}})
+            list.push_back(std::visit([&](const auto& shape) { return drawn(shape, sight); }, collider));
+    return list;
 }
 
 }  // namespace demolish

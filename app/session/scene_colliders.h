@@ -15,7 +15,13 @@ std::vector<Collider> readColliders(TomlReader& reader, double height);
 /// The floor y = 0, which every scene has, and then the shot's own; m.
 std::vector<Collider> collidersOf(const Shot& shot);
 
-/// Those that are seen: the floor has a pass of its own, and other planes are walls that nobody sees.
-std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot);
+/// Where the bodies stand, for what has no end.
+struct SceneSight {
+    Double3 centre;     ///< m
+    double radius = 1;  ///< m
+};
+
+/// All but the floor, which has a pass of its own. Of a plane as much as lies round the bodies.
+std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot, const SceneSight& sight);
 
 }  // namespace demolish

@@ -8,8 +8,10 @@
 
 namespace demolish::engine {
 
-/// As shaders/common/colliders.glsl.
-enum class ColliderShape : uint32_t { kBox };
+/// As shaders/common/colliders.glsl. A plane is the face of its box towards +z alone, seen from that side
+/// only: from behind it is not there, neither for the eye nor for the sun. The box's depth parts its shadow
+/// from its lit side.
+enum class ColliderShape : uint32_t { kBox, kPlane };
 inline constexpr size_t kMostColliders = 8;
 
 struct ColliderDraw {

@@ -25,10 +25,13 @@ Crossing crossBox(vec3 from, vec3 ray, vec3 half_size) {
     return Crossing(enter, leave, -sign(per_length) * face);
 }
 
+const float kPlane = 1.0;
+
 Crossing crossCollider(uint c, vec3 from, vec3 ray) {
     mat3 axes = mat3(colliders[c].axis[0].xyz, colliders[c].axis[1].xyz, colliders[c].axis[2].xyz);
     vec3 half_size = vec3(colliders[c].axis[0].w, colliders[c].axis[1].w, colliders[c].axis[2].w);
     Crossing own = crossBox((from - colliders[c].centre.xyz) * axes, ray * axes, half_size);
+    if (colliders[c].centre.w == kPlane && own.normal.z <= 0.0) own.leave = own.enter - 1.0;
     return Crossing(own.enter, own.leave, axes * own.normal);
 }
 

@@ -62,7 +62,11 @@ TEST_F(Computed, CollidersAndTheirShadowsAreTheSame) {
     box.position = {-0.55f, 0.2f, 0.7f};
     box.rotation = glm::angleAxis(0.4f, glm::normalize(glm::vec3(0.2f, 1, 0.1f)));
     box.half_size = {0.3f, 0.2f, 0.25f};
-    scene.view.colliders = {box};
+    ColliderDraw plane = box;
+    plane.shape = ColliderShape::kPlane;
+    plane.position = {-0.2f, 0.5f, -1.2f};
+    plane.half_size = {0.8f, 0.6f, 0.05f};
+    scene.view.colliders = {box, plane};
     expectSameLook(scene);
     scene.view.rasteriser = Rasteriser::kCompute;
     const Image with = drawPicture(renderer(), scene);

@@ -119,6 +119,68 @@ TEST_F(Facts, WhatStandsBeforeAColliderHidesItAndWhatLiesBehindItIsHidden) {
     EXPECT_EQ(differingPixels(near, drawPicture(renderer(), scene), 0), 0u);
 }
 
+/// A wall behind the block, tilted and turned; its drawn face ends at 1.2 m to each side.
+ColliderDraw tiltedPlane() {
+    ColliderDraw plane;
+    plane.shape = ColliderShape::kPlane;
+    plane.rotation = glm::angleAxis(0.5f, glm::vec3(0, 1, 0)) * glm::angleAxis(-0.6f, glm::vec3(1, 0, 0));
+    plane.half_size = {1.2f, 1.2f, 0.05f};
+    plane.position = glm::vec3(-0.3f, 0.4f, -0.6f) - plane.rotation * glm::vec3(0, 0, 0.05f);
+    return plane;
+}
+
+/// Does the ray through a pixel come from the free side to the drawn face, above the floor?
+bool hitsPlane(const FrameView& view, const ColliderDraw& plane, float x, float y) {
+    const Ray ray = pixelRay(view.camera, view.width, view.height, x, y);
+    const glm::quat to_own = glm::conjugate(plane.rotation);
+    const glm::vec3 from = to_own * (ray.origin - plane.position), way = to_own * ray.direction;
+    const float along = (plane.half_size.z - from.z) / way.z;
+    const glm::vec3 at = from + along * way;
+    return way.z < 0 && along > 0 && std::abs(at.x) < plane.half_size.x &&
+           std::abs(at.y) < plane.half_size.y && ray.origin.y + along * ray.direction.y > 0;
+}
+
+TEST_F(Facts, APlaneIsSeenWhereItIs) {
+    Scene scene = makeScene("empty_floor");
+    const Image without = drawPicture(renderer(), scene);
+    scene.view.colliders = {tiltedPlane()};
+    const Image with = drawPicture(renderer(), scene);
+    const std::vector<uint32_t> ids = idsOf(scene);
+    size_t seen = 0, errors = 0, alike = 0;
+    for (int y = 1; y + 1 < scene.view.height; ++y)
+        for (int x = 1; x + 1 < scene.view.width; ++x) {
+            int hits = 0;
+            for (int k = 0; k < 9; ++k)
+                hits += hitsPlane(scene.view, scene.view.colliders[0], static_cast<float>(x + k % 3 - 1),
+                                  static_cast<float>(y + k / 3 - 1));
+            if (hits != 0 && hits != 9) continue;
+            const bool is_plane = ids[static_cast<size_t>(y) * scene.view.width + x] == kColliderId;
+            errors += is_plane != (hits == 9);
+            seen += is_plane;
+            alike += is_plane && std::equal(with.at(x, y), with.at(x, y) + 3, without.at(x, y));
+        }
+    EXPECT_EQ(errors, 0u);
+    EXPECT_GT(seen, 5000u);
+    EXPECT_LT(alike, seen / 100) << "its pixels show it";
+}
+
+/// Walls stand round a scene: one between the eye and the bodies must hide nothing, nor one before the sun.
+TEST_F(Facts, FromBehindAPlaneIsNotThere) {
+    Scene scene = wholeBlock();
+    const Image without = drawPicture(renderer(), scene);
+    ColliderDraw wall;
+    wall.shape = ColliderShape::kPlane;
+    wall.half_size = {3, 3, 0.05f};
+    const glm::vec3 to_eye = scene.view.camera.eye - scene.view.camera.target;
+    wall.rotation = glm::quatLookAt(glm::normalize(to_eye), glm::vec3(0, 1, 0));  // looks at the block
+    wall.position = scene.view.camera.target + 0.6f * to_eye;
+    ASSERT_GT(glm::dot(scene.view.lighting.sun_direction, wall.rotation * glm::vec3(0, 0, 1)), 0)
+        << "the sun is behind it as well";
+    scene.view.colliders = {wall};
+    EXPECT_FALSE(histogram(idsOf(scene)).contains(kColliderId));
+    EXPECT_EQ(differingPixels(without, drawPicture(renderer(), scene), 2), 0u);
+}
+
 TEST_F(Facts, FragmentsThatHaveNotMovedLeaveNoHole) {
     const Scene scene = shatteredInPlace();
     EXPECT_EQ(silhouetteErrors(scene, idsOf(scene), isBody), 0u);

@@ -116,6 +116,36 @@ TEST_F(LightTest, LitFacesOfACollidersBoxShowNoAcne) {
     }
 }
 
+/// A plane that leans over the floor shades what lies below it, and no stripe of it falls on itself.
+TEST_F(LightTest, APlaneCastsShadowFromItsLitSide) {
+    for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kDraft}) {
+        Scene scene = makeScene("empty_floor");
+        scene.view.quality = quality;
+        const Image without = drawPicture(renderer(), scene);
+        ColliderDraw plane;
+        plane.shape = ColliderShape::kPlane;
+        plane.half_size = {0.3f, 0.3f, 0.03f};
+        plane.rotation = glm::angleAxis(-1.2f, glm::vec3(1, 0, 0));
+        plane.position = {0, 0.6f, 0};
+        scene.view.colliders = {plane};
+        const Image with = drawPicture(renderer(), scene);
+        const std::vector<uint32_t> ids = renderer().fragmentIds(nullptr, {}, scene.view);
+        size_t darker = 0, face = 0, jumps = 0;
+        for (int y = 1; y + 1 < scene.view.height; ++y)
+            for (int x = 1; x + 1 < scene.view.width; ++x) {
+                const uint32_t* id = &ids[static_cast<size_t>(y) * scene.view.width + x];
+                darker += *id == kFloorId && brightness(without, x, y) - brightness(with, x, y) > 25;
+                if (id[-1] != kColliderId || id[0] != kColliderId || id[1] != kColliderId) continue;
+                ++face;
+                jumps += std::abs(2 * brightness(with, x, y) - brightness(with, x - 1, y) -
+                                  brightness(with, x + 1, y)) > 10;
+            }
+        EXPECT_GT(darker, 400u);
+        EXPECT_GT(face, 1000u);
+        EXPECT_EQ(jumps, 0u);
+    }
+}
+
 /// The block's shadow falls onto a step behind it as well.
 TEST_F(LightTest, ACollidersBoxReceivesShadow) {
     Scene scene = wholeBlock();

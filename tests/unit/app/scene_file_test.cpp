@@ -209,9 +209,32 @@ TEST(SceneFile, ReadsColliders) {
     const Plane& wall = std::get<Plane>(colliders[2]);
     EXPECT_EQ(wall.normal, (Double3{0, 0, 1}));
     EXPECT_NEAR(wall.offset, -1.5, 1e-12);
-    const auto drawn = drawnColliders(shot);
-    ASSERT_EQ(drawn.size(), 1u) << "planes are not seen";
+    const auto drawn = drawnColliders(shot, {{0.2, 0.3, 0.5}, 1});
+    ASSERT_EQ(drawn.size(), 2u) << "the floor is not among them";
     EXPECT_NEAR(drawn[0].half_size.x, 0.5f, 1e-6f);
+    EXPECT_EQ(drawn[1].shape, engine::ColliderShape::kPlane);
+    const glm::vec3 half = drawn[1].half_size;
+    const glm::vec3 middle = drawn[1].position + drawn[1].rotation * glm::vec3(0, 0, half.z);
+    EXPECT_NEAR(glm::distance(middle, glm::vec3(0.2f, 0.3f, -1.5f)), 0, 1e-6f)
+        << "where the scene is nearest";
+    EXPECT_GT(std::min(half.x, half.y), 3.0f);
+}
+
+/// Any normal, the floor's and its opposite among them: the drawn face lies on the plane and looks along it.
+TEST(SceneFile, PlanesAreDrawnWhereTheyAre) {
+    for (const Double3 n : {Double3{0, 1, 0}, {0, -1, 0}, {1, 0, 0}, {0, 0, -1}, {0.48, 0.6, -0.64}}) {
+        Shot shot;
+        shot.height = 2;
+        shot.colliders = {Plane{n, -0.25}};
+        const auto drawn = drawnColliders(shot, {{1, 2, 3}, 1.5});
+        ASSERT_EQ(drawn.size(), 1u);
+        const glm::vec3 normal(n.x, n.y, n.z), half = drawn[0].half_size;
+        EXPECT_NEAR(glm::distance(drawn[0].rotation * glm::vec3(0, 0, 1), normal), 0, 1e-5f);
+        for (const float x : {-1.0f, 1.0f}) {
+            const glm::vec3 corner = drawn[0].position + drawn[0].rotation * (glm::vec3(x, -x, 1) * half);
+            EXPECT_NEAR(glm::dot(normal, corner), -0.5f, 1e-5f);
+        }
+    }
 }
 
 TEST(SceneFile, TurnsOfAColliderFollowEachOther) {
