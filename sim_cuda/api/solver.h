@@ -124,7 +124,8 @@ std::vector<uint32_t> drawnExterior(const SceneSetup& setup, std::span<const uin
 /// empty.
 FractureGeometry sceneExterior(const SceneSetup& setup);
 
-/// Throws UsageError on values out of range. Uses all cores that oneTBB is allowed to use.
+/// Throws UsageError on values out of range, InputFileError on a body that starts inside a collider. Uses all
+/// cores that oneTBB is allowed to use.
 std::unique_ptr<Solver> makeCpuSolver(const SceneSetup& setup, const ProgressCallback& progress = {});
 /// Throws DeviceError when there is no usable GPU, or when the program was built without CUDA.
 std::unique_ptr<Solver> makeCudaSolver(const SceneSetup& setup, const ProgressCallback& progress = {});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Refuses what cannot be simulated, in one sentence each, before anything is allocated.
 #include <cmath>
+#include <optional>
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/data/colliders.h"
@@ -83,25 +84,38 @@ void checkParams(const SolverParams& params) {
         std::visit([](const auto& shape) { checkShape(shape); }, collider);
 }
 
-bool isInside(const ColliderSet<double>& colliders, const Vec3<double>& point) {
-    bool inside = false;
-    forEachCollider(colliders, point, [&](uint32_t, const TangentPlane<double>& tangent) {
-        inside = inside || tangent.distance < 0;
+/// Number of the collider that the point lies in, if it does.
+std::optional<uint32_t> colliderRound(const ColliderSet<double>& colliders, const Vec3<double>& point) {
+    std::optional<uint32_t> found;
+    forEachCollider(colliders, point, [&](uint32_t c, const TangentPlane<double>& tangent) {
+        if (tangent.distance < 0 && !found) found = c;
     });
-    return inside;
+    return found;
+}
+
+const char* nameOf(const Plane&) {
+    return "a plane";
+}
+const char* nameOf(const Box&) {
+    return "a box";
 }
 
 Vec3<double> vec(const Double3& v) {
     return {v.x, v.y, v.z};
 }
 
-void checkStart(const BodyInstance& instance, size_t number, const ColliderSet<double>& colliders) {
+void checkStart(const BodyInstance& instance, size_t number, const std::vector<Collider>& colliders,
+                const ColliderSet<double>& set) {
     const Quaternion& r = instance.rotation;
-    for (const Particle& particle : instance.body->particles)
-        if (isInside(colliders,
-                     vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed))))
-            throw UsageError("Body " + std::to_string(number) +
-                             " of the scene (counted from 0) starts inside a collider.");
+    for (const Particle& particle : instance.body->particles) {
+        const auto inside = colliderRound(
+            set, vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed)));
+        if (!inside) continue;
+        const char* name = std::visit([](const auto& shape) { return nameOf(shape); }, colliders[*inside]);
+        throw InputFileError("Body " + std::to_string(number) + " of the scene starts inside its collider " +
+                             std::to_string(*inside) + ", " + name +
+                             " (bodies are counted from 0, and collider 0 is the floor); move one of them.");
+    }
 }
 
 }  // namespace
@@ -116,7 +130,7 @@ void checkProjectile(const Projectile& projectile) {
 }
 
 void checkStart(const Projectile& projectile, const std::vector<Collider>& colliders) {
-    demand(!isInside(makeColliderSet<double>(colliders), vec(projectile.position)),
+    demand(!colliderRound(makeColliderSet<double>(colliders), vec(projectile.position)),
            "A projectile starts inside a collider.");
 }
 
@@ -130,7 +144,7 @@ void checkSetup(const SceneSetup& setup) {
     const std::vector<Collider>& colliders = setup.params.colliders;
     for (const Projectile& projectile : setup.projectiles) checkStart(projectile, colliders);
     const auto set = makeColliderSet<double>(colliders);
-    for (size_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup.bodies[b], b, set);
+    for (size_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup.bodies[b], b, colliders, set);
 }
 
 }  // namespace demolish

@@ -58,7 +58,8 @@ uint32_t slowedSubsteps(uint32_t substeps, double time_scale);
 /// Throws Cancelled when the callback says so.
 SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& progress);
 
-/// Throws UsageError with one sentence that names the value and its range.
+/// Throws UsageError with one sentence that names the value and its range, InputFileError where a body starts
+/// inside a collider: files alone place them.
 void checkSetup(const SceneSetup& setup);
 void checkProjectile(const Projectile& projectile);
 void checkStart(const Projectile& projectile, const std::vector<Collider>& colliders);

@@ -31,6 +31,16 @@ class Program : public testing::Test {
         EXPECT_EQ(run.exit_code, code) << run.err;
         EXPECT_THAT(run.err, AllOf(HasSubstr("demolish: "), HasSubstr(about)));
     }
+    /// A scene of the block among assets in the folder: one a test.
+    void writeScene(const std::string& name, const std::string& keys) const {
+        namespace fs = std::filesystem;
+        const fs::path assets = fs::path(DEMOLISH_SOURCE_DIR) / "assets", own = folder_.path() / "assets";
+        fs::create_directories(own / "scenes");
+        for (const char* folder : {"models", "materials", "strength"})
+            fs::create_directory_symlink(assets / folder, own / folder);
+        folder_.write("assets/scenes/" + name + ".toml",
+                      "version = 1\nmodel = \"models/block.obj\"\n" + keys);
+    }
     TemporaryFolder folder_;
 };
 
@@ -133,6 +143,15 @@ TEST_F(Program, BadInputFilesAreCodeThree) {
                       "DEMOLISH_DATA");
 }
 
+TEST_F(Program, ABodyInsideAColliderIsCodeThree) {
+    writeScene("inside",
+               "collider = [{ shape = \"box\", size_m = [9, 0.1, 9], position_m = [0, 0.2, 0] }]\n");
+    const auto data = "DEMOLISH_DATA=" + folder_.path().string();
+    expectOneSentence(
+        runProgram({"bench", "inside", "--no-draw", "--device", "cpu", "--particles", "50"}, {data}), 3,
+        "Body 0 of the scene starts inside its collider 1, a box");
+}
+
 TEST_F(Program, NoGpuIsCodeFour) {
     if (runProgram({"info"}).out.find("CUDA device   none") == std::string::npos)
         GTEST_SKIP() << "there is a GPU";
@@ -146,15 +165,7 @@ TEST_F(Program, WindowWithoutDisplayIsCodeFour) {
 }
 
 TEST_F(Program, ABodyThatLeavesTheSceneIsCodeFive) {
-    namespace fs = std::filesystem;
-    const fs::path assets = fs::path(DEMOLISH_SOURCE_DIR) / "assets", own = folder_.path() / "assets";
-    fs::create_directories(own / "scenes");
-    fs::create_directory_symlink(assets / "models", own / "models");
-    fs::create_directory_symlink(assets / "materials", own / "materials");
-    fs::create_directory_symlink(assets / "strength", own / "strength");
-    folder_.write("assets/scenes/narrow.toml",
-                  "version = 1\nmodel = \"models/block.obj\"\n"
-                  "[solver]\nscene_radius_m = 0.2\n");
+    writeScene("narrow", "[solver]\nscene_radius_m = 0.2\n");
     const auto report = folder_.path() / "report.json";
     const ProgramRun run = runProgram({"bench", "narrow", "--no-draw", "--device", "cpu", "--particles",
                                        "100", "--frames", "2", "--json", report},

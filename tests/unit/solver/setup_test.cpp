@@ -98,7 +98,7 @@ std::string refusalOf(const std::vector<Collider>& colliders) {
     setup.params.colliders = colliders;
     try {
         makeCpuSolver(setup);
-    } catch (const UsageError& error) {
+    } catch (const Error& error) {
         return error.what();
     }
     return "";
@@ -128,10 +128,15 @@ TEST(SolverSetup, ABadBoxIsRefusedWithASentence) {
 
 TEST(SolverSetup, ABodyThatStartsInsideAColliderIsRefused) {
     EXPECT_EQ(refusalOf({Plane{}, Box{{0.4, 0.2, 0.4}, {0.5, -0.1, 0}, {}}}), "") << "it stands on it";
-    EXPECT_EQ(refusalOf({Box{{0.1, 0.2, 0.4}, {0.5, 0, 0}, {}}}),
-              "Body 1 of the scene (counted from 0) starts inside a collider.");
+    EXPECT_EQ(refusalOf({Plane{}, Box{{0.1, 0.2, 0.4}, {0.5, 0, 0}, {}}}),
+              "Body 1 of the scene starts inside its collider 1, a box (bodies are counted from 0, and "
+              "collider 0 is the floor); move one of them.");
     EXPECT_EQ(refusalOf({Plane{{0, 1, 0}, 0.06}}),
-              "Body 0 of the scene (counted from 0) starts inside a collider.");
+              "Body 0 of the scene starts inside its collider 0, a plane (bodies are counted from 0, and "
+              "collider 0 is the floor); move one of them.");
+    SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+    setup.params.colliders = {Plane{}, Box{}};
+    EXPECT_THROW(makeCpuSolver(setup), InputFileError);
 }
 
 TEST(SolverSetup, AProjectileThatStartsInsideAColliderIsRefused) {
