@@ -36,7 +36,7 @@ bool isOnSheet(uint64_t frame, uint64_t frames) {
 
 FrameFiles::FrameFiles(const FrameFilesOptions& options) : options_(options) {
     if (options_.video) {
-        if (options_.video->has_parent_path()) makeOutputFolder(options_.video->parent_path());
+        makeOutputFolder(options_.video->has_parent_path() ? options_.video->parent_path() : ".");
         video_.emplace(*options_.video, options_.width, options_.height, options_.video_fps);
     }
     if (!options_.folder) return;

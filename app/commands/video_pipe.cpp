@@ -2,10 +2,8 @@
 // ffmpeg as a child process that reads raw frames from a pipe.
 #include "app/commands/video_pipe.h"
 
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "sim_cuda/api/errors.h"
@@ -62,31 +60,20 @@ std::vector<std::string> arguments(const std::filesystem::path& file, int width,
 
 }  // namespace
 
-VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, double fps)
-    : file_(file),
-      temporary_(file.parent_path() / (file.stem().string() + ".unfinished" + file.extension().string())) {
-    if (std::FILE* probe = std::fopen(temporary_.c_str(), "wb"))
-        std::fclose(probe);
-    else
-        failVideo(file, std::string(std::strerror(errno)) + "; choose another place");
+VideoPipe::VideoPipe(const std::filesystem::path& file, int width, int height, double fps) : file_(file) {
     try {
+        film_.emplace(file.has_parent_path() ? file.parent_path() : ".", file.extension().string());
         // A group of its own: Ctrl-C is for us, and ffmpeg ends when its input does.
-        ffmpeg_.emplace(ChildPlan{.words = arguments(temporary_, width, height, fps),
+        ffmpeg_.emplace(ChildPlan{.words = arguments(film_->path(), width, height, fps),
                                   .input = ChildStream::kPiped,
                                   .own_group = true});
+    } catch (const std::system_error& error) {
+        failVideo(file, error.code().message() + "; choose another place");
     } catch (const ChildError& error) {
-        std::filesystem::remove(temporary_);
         failVideo(file, error.is_missing
                             ? "the ffmpeg program is missing; install the package ffmpeg or leave --video out"
                             : std::string("ffmpeg did not start: ") + error.what());
     }
-}
-
-VideoPipe::~VideoPipe() {
-    if (!ffmpeg_) return;
-    ffmpeg_.reset();
-    std::error_code ignored;
-    std::filesystem::remove(temporary_, ignored);
 }
 
 void VideoPipe::write(std::span<const uint8_t> pixels) {
@@ -96,12 +83,12 @@ void VideoPipe::write(std::span<const uint8_t> pixels) {
 void VideoPipe::finish() {
     const bool made = ffmpeg_->wait().well();
     ffmpeg_.reset();
-    std::error_code error;
-    if (made) std::filesystem::rename(temporary_, file_, error);
-    if (made && !error) return;
-    const std::string why = error ? error.message() : kAskFfmpeg;
-    std::filesystem::remove(temporary_, error);
-    failVideo(file_, why);
+    if (!made) failVideo(file_, kAskFfmpeg);
+    try {
+        film_->moveTo(file_);
+    } catch (const std::system_error& error) {
+        failVideo(file_, error.code().message());
+    }
 }
 
 }  // namespace demolish

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "app/process/child_process.h"
+#include "engine/image/unfinished_file.h"
 
 namespace demolish {
 
@@ -15,9 +16,6 @@ class VideoPipe {
     /// H.264 in MP4 (or what the ending asks of ffmpeg), `fps` frames a second. Throws OutputError when there
     /// is no ffmpeg or the folder cannot be written.
     VideoPipe(const std::filesystem::path& file, int width, int height, double fps);
-    ~VideoPipe();
-    VideoPipe(const VideoPipe&) = delete;
-    VideoPipe& operator=(const VideoPipe&) = delete;
 
     /// RGBA8, rows from the top. Throws OutputError when ffmpeg has given up.
     void write(std::span<const uint8_t> pixels);
@@ -25,8 +23,9 @@ class VideoPipe {
     void finish();
 
   private:
-    std::filesystem::path file_, temporary_;
-    std::optional<ChildProcess> ffmpeg_;  ///< none when the film is done
+    std::filesystem::path file_;
+    std::optional<engine::UnfinishedFile> film_;
+    std::optional<ChildProcess> ffmpeg_;  ///< none when the film is done; ends before its file does
 };
 
 }  // namespace demolish

@@ -4,12 +4,13 @@
 
 #include <unistd.h>
 
-#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <system_error>
 
+#include "engine/image/unfinished_file.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -40,70 +41,50 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-/// A new file in one folder, which nobody else has opened or named; gone with this, unless moved.
-class TemporaryFile {
-  public:
-    /// `wanted` is blamed for what goes wrong.
-    TemporaryFile(const fs::path& folder, const fs::path& wanted) {
-        static std::atomic<unsigned> count = 0;
-        do {
-            path_ = folder / (".demolish." + std::to_string(getpid()) + "." + std::to_string(count++));
-            stream_.reset(std::fopen(path_.c_str(), "wbx"));
-        } while (!stream_ && errno == EEXIST);
-        if (!stream_) failWriting(wanted, errno);
-    }
-    ~TemporaryFile() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove(path_, ignored);
-    }
-    TemporaryFile(const TemporaryFile&) = delete;
-    TemporaryFile& operator=(const TemporaryFile&) = delete;
-
-    std::unique_ptr<std::FILE, CloseFile>& stream() { return stream_; }
-    /// Replaces `target` in one step.
-    void moveTo(const fs::path& target, const fs::path& wanted) {
-        if (std::rename(path_.c_str(), target.c_str()) != 0) failWriting(wanted, errno);
-        path_.clear();
-    }
-
-  private:
-    fs::path path_;
-    std::unique_ptr<std::FILE, CloseFile> stream_;
-};
-
-/// Closes the stream: the last blocks may reach the disk, or fail to, only then.
-void writeAll(std::unique_ptr<std::FILE, CloseFile>& stream, const std::string& text,
-              const fs::path& wanted) {
+void writeAll(std::FILE* stream, const std::string& text, const fs::path& wanted) {
     errno = 0;
-    const bool written = std::fwrite(text.data(), 1, text.size(), stream.get()) == text.size() &&
-                         std::fflush(stream.get()) == 0;
-    const int error = errno;
-    if (!written) failWriting(wanted, error);
-    if (std::fclose(stream.release()) != 0) failWriting(wanted, errno);
-}
-
-/// Opens a pipe or device; what has no reader blocks until it has one.
-std::unique_ptr<std::FILE, CloseFile> openSink(const fs::path& file) {
-    std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(file.c_str(), "wb"));
-    if (!stream) failWriting(file, errno);
-    return stream;
+    if (std::fwrite(text.data(), 1, text.size(), stream) != text.size() || std::fflush(stream) != 0)
+        failWriting(wanted, errno);
 }
 
 fs::path folderOf(const fs::path& file) {
     return file.has_parent_path() ? file.parent_path() : ".";
 }
 
+/// What is made on the way to `wanted`, which is blamed for what goes wrong.
+template <class Make>
+void making(const fs::path& wanted, const Make& make) {
+    try {
+        make();
+    } catch (const std::system_error& error) {
+        failWriting(wanted, error.code().value());
+    }
+}
+
+/// A file can be made in the folder.
+void tryOut(const fs::path& folder, const fs::path& wanted) {
+    engine::removeAbandonedFiles(folder);
+    making(wanted, [&] { const engine::UnfinishedFile probe(folder); });
+}
+
+/// Waits for a pipe's reader.
+void writeIntoSink(const fs::path& sink, const std::string& text) {
+    const std::unique_ptr<std::FILE, CloseFile> stream(std::fopen(sink.c_str(), "wb"));
+    if (!stream) failWriting(sink, errno);
+    writeAll(stream.get(), text, sink);
+}
+
 }  // namespace
 
 void writeTextFile(const fs::path& file, const std::string& text) {
-    if (isSink(file)) {
-        auto stream = openSink(file);
-        return writeAll(stream, text, file);
-    }
+    if (isSink(file)) return writeIntoSink(file, text);
     const fs::path target = targetOf(file);
-    TemporaryFile temporary(folderOf(target), file);
-    writeAll(temporary.stream(), text, file);
-    temporary.moveTo(target, file);
+    making(file, [&] {
+        engine::UnfinishedFile unfinished(folderOf(target));
+        writeAll(unfinished.stream(), text, file);
+        unfinished.close();
+        unfinished.moveTo(target);
+    });
 }
 
 void LastFiles::write(const fs::path& file, const std::function<std::string()>& make) {
@@ -123,7 +104,7 @@ void makeOutputFolder(const fs::path& folder) {
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) failWriting(folder, error.value());
-    const TemporaryFile probe(folder, folder);
+    tryOut(folder, folder);
 }
 
 void requireWritable(const fs::path& file) {
@@ -133,7 +114,7 @@ void requireWritable(const fs::path& file) {
         if (access(file.c_str(), W_OK) != 0) failWriting(file, errno);
         return;
     }
-    const TemporaryFile probe(folderOf(targetOf(file)), file);
+    tryOut(folderOf(targetOf(file)), file);
 }
 
 }  // namespace demolish

@@ -24,9 +24,10 @@ class LastFiles {
     std::exception_ptr failure_;
 };
 /// Throws OutputError if the file could not be written as things are now: before hours of work, not after.
-/// Leaves nothing behind.
+/// Leaves nothing behind, and removes what runs that were killed have left in its folder.
 void requireWritable(const std::filesystem::path& file);
-/// Makes the folder and its parents; throws OutputError. Also checks that a file can be made in it.
+/// Makes the folder and its parents; throws OutputError. Also checks that a file can be made in it, and
+/// removes what runs that were killed have left there.
 void makeOutputFolder(const std::filesystem::path& folder);
 
 }  // namespace demolish

@@ -4,25 +4,16 @@
 #include "engine/image/png.h"
 
 #include <png.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 #include <system_error>
+
+#include "engine/image/unfinished_file.h"
 
 namespace demolish::engine {
 namespace {
-
-struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
-
-std::string reason() {
-    return std::strerror(errno != 0 ? errno : EIO);
-}
 
 /// Opaque rows lose their fourth byte.
 std::vector<uint8_t> packedRows(const Image& image, bool alpha) {
@@ -62,9 +53,8 @@ bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha
     return true;
 }
 
-void removeQuietly(const std::filesystem::path& file) {
-    std::error_code ignored;  // the error that led here is the one to report
-    std::filesystem::remove(file, ignored);
+[[noreturn]] void failWriting(const std::filesystem::path& file, const std::string& why) {
+    throw ImageError("Cannot write " + file.string() + ": " + why + ".");
 }
 
 }  // namespace
@@ -72,26 +62,17 @@ void removeQuietly(const std::filesystem::path& file) {
 void writePng(const std::filesystem::path& file, const Image& image, bool alpha, int compression) {
     if (image.width <= 0 || image.height <= 0)
         throw ImageError("An empty picture cannot be written to " + file.string() + ".");
-    // The process id keeps two programs that write the same picture apart.
-    const std::filesystem::path temporary = file.string() + "." + std::to_string(getpid()) + ".part";
-    errno = 0;
-    File stream(std::fopen(temporary.c_str(), "wb"));
-    if (!stream) throw ImageError("Cannot write " + file.string() + ": " + reason() + ".");
-    const std::vector<uint8_t> rows = packedRows(image, alpha);
-    bool written = encode(stream.get(), image, rows.data(), alpha, compression);
-    written = std::fflush(stream.get()) == 0 && written;
-    const std::string why = reason();
-    // The last blocks may reach the disk, or fail to, at close only.
-    written = std::fclose(stream.release()) == 0 && written;
-    if (!written) {
-        removeQuietly(temporary);
-        throw ImageError("Cannot write " + file.string() + ": " + why + "; is the disk full?");
-    }
-    std::error_code error;
-    std::filesystem::rename(temporary, file, error);
-    if (error) {
-        removeQuietly(temporary);
-        throw ImageError("Cannot write " + file.string() + ": " + error.message() + ".");
+    try {
+        UnfinishedFile unfinished(file.has_parent_path() ? file.parent_path() : ".");
+        const std::vector<uint8_t> rows = packedRows(image, alpha);
+        errno = 0;
+        if (!encode(unfinished.stream(), image, rows.data(), alpha, compression) ||
+            std::fflush(unfinished.stream()) != 0)
+            failWriting(file, std::string(std::strerror(errno != 0 ? errno : EIO)) + "; is the disk full?");
+        unfinished.close();
+        unfinished.moveTo(file);
+    } catch (const std::system_error& error) {
+        failWriting(file, error.code().message());
     }
 }
 

@@ -54,9 +54,9 @@ bool endsWell(const fs::path& file) {
     }
 }
 
-/// Says so in its name: film.unfinished.mp4.
+/// Says so in its name (engine/image/unfinished_file.h).
 bool isUnfinished(const fs::path& file) {
-    return file.stem().extension() == ".unfinished";
+    return file.filename().string().starts_with(".demolish.");
 }
 
 class Kill : public testing::TestWithParam<Command> {
@@ -83,6 +83,10 @@ class Kill : public testing::TestWithParam<Command> {
                 EXPECT_TRUE(endsWell(entry.path())) << "half a file: " << entry.path();
             }
     }
+    void expectNothingUnfinished(const std::string& name) const {
+        for (const auto& entry : fs::recursive_directory_iterator(folder(name)))
+            EXPECT_FALSE(isUnfinished(entry.path())) << entry.path() << " is left for ever";
+    }
     void expectResults(const std::string& name) const {
         for (const auto& result : GetParam().results)
             EXPECT_TRUE(fs::exists(folder(name) / result)) << result;
@@ -108,6 +112,7 @@ TEST_P(Kill, LeavesNoHalfFileAndTheNextRunEndsWell) {
         const ChildEnd next = run(name);
         EXPECT_TRUE(next.endedWith(0)) << describe(next) << next.err;
         expectWholeFiles(name);
+        expectNothingUnfinished(name);
         expectResults(name);
     }
 }

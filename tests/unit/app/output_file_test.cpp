@@ -77,6 +77,16 @@ TEST(OutputFile, LeavesFilesOfOtherNamesAlone) {
     EXPECT_EQ(test::readText(probe), "mine, too");
 }
 
+TEST(OutputFile, TheNextRunRemovesWhatAKilledOneHasLeft) {
+    const test::TemporaryFolder folder;
+    folder.write(".demolish.1.0", "half a report");
+    requireWritable(folder.path() / "report.json");
+    EXPECT_EQ(filesIn(folder.path()), 0u);
+    folder.write(".demolish.1.7.mp4", "half a film");
+    makeOutputFolder(folder.path());
+    EXPECT_EQ(filesIn(folder.path()), 0u);
+}
+
 TEST(OutputFile, TwoWritersOfOneFileDoNotMeet) {
     const test::TemporaryFolder folder;
     const auto file = folder.path() / "threshold.json";
