@@ -13,8 +13,25 @@ if(EXISTS ${font})
     install(FILES ${font} DESTINATION ${data_dir}/fonts COMPONENT program)
 endif()
 install(FILES LICENSE DESTINATION ${data_dir} COMPONENT program)
-install(FILES README.md DESTINATION ${data_dir} COMPONENT program)
 
+# The README and all pages and pictures that it leads to, each at its place: links hold in the bundle as well.
+file(GLOB_RECURSE pages RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS app/*.md assets/*.md docs/*.md docs/*.png engine/*.md
+    sim_cuda/*.md tests/*.md)
+foreach(page README.md CONTRIBUTING.md CHANGELOG.md ${pages})
+    get_filename_component(place ${page} DIRECTORY)
+    install(FILES ${page} DESTINATION ${data_dir}/${place} COMPONENT program)
+endforeach()
+
+# Of CUDA the program holds the runtime, and Thrust and CUB, which are headers; the driver is the machine's.
+set(linked "")
+if(DEMOLISH_WITH_CUDA)
+    find_path(thrust_headers thrust/version.h HINTS ${CUDAToolkit_INCLUDE_DIRS} PATH_SUFFIXES cccl NO_CACHE)
+    set(linked ${CUDA_cudart_static_LIBRARY})
+    if(thrust_headers)
+        list(APPEND linked ${thrust_headers}/thrust ${thrust_headers}/cub)
+    endif()
+endif()
+install(CODE "set(linked \"${linked}\")" COMPONENT program)
 install(CODE "include(\"${PROJECT_SOURCE_DIR}/cmake/Notices.cmake\")" COMPONENT program)
 
 # The machine keeps its own glibc, loader and GPU driver: these must not travel.
@@ -33,7 +50,7 @@ install(CODE [[
     # Header-only and static libraries, the generator whose output is compiled in, and the font.
     writeNotices("${CMAKE_INSTALL_PREFIX}/share/demolish"
         "libimgui-dev;libstb-dev;libglm-dev;libcli11-dev;nlohmann-json3-dev;libtomlplusplus-dev;libspdlog-dev;python3-glad;fonts-dejavu-core"
-        "${libraries}")
+        "${linked}" "${libraries}")
 ]] COMPONENT program)
 
 get_property(test_targets GLOBAL PROPERTY DEMOLISH_TEST_TARGETS)
