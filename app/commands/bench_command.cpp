@@ -5,21 +5,17 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 
 #include "app/commands/bench_run.h"
 #include "app/commands/build_version.h"
-#include "app/commands/frame_csv.h"
-#include "app/commands/frame_curve.h"
 #include "app/commands/help_text.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/kernel_bench.h"
 #include "app/commands/machine_facts.h"
-#include "app/commands/phase_report.h"
-#include "app/commands/run_report.h"
-#include "app/session/output_file.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
@@ -89,25 +85,16 @@ RunReport reportOf(const BenchPlan& plan, const BenchRun& run, const Session& se
     return report;
 }
 
-std::string curveOf(const BenchRun& run, const BuiltShot& built, const RunReport& report) {
-    const FrameStats& stats = built.solver->stats();
-    const size_t bodies = built.setup.bodies.size();
-    std::string title = built.shot.scene + ": " + std::to_string(stats.particles) + " particles";
-    if (bodies > 1) title += " in " + std::to_string(bodies) + " bodies";
-    std::string subtitle = report.mode + " on " + built.solver->deviceName();
-    if (report.width > 0)
-        subtitle += ", " + std::to_string(report.width) + "x" + std::to_string(report.height) + " " +
-                    report.quality + " by " + report.gl_renderer + ", transfer: " + report.transfer;
-    return frameCurveSvg(run.samples, built.shot.phases, title, subtitle);
-}
-
 /// The substep's options are the device, one size, and where to write.
 void refuseForKernel(const BenchOptions& options) {
     const ShotOptions& shot = options.shot;
     const bool of_a_shot = !shot.scene.empty() || !shot.model.empty() || options.no_draw ||
-                           options.draw_only || options.record || !options.curve.empty() ||
-                           !options.frame_csv.empty() || options.frames || shot.particle_size;
-    if (of_a_shot)
+                           options.draw_only || options.record || options.frames || shot.particle_size;
+    const auto not_for_it = [](const auto& file) {
+        return !file.second.empty() && file.first != "--json" && file.first != "--csv";
+    };
+    const auto& paths = options.files.paths;
+    if (of_a_shot || std::any_of(paths.begin(), paths.end(), not_for_it))
         throw UsageError(
             "--kernel times the substep of a block and no scene; give it --device, --particles, --json or "
             "--csv "
@@ -139,15 +126,14 @@ void runKernelBench(const BenchOptions& options) {
     const KernelPlace place{cuda ? findCudaDevice().name : "CPU", gpuDriver(), machineName(), buildVersion(),
                             threadsInUse()};
     LastFiles files;
-    files.write(options.json, [&] { return kernelJson(rows, place); });
-    files.write(options.csv, [&] { return kernelCsv(rows, place); });
+    files.write(options.files.at("--json"), [&] { return kernelJson(rows, place); });
+    files.write(options.files.at("--csv"), [&] { return kernelCsv(rows, place); });
     std::fputs(kernelTable(rows, place).c_str(), stdout);
     files.requireAllWritten();
 }
 
 void runBench(const BenchOptions& options) {
-    for (const std::string& file : {options.json, options.csv, options.frame_csv, options.curve})
-        if (!file.empty()) requireWritable(file);
+    requireWritable(options.files);
     if (options.kernel) return runKernelBench(options);
     const Shot shot = makeShot(options.shot, "paper");
     const BenchPlan plan = planFor(options, shot);
@@ -170,18 +156,13 @@ void runBench(const BenchOptions& options) {
     session.solver().measure();
     RunReport report = reportOf(plan, run, session, stage.get(), size);
     report.wall_seconds = watch.milliseconds() / 1000;
+    FinishedRun finished{session.built(), report, run.samples, [&]() -> std::optional<EnergyBalance> {
+                             if (run.status != StepStatus::kOk || InterruptWatch::asked())
+                                 return std::nullopt;
+                             return energyOfTheSameFrames(session, plan.frames);
+                         }};
     LastFiles files;
-    files.write(options.json, [&] {
-        if (run.status == StepStatus::kOk && !InterruptWatch::asked())
-            report.energy = energyOfTheSameFrames(session, plan.frames);
-        return reportJson(session.built(), report);
-    });
-    files.write(options.csv, [&] {
-        return phaseCsv(report.phases, session.built().setup.bodies.size(),
-                        runFacts(session.built(), report));
-    });
-    files.write(options.frame_csv, [&] { return frameCsv(run.samples, session.built().shot.phases); });
-    files.write(options.curve, [&] { return curveOf(run, session.built(), report); });
+    writeRunFiles(options.files, finished, files);
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
     files.requireAllWritten();
     requireOk(run.status);
@@ -200,11 +181,7 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
     command->add_option("--warmup", options.warmup, "Frames before the timed ones; then the shot starts anew")
         ->type_name("N")
         ->capture_default_str();
-    command->add_option("--json", options.json, "Report of the run, JSON, SI units")->type_name("FILE");
-    command->add_option("--csv", options.csv, "A line for each phase, CSV")->type_name("FILE");
-    command->add_option("--frame-csv", options.frame_csv, "A line for each frame, CSV")->type_name("FILE");
-    command->add_option("--curve", options.curve, "Frame time over the shot, stage by stage, SVG")
-        ->type_name("FILE");
+    addRunFileOptions(*command, options.files);
     command->add_flag("--no-draw", options.no_draw, "Simulate only; needs no OpenGL");
     command->add_flag("--draw-only", options.draw_only, "Time the drawing alone, of a recording of the shot");
     command->add_flag("--record", options.record,

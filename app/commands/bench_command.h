@@ -2,8 +2,8 @@
 // demolish bench: how fast it runs, phase by phase, beside the paper's numbers; or the substep alone.
 #pragma once
 #include <optional>
-#include <string>
 
+#include "app/commands/run_files.h"
 #include "app/commands/shot_options.h"
 
 namespace demolish {
@@ -12,7 +12,7 @@ struct BenchOptions {
     ShotOptions shot;
     std::optional<double> frames;  ///< none: to the end of the shot's last phase
     double warmup = 10;
-    std::string json, csv, frame_csv, curve;
+    RunFiles files{RunCommand::kBench};
     bool no_draw = false, draw_only = false, record = false, kernel = false;
 };
 

@@ -11,10 +11,8 @@
 #include "app/commands/headless_stage.h"
 #include "app/commands/help_text.h"
 #include "app/commands/interrupt.h"
-#include "app/commands/run_report.h"
 #include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
-#include "app/session/output_file.h"
 #include "app/session/picture.h"
 #include "sim_cuda/api/errors.h"
 
@@ -119,7 +117,7 @@ void runCapture(const CaptureOptions& options) {
     requireInRange("--frames", options.frames, kFrameRange, "");
     for (const double yaw : options.camera_yaw) requireInRange("--camera-yaw", yaw, kYawRange, "degrees");
     requireInRange("--camera-pitch", options.camera_pitch, kPitchRange, "degrees");
-    if (options.out.empty() && options.video.empty() && options.report.empty())
+    if (options.out.empty() && options.video.empty() && !options.files.any())
         throw UsageError("nothing to write: give --out DIR, --video FILE or --report FILE.json");
     if (!options.video.empty() && options.camera_yaw.size() > 1)
         throw UsageError("a film has one camera: give --camera-yaw one angle, or leave out --video");
@@ -128,7 +126,7 @@ void runCapture(const CaptureOptions& options) {
                     pictureSize(options.shot, on_gpu ? PictureSize{1920, 1080} : PictureSize{960, 540}),
                     momentsOf(options, shot)};
     FrameFiles files(filesFor(capture, shot));  // makes the folder that the report may lie in
-    if (!options.report.empty()) requireWritable(options.report);
+    requireWritable(options.files);
     const InterruptWatch interrupts;
     const StopWatch watch;
     BuiltShot built = buildWithBar(shot, {});
@@ -153,7 +151,10 @@ void runCapture(const CaptureOptions& options) {
     report.times = summarise(capture.samples);
     report.energy = session.energy();
     std::fputs(reportTable(session.built(), report).c_str(), stdout);
-    if (!options.report.empty()) writeTextFile(options.report, reportJson(session.built(), report));
+    FinishedRun finished{session.built(), report, capture.samples};
+    LastFiles last;
+    writeRunFiles(options.files, finished, last);
+    last.requireAllWritten();
     requireOk(capture.status);
     const uint64_t wanted = capture.moments.back() + 1;
     if (report.frames < wanted)
@@ -172,7 +173,7 @@ void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
     command->add_option("--out", options.out, "Folder for frame_0000.png ... and contact_sheet.png")
         ->type_name("DIR");
     command->add_option("--video", options.video, "Film, through the ffmpeg program")->type_name("FILE");
-    command->add_option("--report", options.report, "Report of the run, JSON, SI units")->type_name("FILE");
+    addRunFileOptions(*command, options.files);
     command
         ->add_option("--view", options.view,
                      "What to draw; the last three: particles by share of broken bonds, by bond stress over "

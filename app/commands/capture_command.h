@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/commands/run_files.h"
 #include "app/commands/shot_options.h"
 
 namespace demolish {
@@ -16,7 +17,8 @@ struct CaptureOptions {
     std::vector<double> at;             ///< s: draws these moments only; empty: `frames` frames
     std::vector<double> camera_yaw{0};  ///< degrees, from the shot's camera about its target; one a camera
     double camera_pitch = 0;            ///< degrees, of all cameras
-    std::string out, video, report, view = "surface";
+    std::string out, video, view = "surface";
+    RunFiles files{RunCommand::kCapture};
 };
 
 void addCaptureCommand(CLI::App& app, CaptureOptions& options);

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// The columns are named as those of the phases.
-#include "app/commands/frame_csv.h"
-
+// Every frame of a run in a line of its own, for those who plot frame times themselves: s simulated at its
+// end, the phase that it lies in, ms by stage, bonds that broke in it, and what it was spent on. The columns
+// are named as those of the phases.
 #include <algorithm>
 
+#include "app/commands/run_formats.h"
 #include "app/commands/text_table.h"
 
 namespace demolish {
@@ -15,13 +16,14 @@ std::string shortNumber(double value) {
 
 }  // namespace
 
-std::string frameCsv(std::span<const FrameSample> samples, std::span<const Phase> phases) {
+std::string framesCsv(FinishedRun& run) {
+    const std::span<const Phase> phases = run.built.shot.phases;
     std::string text =
         csvLine({"frame", "time_s", "phase", "frame_ms", "sim_ms", "transfer_ms", "draw_ms", "rest_ms",
                  "bonds_broken_now", "substeps", "list_rebuilds", "awake_particles", "bonded_particles",
                  "carried_particles", "fragments", "rigid_fragments", "sleeping_fragments", "triangles"});
     uint32_t broken_before = 0;
-    for (const FrameSample& sample : samples) {
+    for (const FrameSample& sample : run.samples) {
         const FrameStats& stats = sample.stats;
         const Phase* phase = phaseAt(phases, stats.time);
         const uint32_t broken = stats.bonds_broken - std::min(stats.bonds_broken, broken_before);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "app/commands/run_formats.h"
 #include "app/commands/svg_writer.h"
 
 namespace demolish {
@@ -210,6 +211,20 @@ std::string frameCurveSvg(std::span<const FrameSample> samples, std::span<const 
     drawLegend(svg, kLeft, 70, stages());
     drawLegend(svg, kLeft, kLowerTop - 8, particleKinds());
     return svg.finish();
+}
+
+std::string frameCurveSvg(FinishedRun& run) {
+    const BuiltShot& built = run.built;
+    const RunReport& report = run.report;
+    const size_t bodies = built.setup.bodies.size();
+    std::string title =
+        built.shot.scene + ": " + std::to_string(built.solver->stats().particles) + " particles";
+    if (bodies > 1) title += " in " + std::to_string(bodies) + " bodies";
+    std::string subtitle = report.mode + " on " + built.solver->deviceName();
+    if (report.width > 0)
+        subtitle += ", " + std::to_string(report.width) + "x" + std::to_string(report.height) + " " +
+                    report.quality + " by " + report.gl_renderer + ", transfer: " + report.transfer;
+    return frameCurveSvg(run.samples, built.shot.phases, title, subtitle);
 }
 
 }  // namespace demolish

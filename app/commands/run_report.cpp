@@ -8,6 +8,7 @@
 #include "app/commands/build_version.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/phase_report.h"
+#include "app/commands/run_formats.h"
 #include "app/commands/text_table.h"
 #include "app/commands/threshold_json.h"
 #include "app/session/json_text.h"
@@ -153,7 +154,10 @@ void addState(const BuiltShot& built, const RunReport& report, Json& json) {
 
 }  // namespace
 
-std::string reportJson(const BuiltShot& built, const RunReport& report) {
+std::string reportJson(FinishedRun& run) {
+    if (run.energy) run.report.energy = run.energy();
+    const BuiltShot& built = run.built;
+    const RunReport& report = run.report;
     Json json;
     addRun(built, report, json);
     addTimes(built, report, json);
@@ -233,6 +237,10 @@ std::string reportTable(const BuiltShot& built, const RunReport& report) {
     table += '\n';
     table += phaseTable(report.phases, bodies);
     return table;
+}
+
+std::string phasesCsv(FinishedRun& run) {
+    return phaseCsv(run.report.phases, run.built.setup.bodies.size(), runFacts(run.built, run.report));
 }
 
 }  // namespace demolish

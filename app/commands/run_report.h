@@ -27,10 +27,9 @@ struct RunReport {
     std::vector<std::pair<std::string, double>> draw_passes;  ///< median GPU time of each pass, ms
 };
 
-/// Reads stats and hash from the solver; call Solver::measure() before.
-std::string reportJson(const BuiltShot& built, const RunReport& report);
+/// For people. Reads stats and hash from the solver; call Solver::measure() before.
+std::string reportTable(const BuiltShot& built, const RunReport& report);
 /// What a line of a CSV file needs to be told from other runs', name and value.
 std::vector<std::pair<std::string, std::string>> runFacts(const BuiltShot& built, const RunReport& report);
-std::string reportTable(const BuiltShot& built, const RunReport& report);
 
 }  // namespace demolish
