@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/api/mesh_repair.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
@@ -22,16 +23,20 @@ struct SolidMeshInfo {
 };
 
 struct MeshPlacement {
-    double height = 1.0;  ///< m, scaled to this height unless keep_units
+    double height = 1.0;  ///< m, the file's mesh is scaled to it unless keep_units
     bool keep_units = false;
+    RepairOptions repair = {};
 };
 
-/// Loads any file that assimp reads, welds, checks, and stands it on the floor (lowest y = 0, centred in x
-/// and z). Throws InputFileError with one sentence: unreadable, no triangles, not closed (with the count of
-/// open edges), triangles that are there twice, zero or negative volume.
+/// Loads any file that assimp reads, welds, repairs what is not closed, and stands it on the floor (lowest
+/// y = 0, centred in x and z). Throws InputFileError with one sentence: unreadable, no triangles, and what
+/// the repair could not or may not mend: open edges (with their count), triangles that are there twice, zero
+/// or negative volume.
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement = {});
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh);
+/// What was done to close it; thickness in metres of the placed body.
+const RepairReport& repairReport(const SolidMesh& mesh);
 
 inline constexpr uint32_t kMinParticles = 2, kMaxParticles = 4'000'000;
 
@@ -45,8 +50,10 @@ struct FillOptions {
 /// sizes.
 uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m);
 
-/// Packing, cells, bonds, draw data (geometry.md 1-6). Throws Cancelled, UsageError when options.particles is
-/// out of range, InputFileError when the walls are too thin to hold any particle.
+/// Packing, cells, bonds, draw data (geometry.md 1-6). Where cells come out open or without volume and the
+/// mesh may be repaired, it gets a new surface and is filled again: BreakableBody::remeshed. Throws
+/// Cancelled, UsageError when options.particles is out of range, InputFileError when the walls are too thin
+/// to hold any particle or cells stay without volume.
 std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& mesh, const FillOptions& options,
                                                        const ProgressCallback& progress = {});
 

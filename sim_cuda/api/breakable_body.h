@@ -40,6 +40,7 @@ struct BreakableBody {
     double cells_volume = 0;         ///< m^3, sum over the cells; equals mesh_volume to 1e-9
     double mesh_area = 0;            ///< m^2
     Double3 bounds_min, bounds_max;  ///< m
+    bool remeshed = false;    ///< filled within a new surface, since its cells came out unsound in the mesh's
     uint32_t open_cells = 0;  ///< with an unbalanced edge after the re-jitter fall-back; 0 unless logged
 };
 

@@ -17,10 +17,10 @@ namespace demolish {
 /// the library that reads it.
 TriangleMesh importTriangles(const std::filesystem::path& file);
 
-/// Checks the mesh and stands it on the floor (lowest y = 0, centred in x and z). Throws InputFileError with
-/// one sentence that names `file`: no triangles, not closed (with the count of open edges), triangles that
-/// are there twice, zero or negative volume, too large or too small to be scaled; UsageError for a height
-/// that is not positive.
+/// Repairs the mesh as far as needed and allowed (placement.repair), checks it and stands it on the floor
+/// (lowest y = 0, centred in x and z). Throws InputFileError with one sentence that names `file`: no
+/// triangles, still not closed (with the count of open edges), triangles that are there twice, zero or
+/// negative volume, too large or too small to be scaled; UsageError for a height that is not positive.
 std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
                                                const MeshPlacement& placement = {});
 

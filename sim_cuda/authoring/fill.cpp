@@ -39,20 +39,21 @@ void requirePossibleCount(uint32_t count) {
 
 /// Where a surface goes through itself its inside can count as outside: cells come out with no volume or
 /// less, and nothing can be made of them.
+std::ptrdiff_t cellsWithoutVolume(const std::vector<Particle>& particles) {
+    return std::count_if(particles.begin(), particles.end(),
+                         [](const Particle& particle) { return !(particle.volume > 0); });
+}
+
 void requireVolumes(const std::string& name, const std::vector<Particle>& particles) {
-    const auto empty = std::count_if(particles.begin(), particles.end(),
-                                     [](const Particle& particle) { return !(particle.volume > 0); });
-    if (empty > 0)
+    if (const std::ptrdiff_t empty = cellsWithoutVolume(particles))
         throw InputFileError("The model '" + name + "' is inside out in places (" + std::to_string(empty) +
                              " of " + std::to_string(particles.size()) +
                              " cells have no volume); turn the faces of those parts round.");
 }
 
-}  // namespace
-
-std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, const FillOptions& options,
-                                                       const ProgressCallback& progress) {
-    requirePossibleCount(options.particles);
+/// Null where cells came out open or without volume and a new surface may mend that.
+std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOptions& options,
+                                            const ProgressCallback& progress) {
     const SolidMeshInfo& info = solid.info();
     const double spacing = std::cbrt(info.volume / options.particles);
     Stages stages(progress);
@@ -68,7 +69,10 @@ std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, c
     stages.enter("Weighing cells", 0.65, 0.72);
     auto body = std::make_shared<BreakableBody>();
     body->name = info.name;
+    body->remeshed = solid.repair().remeshed == RemeshCause::kCells;
     body->particles = massProperties(solid.mesh(), solid.queries(), complex);
+    const bool is_sound = complex.open_cells.empty() && cellsWithoutVolume(body->particles) == 0;
+    if (!is_sound && solid.withNewSurface() != nullptr) return nullptr;
     requireVolumes(info.name, body->particles);
     stages.enter("Bonding cells", 0.72, 0.78);
     body->bonds = makeBonds(complex, spacing);
@@ -84,6 +88,15 @@ std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, c
     body->open_cells = uint32_t(complex.open_cells.size());
     if (!stages.tell(1)) throw Cancelled();
     return body;
+}
+
+}  // namespace
+
+std::shared_ptr<const BreakableBody> fillWithParticles(const SolidMesh& solid, const FillOptions& options,
+                                                       const ProgressCallback& progress) {
+    requirePossibleCount(options.particles);
+    const auto body = filled(solid, options, progress);
+    return body != nullptr ? body : filled(*solid.withNewSurface(), options, progress);
 }
 
 }  // namespace demolish

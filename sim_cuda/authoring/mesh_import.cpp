@@ -12,6 +12,7 @@
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/model_refusal.h"
+#include "sim_cuda/authoring/unused_vertices.h"
 
 namespace demolish {
 namespace {
@@ -151,23 +152,6 @@ void requirePlainFile(const std::filesystem::path& file) {
     throw InputFileError("There is no model file '" + file.string() + "'; check the path.");
 }
 
-/// Vertices are numbered by first use, so those of dropped triangles have to go.
-void dropUnusedVertices(TriangleMesh& mesh) {
-    constexpr uint32_t kUnused = 0xffffffffu;
-    std::vector<uint32_t> new_id(mesh.positions.size(), kUnused);
-    for (const auto& t : mesh.triangles)
-        for (const uint32_t v : t) new_id[v] = 0;
-    uint32_t count = 0;
-    for (size_t v = 0; v < new_id.size(); ++v) {
-        if (new_id[v] == kUnused) continue;
-        mesh.positions[count] = mesh.positions[v];
-        new_id[v] = count++;
-    }
-    mesh.positions.resize(count);
-    for (auto& t : mesh.triangles)
-        for (uint32_t& v : t) v = new_id[v];
-}
-
 }  // namespace
 
 TriangleMesh importTriangles(const std::filesystem::path& file) {
@@ -182,7 +166,7 @@ TriangleMesh importTriangles(const std::filesystem::path& file) {
     addNode(welder, *scene, *scene->mRootNode, {}, file);
     if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
     TriangleMesh mesh = std::move(welder).take();
-    dropUnusedVertices(mesh);
+    dropUnusedVertices(mesh);  // those of dropped triangles
     return mesh;
 }
 

@@ -2,6 +2,7 @@
 // Closed, thick and outside out; then on the floor.
 #include "sim_cuda/authoring/solid_checks.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "sim_cuda/authoring/bounds.h"
@@ -9,6 +10,22 @@
 #include "sim_cuda/authoring/model_refusal.h"
 
 namespace demolish {
+namespace {
+
+/// Thinner is rounding, not substance.
+double leastVolume(const TriangleMesh& mesh) {
+    constexpr double kFlat = 1e-9;  // of the cube on the diagonal
+    const Bounds bounds = boundsOf(mesh.positions);
+    const double size = length(bounds.upper - bounds.lower);
+    return kFlat * size * size * size;
+}
+
+}  // namespace
+
+bool isSolid(const TriangleMesh& mesh) {
+    return !mesh.triangles.empty() && openEdgeCount(mesh) == 0 && repeatedTriangleCount(mesh) == 0 &&
+           enclosedVolume(mesh) > leastVolume(mesh);
+}
 
 void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
     if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
@@ -19,24 +36,25 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
     if (const size_t repeated = repeatedTriangleCount(mesh))
         refuseModel(file, "holds " + std::to_string(repeated) + (repeated == 1 ? " triangle" : " triangles") +
                               " more than once; remove the doubled surface");
-    const Bounds bounds = boundsOf(mesh.positions);
-    const double size = length(bounds.upper - bounds.lower), volume = enclosedVolume(mesh);
-    constexpr double kFlat = 1e-9;  // of the cube on the diagonal: thinner is rounding, not substance
-    if (!std::isfinite(volume) || !std::isfinite(size * size * size))
+    const double volume = enclosedVolume(mesh), least = leastVolume(mesh);
+    if (!std::isfinite(volume) || !std::isfinite(least))
         refuseModel(file, "is too large to be a body; export it in a smaller unit");
-    if (std::abs(volume) <= kFlat * size * size * size)
-        refuseModel(file, "encloses no volume; give it thickness");
+    if (std::abs(volume) <= least) refuseModel(file, "encloses no volume; give it thickness");
     if (volume < 0) refuseModel(file, "is inside out (its volume is negative); flip its faces");
 }
 
-void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, const MeshPlacement& placement) {
+double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement) {
+    constexpr double kLyingFlat = 0.05;  // height over the longest side
+    if (placement.keep_units) return 1;
+    if (!(placement.height > 0) || !std::isfinite(placement.height))
+        throw UsageError("The model height must be a positive number of metres.");
+    const Double3 size = boundsOf(mesh.positions).size();
+    const double longest = std::max({size.x, size.y, size.z});
+    return placement.height / (size.y < kLyingFlat * longest ? longest : size.y);
+}
+
+void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale) {
     const Bounds bounds = boundsOf(mesh.positions);
-    double scale = 1;
-    if (!placement.keep_units) {
-        if (!(placement.height > 0) || !std::isfinite(placement.height))
-            throw UsageError("The model height must be a positive number of metres.");
-        scale = placement.height / (bounds.upper.y - bounds.lower.y);
-    }
     const Double3 foot{(bounds.lower.x + bounds.upper.x) / 2, bounds.lower.y,
                        (bounds.lower.z + bounds.upper.z) / 2};
     for (Double3& p : mesh.positions) p = (p - foot) * scale;

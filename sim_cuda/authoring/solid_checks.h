@@ -8,12 +8,20 @@
 
 namespace demolish {
 
+/// No edge is open, no triangle is there twice, and the volume is positive and more than rounding.
+bool isSolid(const TriangleMesh& mesh);
+
 /// Throws InputFileError, naming `file`, when an edge is open or the volume is zero, negative or beyond all
 /// numbers.
 void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file);
 
-/// Lowest y = 0, centred in x and z, scaled to placement.height (m) unless keep_units. Throws UsageError for
-/// a height that is not positive, InputFileError where the scaled mesh is beyond what numbers hold.
-void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, const MeshPlacement& placement);
+/// What brings the mesh to placement.height (m): that over its own height, or over its longest side where it
+/// is lower than a twentieth of it, since a plate that lies flat has no height to go by. 1 with keep_units.
+/// Throws UsageError for a height that is not positive.
+double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement);
+
+/// Scaled, with the lowest y = 0, centred in x and z. Throws InputFileError where the scaled mesh is beyond
+/// what numbers hold.
+void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale);
 
 }  // namespace demolish

@@ -9,6 +9,7 @@
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/solid_checks.h"
 
 namespace demolish {
@@ -24,11 +25,34 @@ SolidMesh::SolidMesh(TriangleMesh mesh) : mesh_(std::move(mesh)), queries_(mesh_
              bounds.upper};
 }
 
+SolidMesh::SolidMesh(RepairedMesh repaired, RepairMode mode) : SolidMesh(std::move(repaired.mesh)) {
+    repair_ = repaired.report;
+    source_ = std::move(repaired.source);
+    may_remesh_ =
+        (mode == RepairMode::kAuto || mode == RepairMode::kRemesh) && repair_.remeshed == RemeshCause::kNone;
+}
+
+std::shared_ptr<const SolidMesh> SolidMesh::withNewSurface() const {
+    if (!may_remesh_) return nullptr;
+    std::call_once(remesh_once_, [this] {
+        RepairedMesh surface = demolish::withNewSurface({mesh_, source_, repair_}, RemeshCause::kCells);
+        if (isSolid(surface.mesh))
+            remeshed_ = std::make_shared<const SolidMesh>(std::move(surface), RepairMode::kOff);
+    });
+    return remeshed_;
+}
+
 std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
                                                const MeshPlacement& placement) {
-    requireSolid(mesh, file);
-    standOnFloor(mesh, file, placement);
-    return std::make_shared<const SolidMesh>(std::move(mesh));
+    if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
+    const double scale = placementScale(mesh, placement);  // of the file's mesh, whatever the repair adds
+    RepairOptions options = placement.repair;
+    options.thickness /= scale;
+    RepairedMesh repaired = repairMesh(std::move(mesh), options);
+    repaired.report.thickness *= scale;
+    requireSolid(repaired.mesh, file);
+    standOnFloor(repaired.mesh, file, scale);
+    return std::make_shared<const SolidMesh>(std::move(repaired), options.mode);
 }
 
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
@@ -38,6 +62,10 @@ std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file
 
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh) {
     return mesh.info();
+}
+
+const RepairReport& repairReport(const SolidMesh& mesh) {
+    return mesh.repair();
 }
 
 uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m) {

@@ -17,10 +17,17 @@ using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-void expectRefused(const std::filesystem::path& file, const std::string& reason) {
+MeshPlacement withoutRepair() {
+    MeshPlacement placement;
+    placement.repair.mode = RepairMode::kOff;
+    return placement;
+}
+
+void expectRefused(const std::filesystem::path& file, const std::string& reason,
+                   const MeshPlacement& placement = {}) {
     SCOPED_TRACE(file.filename());
     try {
-        loadSolidMesh(file);
+        loadSolidMesh(file, placement);
         FAIL() << "accepted";
     } catch (const InputFileError& error) {
         EXPECT_THAT(error.what(), HasSubstr(reason));
@@ -67,25 +74,27 @@ TEST_F(FileTest, NoFaces) {
 }
 
 TEST_F(FileTest, OpenBoxNamesItsOpenEdges) {
-    expectRefused(write("lidless.obj", objText(test::makeCube(1), 2)), "not closed: 4 open edges");
-    expectRefused(write("one_missing.obj", objText(test::makeSphere(1, 2), 1)), "not closed: 3 open edges");
+    expectRefused(write("lidless.obj", objText(test::makeCube(1), 2)), "not closed: 4 open edges",
+                  withoutRepair());
+    expectRefused(write("one_missing.obj", objText(test::makeSphere(1, 2), 1)), "not closed: 3 open edges",
+                  withoutRepair());
 }
 
 TEST_F(FileTest, OneFaceTurnedIsNotClosed) {
     TriangleMesh cube = test::makeCube(1);
     std::swap(cube.triangles[5][0], cube.triangles[5][1]);
-    expectRefused(write("turned.obj", objText(cube)), "not closed: 3 open edges");
+    expectRefused(write("turned.obj", objText(cube)), "not closed: 3 open edges", withoutRepair());
 }
 
 TEST_F(FileTest, SheetHasNoVolume) {
     expectRefused(write("sheet.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\nf 4 3 2 1\n"),
-                  "no volume");
+                  "no volume", withoutRepair());
     expectRefused(write("all_equal.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n"), "no triangles");
 }
 
 TEST_F(FileTest, InsideOutIsRefused) {
     expectRefused(write("inverted.obj", objText(test::turnedInsideOut(test::makeTorus(1, 0.3, 12, 8)))),
-                  "inside out");
+                  "inside out", withoutRepair());
 }
 
 TEST_F(FileTest, ASurfaceThatIsThereTwice) {
@@ -95,7 +104,7 @@ TEST_F(FileTest, ASurfaceThatIsThereTwice) {
         const auto t = twice.triangles[i];
         twice.triangles.push_back({t[1], t[2], t[0]});  // the same triangle, named from another corner
     }
-    expectRefused(write("twice.obj", objText(twice)), "holds 12 triangles more than once");
+    expectRefused(write("twice.obj", objText(twice)), "holds 12 triangles more than once", withoutRepair());
 }
 
 TEST_F(FileTest, FacesOfVerticesThatAreNotThere) {

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// The parts about a doubled point belong together.
+#include "sim_cuda/authoring/repair/unite.h"
+
+#include <algorithm>
+
+#include "sim_cuda/authoring/bounds.h"
+#include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/mesh_queries.h"
+#include "sim_cuda/authoring/repair/disjoint_sets.h"
+#include "sim_cuda/authoring/repair/orientation.h"
+#include "sim_cuda/authoring/repair/remesh.h"
+#include "sim_cuda/authoring/unused_vertices.h"
+
+namespace demolish {
+namespace {
+
+constexpr size_t kMostPoints = 20000;  // of those looked at
+
+/// One part, its box and what is inside of it.
+struct SolidPart {
+    explicit SolidPart(const TriangleMesh& mesh)
+        : bounds(boundsOf(mesh.positions)), queries(mesh), is_hollow(enclosedVolume(mesh) < 0) {}
+    int windingNumber(const Double3& p) const {
+        const bool near = p.x >= bounds.lower.x && p.y >= bounds.lower.y && p.z >= bounds.lower.z &&
+                          p.x <= bounds.upper.x && p.y <= bounds.upper.y && p.z <= bounds.upper.z;
+        return near ? queries.windingNumber(p) : 0;
+    }
+    Bounds bounds;
+    MeshQueries queries;
+    bool is_hollow;
+};
+
+RepairMesh takenOut(const RepairMesh& repair, const std::vector<char>& flags) {
+    RepairMesh taken = repair;
+    taken.keep(flags);
+    dropUnusedVertices(taken.mesh);
+    return taken;
+}
+
+/// Group of each part, and which groups hold something twice.
+struct Groups {
+    std::vector<uint32_t> of_part;
+    std::vector<char> overlaps;  // by group
+};
+
+Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
+    std::vector<SolidPart> parts;
+    std::vector<Double3> some_point;  // of each part's surface
+    std::vector<std::vector<uint32_t>> members(repair.parts);
+    for (uint32_t t = 0; t < repair.size(); ++t) members[repair.part[t]].push_back(t);
+    for (const auto& triangles : members) {
+        TriangleMesh mesh;
+        for (const uint32_t t : triangles) {
+            const auto first = uint32_t(mesh.positions.size());
+            for (int k = 0; k < 3; ++k) mesh.positions.push_back(repair.at(t, k));
+            mesh.triangles.push_back({first, first + 1, first + 2});
+        }
+        some_point.push_back(repair.middle(triangles[0]));
+        parts.emplace_back(mesh);
+    }
+    DisjointSets sets(parts.size());
+    std::vector<char> is_doubled(parts.size(), 0);
+    const size_t step = std::max<size_t>(1, doubled.size() / kMostPoints);
+    for (size_t i = 0; i < doubled.size(); i += step) {
+        uint32_t first = kNoSource;
+        for (uint32_t p = 0; p < parts.size(); ++p) {
+            if (parts[p].windingNumber(doubled[i]) <= 0) continue;
+            if (first == kNoSource) first = p;
+            sets.join(first, p);
+            is_doubled[p] = 1;
+        }
+    }
+    for (uint32_t p = 0; p < parts.size(); ++p) {
+        if (!parts[p].is_hollow) continue;
+        for (uint32_t host = 0; host < parts.size(); ++host)
+            if (!parts[host].is_hollow && parts[host].windingNumber(some_point[p]) > 0) sets.join(p, host);
+    }
+    Groups groups;
+    groups.overlaps.assign(sets.number(groups.of_part), 0);
+    for (size_t p = 0; p < parts.size(); ++p)
+        if (is_doubled[p] != 0) groups.overlaps[groups.of_part[p]] = 1;
+    return groups;
+}
+
+void append(RepairMesh& repair, const RepairMesh& surface) {
+    const auto first = uint32_t(repair.mesh.positions.size());
+    repair.mesh.positions.insert(repair.mesh.positions.end(), surface.mesh.positions.begin(),
+                                 surface.mesh.positions.end());
+    for (size_t t = 0; t < surface.size(); ++t) {
+        const auto [a, b, c] = surface.mesh.triangles[t];
+        repair.add({first + a, first + b, first + c}, surface.mesh.corners[t], surface.source[t],
+                   repair.patches, repair.parts);
+    }
+    ++repair.patches;
+    ++repair.parts;
+}
+
+RepairMesh united(const RepairMesh& repair, const Groups& groups, int cells) {
+    std::vector<char> flags(repair.size());
+    for (size_t t = 0; t < repair.size(); ++t)
+        flags[t] = groups.overlaps[groups.of_part[repair.part[t]]] == 0;
+    RepairMesh result = takenOut(repair, flags);
+    for (uint32_t group = 0; group < groups.overlaps.size(); ++group) {
+        if (groups.overlaps[group] == 0) continue;
+        for (size_t t = 0; t < repair.size(); ++t) flags[t] = groups.of_part[repair.part[t]] == group;
+        append(result, remeshed(takenOut(repair, flags), true, cells));
+    }
+    return result;
+}
+
+}  // namespace
+
+size_t uniteParts(RepairMesh& repair, const WindingSamples& samples) {
+    constexpr double kAllThere = 0.97, kMostThere = 0.9;
+    numberParts(repair);
+    const Groups groups = groupsOf(repair, samples.doubled_points);
+    RepairMesh result = united(repair, groups, kRemeshCells);
+    if (enclosedVolume(result.mesh) < kAllThere * samples.volume)
+        result = united(repair, groups, 2 * kRemeshCells);
+    if (!(enclosedVolume(result.mesh) > kMostThere * samples.volume)) return 0;
+    repair = std::move(result);
+    return size_t(std::count_if(groups.of_part.begin(), groups.of_part.end(),
+                                [&](uint32_t group) { return groups.overlaps[group] != 0; }));
+}
+
+}  // namespace demolish
