@@ -7,6 +7,7 @@
 
 #include "app/calibrate/strength_search.h"
 #include "app/reading/model_reader.h"
+#include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -57,7 +58,7 @@ class Measuring {
             return *found;
         if (packings_.empty())
             packings_ =
-                fillPackings(shot_, *readSolidMesh(shot_.model, {.height = shot_.height}, progress_),
+                fillPackings(shot_, *readSolidMesh(shot_.model, placementOf(shot_), progress_),
                              options_.packings, options_.on_gpu, part(progress_, 0, kFillingShare), body_);
         const MeasuredThreshold measured = measureThreshold(
             shot, packings_, {.tolerance = options_.tolerance, .guess = guess, .trial = {options_.on_gpu}},
@@ -141,8 +142,8 @@ Calibration calibrate(const Shot& shot, std::shared_ptr<const BreakableBody> bod
     Calibration result;
     result.shot = shot;
     if (!body)
-        body = fillPackings(shot, *readSolidMesh(shot.model, {.height = shot.height}, progress), 1,
-                            options.on_gpu, part(progress, 0, kFillingShare))
+        body = fillPackings(shot, *readSolidMesh(shot.model, placementOf(shot), progress), 1, options.on_gpu,
+                            part(progress, 0, kFillingShare))
                    .at(0);
     Measuring measuring(shot, body, options, progress);
     const auto predicted = thresholdOf(shot, *body);

@@ -18,6 +18,7 @@
 #include "app/commands/build_version.h"
 #include "app/commands/calibrate_command.h"
 #include "app/commands/capture_command.h"
+#include "app/commands/check_command.h"
 #include "app/commands/help_text.h"
 #include "app/commands/info_command.h"
 #include "app/commands/interrupt.h"
@@ -124,26 +125,27 @@ int parseAndRun(CLI::App& app, int argument_count, char** arguments) {
 }
 
 int run(int argument_count, char** arguments) {
-    CLI::App app{"Demolish breaks models: a closed mesh goes in, an impact breaks it, the pieces fly.",
-                 "demolish"};
+    CLI::App app{"Demolish breaks models: a mesh goes in, an impact breaks it, the pieces fly.", "demolish"};
     app.set_version_flag("--version", std::string("demolish ") + buildVersion());
     app.require_subcommand(1);
     app.formatter(std::make_shared<HelpFormatter>());
     setExamples(app, {"view bunny", "view --model statue.obj --height 2 --impact-velocity 20",
                       "capture bunny --frames 150 --out out/bunny --video out/bunny/bunny.mp4",
                       "bench vase --json vase.json --curve vase.svg", "calibrate bunny --packings 4",
-                      "breakage --out out/breakage"});
+                      "check statue.obj", "breakage --out out/breakage"});
     ViewOptions view;
     CaptureOptions capture;
     BenchOptions bench;
     BreakageOptions breakage;
     CalibrateOptions calibrate;
+    CheckOptions check;
     ShotOptions info;
     addViewCommand(app, view);
     addCaptureCommand(app, capture);
     addBenchCommand(app, bench);
     addBreakageCommand(app, breakage);
     addCalibrateCommand(app, calibrate);
+    addCheckCommand(app, check);
     addInfoCommand(app, info);
     refuseEmptyValues(app);
     return parseAndRun(app, argument_count, arguments);

@@ -144,6 +144,8 @@ void addState(const BuiltShot& built, const RunReport& report, Json& json) {
     json["mesh_volume"] = built.body->mesh_volume;
     json["cells_volume"] = built.body->cells_volume;
     json["open_cells"] = built.body->open_cells;
+    json["repair"] = repairLines(repairReport(*built.mesh));
+    if (built.body->remeshed) json["repair"].push_back("cells cut within a new surface");
     json["linear_momentum"] = vectorJson(stats.linear_momentum);
     json["angular_momentum"] = vectorJson(stats.angular_momentum);
     if (report.energy) json["energy"] = balanceJson(*report.energy);

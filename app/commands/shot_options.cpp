@@ -93,7 +93,25 @@ void applyMesh(const ShotOptions& options, const std::string& fallback, Shot& sh
         shot.model = *shot.paper_model;
 }
 
+void applyRepair(const ShotOptions& options, Shot& shot) {
+    if (!options.repair.empty()) shot.repair.mode = repairModeOf(options.repair).value_or(RepairMode::kAuto);
+    if (options.thickness)
+        shot.repair.thickness = inRange("--thickness", *options.thickness, kThicknessRange, "m");
+}
+
 }  // namespace
+
+void addRepairOptions(CLI::App& command, ShotOptions& options) {
+    command
+        .add_option("--repair", options.repair,
+                    "How a model that is not closed is made one; exact: never with a new surface")
+        ->type_name("auto|exact|remesh|off")
+        ->check(CLI::IsMember(repairModeNames()).description(""));
+    command
+        .add_option("--thickness", options.thickness,
+                    "Of sheets, surfaces without an inside (default: by their area)")
+        ->type_name("M");
+}
 
 void addShotOptions(CLI::App& command, ShotOptions& options) {
     const std::string own_group = command.get_help_ptr()->get_group();
@@ -101,6 +119,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--model", options.model, "Mesh file to break instead of a scene")->type_name("FILE");
     command.add_option("--height", options.height, "Scale the model to this height (--model: 1 m)")
         ->type_name("M");
+    addRepairOptions(command, options);
     command
         .add_option("--impact-velocity", options.impact_velocity,
                     "Speed of the fastest ball, the others in proportion; 0 = nothing hits the body")
@@ -158,6 +177,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     applyMesh(options, mesh, shot);
     if (options.height)
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
+    applyRepair(options, shot);
     if (!options.material.empty()) applyMaterial(shot, options.material);
     if (options.pieces)
         shot.material.tough_cells =

@@ -22,11 +22,15 @@ struct ShotOptions {
     std::string scene, model, device = "auto", material, quality = "auto", size;
     std::optional<double> height, drop, impact_velocity, break_at, particle_size, fps, slow_motion;
     std::optional<double> particles, seed, substeps,
-        pieces;        ///< whole numbers, checked when the shot is made
+        pieces;          ///< whole numbers, checked when the shot is made
+    std::string repair;  ///< "" = the scene's
+    std::optional<double> thickness;
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
     bool no_hand_over = false, no_sleep = false;
 };
 
+/// --repair and --thickness alone; part of addShotOptions().
+void addRepairOptions(CLI::App& command, ShotOptions& options);
 void addShotOptions(CLI::App& command, ShotOptions& options);
 
 /// `mesh` ("fine" or "paper") counts where the options name none. Throws UsageError (ranges, unknown scene,

@@ -19,8 +19,9 @@ void showModelField(PanelContext& context) {
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     noteItem(context, "shot.model");
     tooltipOnHover(
-        "A closed mesh in any format that assimp reads (OBJ, PLY, STL, glTF, ...). It stands on the floor, "
-        "scaled to the height below.");
+        "A mesh in any format that assimp reads (OBJ, PLY, STL, glTF, ...); what is open is closed. It "
+        "stands "
+        "on the floor, scaled to the height below.");
     context.state.typed_model = path;
     ImGui::SameLine();
     const bool pressed = button(context, "shot.load", "Load", "Break this file", path[0] != '\0');
@@ -35,6 +36,7 @@ void showShotPanel(PanelContext& context) {
                             "A finished scene: model, material, impact, camera and light");
     if (scene >= 0) context.load_scene = context.scenes[static_cast<size_t>(scene)];
     showModelField(context);
+    if (!context.status.repair.empty()) ImGui::TextWrapped("Repaired: %s.", context.status.repair.c_str());
     context.changed |= slider(
         context,
         {"shot.height", "Model height", "%.2f m", "Height that the model is scaled to. Rebuilds the body."},

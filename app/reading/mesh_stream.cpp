@@ -15,11 +15,12 @@ enum class Kind : uint32_t { kMesh = 1, kRefusal = 2 };
 
 struct Header {
     std::array<char, 8> magic{'D', 'e', 'm', 'o', 'M', 'e', 's', 'h'};
-    uint32_t version = 1;
+    uint32_t version = 2;
     Kind kind = Kind::kMesh;
     uint64_t text = 0, positions = 0, triangles = 0;
+    uint32_t meshes = 0, materials = 0, textures = 0, is_in_metres = 0;
 };
-static_assert(sizeof(Header) == 40 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 20,
+static_assert(sizeof(Header) == 56 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 20,
               "no bytes between the members that nobody has set");
 
 constexpr uint64_t kPart = 1 << 16;  // elements that are sent, summed and made room for at a time
@@ -127,13 +128,19 @@ void requireSound(const TriangleMesh& mesh) {
 
 void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write) {
     const auto* const refusal = std::get_if<ModelRefusal>(&answer);
-    const TriangleMesh none, &mesh = refusal != nullptr ? none : std::get<TriangleMesh>(answer);
+    const ImportedModel none, &model = refusal != nullptr ? none : std::get<ImportedModel>(answer);
+    const TriangleMesh& mesh = model.mesh;
+    const ModelContents& contents = model.contents;
     const std::string text = (refusal != nullptr ? refusal->sentence : mesh.name).substr(0, kMostText);
     Header header;
     header.kind = refusal != nullptr ? Kind::kRefusal : Kind::kMesh;
     header.text = text.size();
     header.positions = mesh.positions.size();
     header.triangles = mesh.triangles.size();
+    header.meshes = contents.meshes;
+    header.materials = contents.materials;
+    header.textures = contents.textures;
+    header.is_in_metres = contents.is_in_metres ? 1 : 0;
     Writer writer(write);
     writer.part(bytesOf(&header, 1));
     writer.add(text);
@@ -159,7 +166,8 @@ ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill) {
     if (header.kind != Kind::kMesh) throw BrokenStream("this is neither a mesh nor a refusal");
     requireSound(mesh);
     mesh.name = std::move(text);
-    return mesh;
+    return ImportedModel{std::move(mesh),
+                         {header.meshes, header.materials, header.textures, header.is_in_metres != 0}};
 }
 
 }  // namespace demolish

@@ -9,7 +9,7 @@
 #include <string>
 #include <variant>
 
-#include "sim_cuda/api/triangle_mesh.h"
+#include "sim_cuda/api/model_file.h"
 
 namespace demolish {
 
@@ -17,7 +17,7 @@ namespace demolish {
 struct ModelRefusal {
     std::string sentence;
 };
-using ModelAnswer = std::variant<TriangleMesh, ModelRefusal>;
+using ModelAnswer = std::variant<ImportedModel, ModelRefusal>;
 
 inline constexpr uint64_t kMostTriangles = uint64_t{1} << 26;  ///< of a model; and so many vertices
 inline constexpr uint64_t kMostText = 4096;                    ///< bytes of a name or a sentence
@@ -27,8 +27,8 @@ struct BrokenStream : std::runtime_error {
     explicit BrokenStream(const std::string& why) : std::runtime_error(why) {}
 };
 
-/// Header (magic, version, kind, counts), text, positions, triangles, corners as they lie in memory,
-/// checksum.
+/// Header (magic, version, kind, counts, contents), text, positions, triangles, corners as they lie in
+/// memory, checksum.
 void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write);
 
 /// `fill` fills all that it is given or throws. Arrays grow with what has come, not with what was announced.

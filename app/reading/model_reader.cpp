@@ -99,16 +99,16 @@ void setModelReader(const std::string& program) {
     readerProgram() = program;
 }
 
-TriangleMesh readTriangles(const fs::path& file, const ProgressCallback& progress) {
-    if (readerProgram().empty()) return importTriangles(file);
+ImportedModel readModel(const fs::path& file, const ProgressCallback& progress) {
+    if (readerProgram().empty()) return importModel(file);
     ModelAnswer answer = askReader(file, progress);
     if (const auto* refusal = std::get_if<ModelRefusal>(&answer)) throw InputFileError(refusal->sentence);
-    return std::get<TriangleMesh>(std::move(answer));
+    return std::get<ImportedModel>(std::move(answer));
 }
 
 std::shared_ptr<const SolidMesh> readSolidMesh(const fs::path& file, const MeshPlacement& placement,
                                                const ProgressCallback& progress) {
-    return makeSolidMesh(readTriangles(file, progress), file, placement);
+    return makeSolidMesh(readModel(file, progress).mesh, file, placement);
 }
 
 }  // namespace demolish

@@ -14,13 +14,13 @@ namespace demolish {
 /// Said once, at the start of the program.
 void setModelReader(const std::string& program);
 
-/// As importTriangles(). Whatever the file does to its reader (crash, hunger for memory, endless computing, a
+/// As importModel(). Whatever the file does to its reader (crash, hunger for memory, endless computing, a
 /// wrong answer) is an InputFileError of one sentence that names the file. Asks `progress` now and then, with
 /// fraction 0; kills the reader and throws Cancelled when it says so. Throws DeviceError when no reader can
 /// be started.
-TriangleMesh readTriangles(const std::filesystem::path& file, const ProgressCallback& progress = {});
+ImportedModel readModel(const std::filesystem::path& file, const ProgressCallback& progress = {});
 
-/// readTriangles() and makeSolidMesh().
+/// readModel() and makeSolidMesh().
 std::shared_ptr<const SolidMesh> readSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement,
                                                const ProgressCallback& progress = {});

@@ -33,8 +33,9 @@ void writeToStdout(std::span<const uint8_t> bytes) {
 
 ModelAnswer answerFor(const std::filesystem::path& file) {
     try {
-        TriangleMesh mesh = importTriangles(file);
-        if (std::max(mesh.triangles.size(), mesh.positions.size()) <= kMostTriangles) return mesh;
+        ImportedModel model = importModel(file);
+        if (std::max(model.mesh.triangles.size(), model.mesh.positions.size()) <= kMostTriangles)
+            return model;
         return ModelRefusal{"The model '" + file.string() + "' has more than " +
                             std::to_string(kMostTriangles >> 20) + " million triangles; make it coarser."};
     } catch (const Error& error) {

@@ -12,10 +12,20 @@
 namespace demolish {
 namespace {
 
-/// Across the longer horizontal side, level.
+double longestAcross(const BreakableBody& body) {
+    return std::max(body.bounds_max.x - body.bounds_min.x, body.bounds_max.z - body.bounds_min.z);
+}
+
+/// A plate on the floor: nothing to hit from the side.
+bool liesFlat(const BreakableBody& body) {
+    return heightOf(body) < 0.15 * longestAcross(body);
+}
+
+/// Across the longer horizontal side, level; from above onto what lies flat.
 glm::dvec3 flightDirection(const Double3& chosen_direction, const BreakableBody& body) {
     const glm::dvec3 chosen = toGlm(chosen_direction);
     if (glm::length(chosen) > 1e-9) return glm::normalize(chosen);
+    if (liesFlat(body)) return {0, -1, 0};
     const double along_x = body.bounds_max.x - body.bounds_min.x;
     const double along_z = body.bounds_max.z - body.bounds_min.z;
     return along_x >= along_z ? glm::dvec3(0, 0, -1) : glm::dvec3(-1, 0, 0);
@@ -82,7 +92,8 @@ ThrownBall thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity,
 }  // namespace
 
 double ballRadius(const Shot& shot, const BreakableBody& body) {
-    return shot.impact.ball_radius > 0 ? shot.impact.ball_radius : heightOf(body) / 12;
+    if (shot.impact.ball_radius > 0) return shot.impact.ball_radius;
+    return (liesFlat(body) ? longestAcross(body) : heightOf(body)) / 12;
 }
 
 std::vector<TimedBall> ballsOf(const Shot& shot) {

@@ -47,7 +47,7 @@ double twoDigits(double value) {
 }
 
 bool sameMesh(const Shot& a, const Shot& b) {
-    return a.model == b.model && a.height == b.height;
+    return a.model == b.model && a.height == b.height && a.repair == b.repair;
 }
 
 }  // namespace
@@ -97,7 +97,7 @@ BuiltShot prepareShot(const Shot& shot, const BuildOptions& options, const Progr
     if (progress && !progress(0, "reading the model")) throw Cancelled();
     built.mesh = reuse != nullptr && sameMesh(reuse->shot, shot)
                      ? reuse->mesh
-                     : readSolidMesh(shot.model, {.height = shot.height}, part(progress, 0, 0.05));
+                     : readSolidMesh(shot.model, placementOf(shot), part(progress, 0, 0.05));
     const uint32_t particles = particlesWanted(shot, *built.mesh, on_gpu);
     const bool same_body = reuse != nullptr && reuse->mesh == built.mesh && reuse->shot.seed == shot.seed &&
                            reuse->variants.size() == variantCount(shot) &&

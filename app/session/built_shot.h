@@ -26,8 +26,8 @@ struct BuiltShot {
 struct BuildOptions {
     bool draw_geometry = true;
     bool ledger = true;  ///< book damping and friction work in every substep, asked for or not
-    /// Parts that may be taken over instead of made again: the mesh if file and height agree, the body if all
-    /// that shapes it agrees.
+    /// Parts that may be taken over instead of made again: the mesh if file, height and repair agree, the
+    /// body if all that shapes it agrees.
     const BuiltShot* reuse = nullptr;
 };
 

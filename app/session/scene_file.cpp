@@ -41,6 +41,15 @@ void readStrengthRow(TomlReader& reader, std::string& row) {
         reader.fail("strength_row", "must be one of " + listed(rows));
 }
 
+void readRepair(TomlReader& reader, RepairOptions& repair) {
+    std::string mode = repairModeName(repair.mode);
+    reader.read("repair", mode);
+    const auto known = repairModeOf(mode);
+    if (!known) reader.fail("repair", "must be one of " + listed(repairModeNames()));
+    repair.mode = *known;
+    reader.read("thickness_m", repair.thickness, kThicknessRange);
+}
+
 void readImpact(TomlReader& reader, Impact& impact) {
     std::string kind = "ball";
     reader.read("impact.kind", kind);
@@ -122,6 +131,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     }
     readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);
+    readRepair(reader, shot.repair);
     reader.read("material_preset", preset);
     try {
         applyMaterial(shot, preset);

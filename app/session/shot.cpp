@@ -84,6 +84,7 @@ void validate(const Shot& shot) {
     requireInRange("the impact velocity", shot.impact.velocity, kVelocityRange, "m/s");
     if (shot.break_at) requireInRange("the velocity to break at", *shot.break_at, kBreakAtRange, "m/s");
     requireInRange("the height", shot.height, kHeightRange, "m");
+    requireInRange("the thickness of sheets", shot.repair.thickness, kThicknessRange, "m");
     requireInRange("the frame rate", shot.fps, kFpsRange, "frames/s");
     requireInRange("the time scale", shot.time_scale, kTimeScaleRange, "");
     requireInRange("the ball's radius", shot.impact.ball_radius, {0, 100}, "m");

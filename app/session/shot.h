@@ -12,6 +12,7 @@
 #include "engine/scene/camera.h"
 #include "engine/scene/lighting.h"
 #include "engine/scene/surface_look.h"
+#include "sim_cuda/api/mesh_repair.h"
 #include "sim_cuda/api/params.h"
 
 namespace demolish {
@@ -54,7 +55,8 @@ struct Shot {
     std::optional<std::filesystem::path> paper_model;
     /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.
     std::string strength_row;
-    double height = 1.0;  ///< m
+    double height = 1.0;   ///< m
+    RepairOptions repair;  ///< of a model that is not closed
     std::string material_name = "ceramic";
     Material material;
     /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.
@@ -92,6 +94,7 @@ struct Range {
 inline constexpr Range kVelocityRange{0, 200};        // m/s
 inline constexpr Range kBreakAtRange{0.05, 200};      // m/s
 inline constexpr Range kHeightRange{0.01, 100};       // m
+inline constexpr Range kThicknessRange{0, 10};        // m; 0: chosen by the sheet's area
 inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};
 inline constexpr Range kTimeScaleRange{0.01, 1};

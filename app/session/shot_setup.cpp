@@ -66,6 +66,10 @@ uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_sa
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), double{kLeastSubsteps}, kSubstepRange.most));
 }
 
+MeshPlacement placementOf(const Shot& shot) {
+    return {.height = shot.height, .repair = shot.repair};
+}
+
 uint32_t variantCount(const Shot& shot) {
     uint32_t highest = 0;
     for (const Placement& place : shot.bodies) highest = std::max(highest, place.variant);

@@ -7,6 +7,7 @@
 
 #include "app/session/shot.h"
 #include "engine/scene/camera.h"
+#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
@@ -20,6 +21,9 @@ inline constexpr double kDefaultFailureStrain = 0.011;
 /// and the strength with it would hang on how many cells there are through a wall. Of the usual kappa without
 /// bonds.
 uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_safety);
+
+/// How the shot's model is to be read.
+MeshPlacement placementOf(const Shot& shot);
 
 /// How many different fillings the shot's bodies ask for, at least 1.
 uint32_t variantCount(const Shot& shot);

@@ -2,6 +2,7 @@
 // How a model file that is not a closed mesh is made one, and what was done to it.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@ enum class RepairMode {
     kRemesh,  ///< a new surface, also of closed models
     kOff,     ///< refused unless closed
 };
+
+/// As on the command line and in scene files: "auto", "exact", "remesh", "off".
+std::vector<std::string> repairModeNames();
+std::string repairModeName(RepairMode mode);
+std::optional<RepairMode> repairModeOf(const std::string& name);
 
 struct RepairOptions {
     RepairMode mode = RepairMode::kAuto;

@@ -2,6 +2,7 @@
 // A model file's triangles, and the solid they enclose: the two halves of loadSolidMesh(), for those who read
 // the file in another process than they use it in (app/reading).
 #pragma once
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -10,11 +11,27 @@
 
 namespace demolish {
 
+/// What else the file holds.
+struct ModelContents {
+    uint32_t meshes = 0, materials = 0;
+    uint32_t textures = 0;      ///< different pictures that its materials name, embedded or not
+    bool is_in_metres = false;  ///< the format says its unit, and lengths were turned into metres
+
+    bool operator==(const ModelContents&) const = default;
+};
+
+struct ImportedModel {
+    TriangleMesh mesh;
+    ModelContents contents = {};
+};
+
 /// Reads every triangle of the file's scene (node transforms applied, in metres where the format says its
 /// unit), welds vertices of equal position and drops triangles that lost a corner by it. Not checked yet
 /// whether it is closed. Throws InputFileError: no plain file, unreadable, no triangles, faces of vertices
 /// that are not there, numbers that are not finite. A damaged file may still end the process, by a fault in
 /// the library that reads it.
+ImportedModel importModel(const std::filesystem::path& file);
+/// The mesh alone.
 TriangleMesh importTriangles(const std::filesystem::path& file);
 
 /// Repairs the mesh as far as needed and allowed (placement.repair), checks it and stands it on the floor

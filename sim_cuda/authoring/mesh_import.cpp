@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads model files with assimp and turns them into one welded mesh.
+#include <assimp/material.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
 #include <bit>
+#include <cctype>
 #include <cmath>
+#include <set>
 #include <system_error>
 #include <unordered_map>
 
@@ -152,9 +155,30 @@ void requirePlainFile(const std::filesystem::path& file) {
     throw InputFileError("There is no model file '" + file.string() + "'; check the path.");
 }
 
+uint32_t textureCount(const aiScene& scene) {
+    std::set<std::string> pictures;
+    for (unsigned m = 0; m < scene.mNumMaterials; ++m)
+        for (int type = aiTextureType_NONE + 1; type <= AI_TEXTURE_TYPE_MAX; ++type) {
+            const auto kind = aiTextureType(type);
+            const aiMaterial& material = *scene.mMaterials[m];
+            for (unsigned i = 0; i < material.GetTextureCount(kind); ++i) {
+                aiString path;
+                if (material.GetTexture(kind, i, &path) == aiReturn_SUCCESS) pictures.insert(path.C_Str());
+            }
+        }
+    return uint32_t(pictures.size());
+}
+
+/// Formats whose unit assimp knows; aiProcess_GlobalScale then makes metres of it.
+bool saysItsUnit(const std::filesystem::path& file) {
+    std::string ending = file.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".gltf" || ending == ".glb" || ending == ".fbx" || ending == ".dae";
+}
+
 }  // namespace
 
-TriangleMesh importTriangles(const std::filesystem::path& file) {
+ImportedModel importModel(const std::filesystem::path& file) {
     requirePlainFile(file);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(
@@ -165,9 +189,14 @@ TriangleMesh importTriangles(const std::filesystem::path& file) {
     Welder welder(file.stem().string());
     addNode(welder, *scene, *scene->mRootNode, {}, file);
     if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
-    TriangleMesh mesh = std::move(welder).take();
-    dropUnusedVertices(mesh);  // those of dropped triangles
-    return mesh;
+    ImportedModel model{std::move(welder).take(),
+                        {scene->mNumMeshes, scene->mNumMaterials, textureCount(*scene), saysItsUnit(file)}};
+    dropUnusedVertices(model.mesh);  // those of dropped triangles
+    return model;
+}
+
+TriangleMesh importTriangles(const std::filesystem::path& file) {
+    return importModel(file).mesh;
 }
 
 }  // namespace demolish

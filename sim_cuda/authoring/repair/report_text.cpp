@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The report in words.
+// Names of modes, and the report in words.
+#include <algorithm>
 #include <cstdio>
 
 #include "sim_cuda/api/mesh_repair.h"
@@ -42,6 +43,21 @@ const char* wordsOf(RemeshCause cause) {
 }
 
 }  // namespace
+
+std::vector<std::string> repairModeNames() {
+    return {"auto", "exact", "remesh", "off"};  // in order of RepairMode
+}
+
+std::string repairModeName(RepairMode mode) {
+    return repairModeNames().at(size_t(mode));
+}
+
+std::optional<RepairMode> repairModeOf(const std::string& name) {
+    const std::vector<std::string> names = repairModeNames();
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end()) return std::nullopt;
+    return RepairMode(found - names.begin());
+}
 
 std::vector<std::string> repairLines(const RepairReport& report) {
     std::vector<std::string> lines;

@@ -8,6 +8,7 @@
 
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_file.h"
 #include "tests/unit/mesh/mesh_files.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
@@ -80,8 +81,9 @@ TEST_F(FillTest, CountsOutOfRangeAreRefused) {
 TEST_F(FillTest, CellsWithoutVolumeAreRefused) {
     TriangleMesh mesh =
         test::joined(test::makeCube(1), test::turnedInsideOut(test::makeCube(0.6)), {0.5, 0, 0});
-    mesh.name = "inside_out";
-    const auto solid = load(mesh);
+    MeshPlacement exact{.height = 0.5};
+    exact.repair.mode = RepairMode::kExact;
+    const auto solid = makeSolidMesh(mesh, "inside_out.obj", exact);
     EXPECT_THROW(fillWithParticles(*solid, {.particles = 1000}), InputFileError);
 }
 

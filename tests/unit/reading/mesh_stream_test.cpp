@@ -14,7 +14,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-constexpr size_t kHeaderBytes = 40;
+constexpr size_t kHeaderBytes = 56;
 
 Bytes bytesOf(const ModelAnswer& answer) {
     Bytes bytes;
@@ -50,7 +50,10 @@ TEST(MeshStream, KeepsEveryBit) {
     TriangleMesh sent = sphere();
     sent.positions[0].x = -0.0;
     sent.positions[1].y = std::numeric_limits<double>::denorm_min();
-    const auto got = std::get<TriangleMesh>(answerIn(bytesOf(sent)));
+    const ModelContents contents{3, 2, 5, true};
+    const auto model = std::get<ImportedModel>(answerIn(bytesOf(ImportedModel{sent, contents})));
+    EXPECT_EQ(model.contents, contents);
+    const TriangleMesh& got = model.mesh;
     EXPECT_EQ(got.name, "sphere");
     expectSameBits(got.positions, sent.positions);
     expectSameBits(got.triangles, sent.triangles);
@@ -64,7 +67,7 @@ TEST(MeshStream, ARefusalIsItsSentence) {
 }
 
 TEST(MeshStream, EveryCutAndEveryFlippedBitIsFound) {
-    const Bytes whole = bytesOf(test::makeCube(1));
+    const Bytes whole = bytesOf(ImportedModel{test::makeCube(1)});
     for (size_t size = 0; size < whole.size(); ++size)
         EXPECT_THROW(answerIn(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size))),
                      BrokenStream);
@@ -77,7 +80,7 @@ TEST(MeshStream, EveryCutAndEveryFlippedBitIsFound) {
 
 /// With a count of the header written over.
 Bytes withCount(size_t at, uint64_t count) {
-    Bytes bytes = bytesOf(test::makeCube(1));
+    Bytes bytes = bytesOf(ImportedModel{test::makeCube(1)});
     std::memcpy(bytes.data() + at, &count, sizeof count);
     return bytes;
 }
@@ -94,13 +97,13 @@ TEST(MeshStream, AnnouncedCountsMakeNoRoom) {
 TEST(MeshStream, MeshesThatWouldCrashTheirUserAreRefused) {
     TriangleMesh mesh = sphere();
     mesh.triangles[7][1] = static_cast<uint32_t>(mesh.positions.size());
-    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+    EXPECT_THROW(answerIn(bytesOf(ImportedModel{mesh})), BrokenStream);
     mesh = sphere();
     mesh.positions[3].z = std::nan("");
-    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+    EXPECT_THROW(answerIn(bytesOf(ImportedModel{mesh})), BrokenStream);
     mesh = sphere();
     mesh.corners[2][0].uv.y = std::numeric_limits<float>::infinity();
-    EXPECT_THROW(answerIn(bytesOf(mesh)), BrokenStream);
+    EXPECT_THROW(answerIn(bytesOf(ImportedModel{mesh})), BrokenStream);
 }
 
 }  // namespace

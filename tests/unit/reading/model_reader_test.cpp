@@ -35,7 +35,7 @@ class ModelReader : public testing::Test {
         fs::permissions(reader, fs::perms::owner_all);
         setModelReader(reader);
         try {
-            readTriangles("some.obj", progress);
+            readModel("some.obj", progress);
         } catch (const InputFileError& error) {
             EXPECT_THAT(error.what(), AllOf(HasSubstr("The model 'some.obj'"), EndsWith(".")));
             return error.what();
@@ -55,7 +55,7 @@ TEST_F(ModelReader, GivesTheBitsThatReadingInThisProcessGives) {
     useTheProgram();
     for (const char* name : {"block.obj", "wolf.obj"}) {
         const fs::path file = dataFolder() / "assets" / "models" / name;
-        const TriangleMesh here = importTriangles(file), there = readTriangles(file);
+        const TriangleMesh here = importTriangles(file), there = readModel(file).mesh;
         EXPECT_EQ(here.name, there.name);
         EXPECT_TRUE(sameBits(here.positions, there.positions));
         EXPECT_TRUE(sameBits(here.triangles, there.triangles));
@@ -66,7 +66,7 @@ TEST_F(ModelReader, GivesTheBitsThatReadingInThisProcessGives) {
 TEST_F(ModelReader, TurnsDownWithTheReadersOwnWords) {
     useTheProgram();
     try {
-        readTriangles("no/such/file.obj");
+        readModel("no/such/file.obj");
         FAIL();
     } catch (const InputFileError& error) {
         EXPECT_STREQ(error.what(), "There is no model file 'no/such/file.obj'; check the path.");
@@ -116,7 +116,7 @@ TEST_F(ModelReader, CancelKillsTheReader) {
 
 TEST_F(ModelReader, WithoutAReaderItIsADeviceErrorAndNotTheFiles) {
     setModelReader("/no/such/program");
-    EXPECT_THROW(readTriangles("some.obj"), DeviceError);
+    EXPECT_THROW(readModel("some.obj"), DeviceError);
 }
 
 }  // namespace

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// The way of a shot up to its cells, looked at.
+#include "app/session/model_check.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "app/reading/model_reader.h"
+#include "app/session/built_shot.h"
+#include "app/session/shot_setup.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kThinShare = 0.02;         // of the surface
+constexpr Range kPlausibleSize{0.01, 100};  // m, of the longest side
+
+template <class... Values>
+std::string printed(const char* format, Values... values) {
+    char text[256];
+    std::snprintf(text, sizeof text, format, values...);
+    return text;
+}
+
+std::string counted(size_t count, const char* what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+Double3 sizeOf(const TriangleMesh& mesh) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Double3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+    for (const Double3& p : mesh.positions) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    if (mesh.positions.empty()) return {};
+    return {high.x - low.x, high.y - low.y, high.z - low.z};
+}
+
+double longestOf(const Double3& size) {
+    return std::max({size.x, size.y, size.z});
+}
+
+void lookAtBody(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
+    check.particles = particlesWanted(shot, mesh, false);
+    const auto body = fillWithParticles(mesh, {.particles = check.particles, .seed = shot.seed});
+    if (body->remeshed) check.repair.remeshed = RemeshCause::kCells;
+    if (body->remeshed) check.repair.untouched = false;
+    check.spacing = body->spacing;
+    check.open_cells = body->open_cells;
+    Shot fired = shot;
+    chooseVelocity(fired, *body);
+    check.velocity = fired.impact.velocity;
+}
+
+std::string sizeLine(const ModelCheck& check) {
+    const Double3& s = check.size_in_file;
+    std::string line = printed("%.4g x %.4g x %.4g %s", s.x, s.y, s.z,
+                               check.contents.is_in_metres ? "m" : "in a unit that the format does not say");
+    const double longest = longestOf(s);
+    if (check.contents.is_in_metres && !(longest >= kPlausibleSize.least && longest <= kPlausibleSize.most))
+        line += "; hardly meant, so check the unit of the export";
+    return line;
+}
+
+std::string wallLine(const ModelCheck& check) {
+    return printed("2 %% of the surface lies over walls thinner than %.3g m, %.2g particles of %.3g m",
+                   check.thin_wall, check.thin_wall / check.spacing, check.spacing);
+}
+
+std::string breaksLine(const ModelCheck& check) {
+    if (!check.refusal.empty()) return "no: " + check.refusal;
+    std::string line = "yes: " + counted(check.particles, "cell") + ", ";
+    line += check.open_cells == 0 ? "all closed" : counted(check.open_cells, "cell") + " not closed";
+    return line + printed("; a ball of %.3g m/s breaks it", check.velocity);
+}
+
+}  // namespace
+
+ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
+    ModelCheck check;
+    check.file = shot.model.string();
+    try {
+        ImportedModel model = readModel(shot.model, progress);
+        check.contents = model.contents;
+        check.size_in_file = sizeOf(model.mesh);
+        const auto mesh = makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot));
+        check.repair = repairReport(*mesh);
+        check.solid = meshInfo(*mesh);
+        check.thin_wall = thinWall(*mesh, kThinShare);
+        lookAtBody(shot, *mesh, check);
+    } catch (const InputFileError& error) {
+        check.refusal = error.what();
+    }
+    return check;
+}
+
+LabelledLines checkLines(const ModelCheck& check) {
+    LabelledLines lines;
+    const auto say = [&lines](const char* label, const std::string& text) { lines.push_back({label, text}); };
+    say("model", check.file);
+    if (check.solid.triangles > 0) {
+        const RepairReport& repair = check.repair;
+        say("holds", counted(repair.triangles, "triangle") + ", " + counted(repair.parts, "part") + ", " +
+                         counted(repair.open_edges, "open edge"));
+        say("looks", counted(check.contents.materials, "material") + ", " +
+                         counted(check.contents.textures, "texture"));
+        say("size", sizeLine(check));
+        say("overlaps",
+            printed("%.2g %% of the volume", 100 * repair.overlap) + (repair.united > 0 ? ", united" : ""));
+        for (const std::string& line : repairLines(repair)) say("repair", line);
+        if (repair.untouched) say("repair", "none: taken as it is");
+        say("body", printed("%zu triangles, %.3g m^3, %.3g x %.3g x %.3g m", check.solid.triangles,
+                            check.solid.volume, check.solid.bounds_max.x - check.solid.bounds_min.x,
+                            check.solid.bounds_max.y - check.solid.bounds_min.y,
+                            check.solid.bounds_max.z - check.solid.bounds_min.z));
+        if (check.spacing > 0) say("walls", wallLine(check));
+    }
+    say("breaks", breaksLine(check));
+    return lines;
+}
+
+nlohmann::ordered_json checkJson(const ModelCheck& check) {
+    const RepairReport& repair = check.repair;
+    return {{"file", check.file},
+            {"triangles", repair.triangles},
+            {"vertices", repair.vertices},
+            {"parts", repair.parts},
+            {"open_edges", repair.open_edges},
+            {"materials", check.contents.materials},
+            {"textures", check.contents.textures},
+            {"unit_known", check.contents.is_in_metres},
+            {"size_in_file", {check.size_in_file.x, check.size_in_file.y, check.size_in_file.z}},
+            {"overlap", repair.overlap},
+            {"repair", repairLines(repair)},
+            {"triangles_after", check.solid.triangles},
+            {"volume_m3", check.solid.volume},
+            {"thin_wall_m", check.thin_wall},
+            {"particles", check.particles},
+            {"particle_size_m", check.spacing},
+            {"open_cells", check.open_cells},
+            {"ball_velocity_mps", check.velocity},
+            {"breaks", check.refusal.empty()},
+            {"refusal", check.refusal}};
+}
+
+}  // namespace demolish
