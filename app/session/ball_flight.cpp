@@ -16,11 +16,6 @@ double longestAcross(const BreakableBody& body) {
     return std::max(body.bounds_max.x - body.bounds_min.x, body.bounds_max.z - body.bounds_min.z);
 }
 
-/// A plate on the floor: nothing to hit from the side.
-bool liesFlat(const BreakableBody& body) {
-    return heightOf(body) < 0.15 * longestAcross(body);
-}
-
 /// Across the longer horizontal side, level; from above onto what lies flat.
 glm::dvec3 flightDirection(const Double3& chosen_direction, const BreakableBody& body) {
     const glm::dvec3 chosen = toGlm(chosen_direction);
@@ -90,6 +85,10 @@ ThrownBall thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity,
 }
 
 }  // namespace
+
+bool liesFlat(const BreakableBody& body) {
+    return heightOf(body) < 0.15 * longestAcross(body);
+}
 
 double ballRadius(const Shot& shot, const BreakableBody& body) {
     if (shot.impact.ball_radius > 0) return shot.impact.ball_radius;

@@ -8,6 +8,9 @@
 
 namespace demolish {
 
+/// A plate on the floor, with next to no side to hit: balls that name no direction come from above.
+bool liesFlat(const BreakableBody& body);
+
 /// m, of the shot's ball where a TimedBall names none.
 double ballRadius(const Shot& shot, const BreakableBody& body);
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/reading/model_reader.h"
+#include "app/session/ball_flight.h"
 #include "app/session/shot_setup.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
@@ -66,8 +67,11 @@ void chooseVelocity(Shot& shot, const BreakableBody& body) {
     const auto times = std::exchange(shot.impact.times_threshold, std::nullopt);
     const auto threshold = times ? thresholdOf(shot, body) : std::nullopt;
     if (!threshold) return;
+    // A plane of 1 m only cracked at its predicted 10 m/s, and broke at 20.
+    const double carried_by_floor = liesFlat(body) ? 2 : 1;
     const double breaks_from = shot.break_at.value_or(threshold->predicted),
-                 velocity = *times * std::max(breaks_from, shot.material.critical_velocity);
+                 velocity =
+                     *times * carried_by_floor * std::max(breaks_from, shot.material.critical_velocity);
     shot.impact.velocity = std::clamp(twoDigits(velocity), kVelocityRange.least, kVelocityRange.most);
 }
 

@@ -38,8 +38,8 @@ const SolidMeshInfo& meshInfo(const SolidMesh& mesh);
 /// What was done to close it; thickness in metres of the placed body.
 const RepairReport& repairReport(const SolidMesh& mesh);
 
-/// m: `share` (0 to 1) of the surface lies over walls that are thinner than this, measured straight inwards at
-/// some 4,000 points.
+/// m: `share` (0 to 1) of the surface lies over walls that are thinner than this, measured straight inwards
+/// at some 4,000 points.
 double thinWall(const SolidMesh& mesh, double share);
 
 inline constexpr uint32_t kMinParticles = 2, kMaxParticles = 4'000'000;

@@ -34,7 +34,7 @@ struct RepairReport {
     // the file, vertices of equal position being one
     size_t triangles = 0, vertices = 0;
     size_t open_edges = 0;
-    size_t parts = 0;  ///< joined by vertices
+    size_t parts = 0;  ///< joined by edges
     // what was done
     size_t welded = 0;                   ///< vertices that went into one close by
     size_t doubles = 0;                  ///< triangles that were there twice

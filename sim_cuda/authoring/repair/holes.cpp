@@ -51,23 +51,22 @@ void addLoops(uint32_t part, CapEdges& edges, std::vector<Border>& borders) {
 
 class Capper {
   public:
-    explicit Capper(RepairMesh& repair) : repair_(repair) {
+    explicit Capper(RepairMesh& repair) : repair_(repair), counts_(repair.parts) {
         for (const Triangle& triangle : repair.mesh.triangles) there_.insert(rotated(triangle));
     }
 
     void cap(const Border& border) {
         const double edges = double(border.loop.size()), work = edges * edges * edges / 6;
-        ++counts_.holes;
-        counts_.longest = std::max(counts_.longest, border.loop.size());
+        counts_[border.part].add(border.loop.size());
         if (border.loop.size() <= kMostEdges && work_ + work <= kMostWork) {
             work_ += work;
             capLeastArea(border);
         } else {
-            ++counts_.fans;
+            ++counts_[border.part].fans;
             capFan(border);
         }
     }
-    const HoleCounts& counts() const { return counts_; }
+    const std::vector<HoleCounts>& counts() const { return counts_; }
 
   private:
     static Triangle rotated(Triangle triangle) {
@@ -139,7 +138,7 @@ class Capper {
 
     RepairMesh& repair_;
     std::set<Triangle> there_;
-    HoleCounts counts_;
+    std::vector<HoleCounts> counts_;
     double work_ = 0;
 };
 
@@ -163,9 +162,9 @@ std::vector<Border> borderLoops(const RepairMesh& repair) {
     return borders;
 }
 
-HoleCounts fillHoles(RepairMesh& repair) {
+std::vector<HoleCounts> fillHoles(RepairMesh& repair) {
     const std::vector<Border> borders = borderLoops(repair);
-    if (borders.empty()) return {};
+    if (borders.empty()) return std::vector<HoleCounts>(repair.parts);
     Capper capper(repair);
     for (const Border& border : borders) capper.cap(border);
     ++repair.patches;

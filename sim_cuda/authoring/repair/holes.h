@@ -9,6 +9,10 @@ struct HoleCounts {
     size_t holes = 0;    ///< loops that were capped
     size_t fans = 0;     ///< of them by a vertex in the middle, being too long for the least area
     size_t longest = 0;  ///< edges
+    void add(size_t edges) {
+        ++holes;
+        longest = longest < edges ? edges : longest;
+    }
 };
 
 /// A closed chain of vertices, each once, in the direction of the cap.
@@ -22,7 +26,7 @@ struct Border {
 std::vector<Border> borderLoops(const RepairMesh& repair);
 
 /// Closes every part: caps of the least area by dynamic programming up to some hundred edges, beyond them a
-/// fan. Caps have kNoSource and lie behind the other triangles.
-HoleCounts fillHoles(RepairMesh& repair);
+/// fan. Caps have kNoSource and lie behind the other triangles. Returns counts by part.
+std::vector<HoleCounts> fillHoles(RepairMesh& repair);
 
 }  // namespace demolish

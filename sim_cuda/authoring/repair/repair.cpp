@@ -55,10 +55,12 @@ class Repair {
             repair_.size() > 0 && diagonal_ > 0 && std::isfinite(diagonal_ * diagonal_ * diagonal_);
         const bool is_needed = !was_solid || options_.mode == RepairMode::kRemesh || report_.parts > 1;
         if (can_start && is_needed && options_.mode != RepairMode::kOff) {
-            if (was_solid)
+            if (was_solid) {
                 numberParts(repair_);
-            else
+                report_.parts = repair_.parts;
+            } else {
                 close();
+            }
             if (repair_.size() > 0 && isSolid(repair_.mesh)) settleInside();
         }
         report_.triangles_after = repair_.size();
@@ -81,17 +83,19 @@ class Repair {
         if (isSolid(repair_.mesh)) {
             dropUnusedVertices(repair_.mesh);
             numberParts(repair_);
+            report_.parts = repair_.parts;
             return;
         }
         const Orientation orientation = orientPatches(repair_);
         report_.turned_triangles = orientation.turned;
         report_.walls = solveJunctions(repair_).walls;
+        report_.parts = repair_.parts;
         if (repair_.size() > 0) fillAndThicken(orientation.patch_touched);
         dropUnusedVertices(repair_.mesh);
     }
 
     void fillAndThicken(const std::vector<char>& patch_touched) {
-        const HoleCounts holes = fillHoles(repair_);
+        const std::vector<HoleCounts> holes = fillHoles(repair_);
         std::vector<PartFacts> facts = factsOfParts(repair_, patch_touched);
         const OutwardCounts outward = turnOutward(repair_, facts);
         report_.turned_parts = outward.turned;
@@ -99,8 +103,11 @@ class Repair {
         findSheets(repair_, facts);
         const bool any_sheet =
             std::any_of(facts.begin(), facts.end(), [](const PartFacts& part) { return part.is_sheet; });
-        report_.holes = holes.holes;
-        report_.longest_hole = holes.longest;
+        for (size_t p = 0; p < facts.size(); ++p) {
+            if (facts[p].is_sheet) continue;
+            report_.holes += holes[p].holes;
+            report_.longest_hole = std::max(report_.longest_hole, holes[p].longest);
+        }
         if (any_sheet && sheetsEncloseSolid(repair_, facts))
             closeWalls();
         else
@@ -133,7 +140,6 @@ class Repair {
         report_.sheets =
             size_t(std::count_if(thickness.begin(), thickness.end(), [](double t) { return t > 0; }));
         report_.thickness = *std::max_element(thickness.begin(), thickness.end());
-        if (report_.sheets == facts.size()) report_.holes = report_.longest_hole = 0;
         const RepairMesh raw = withoutCaps();
         if (report_.sheets > 0) thickenSheets(repair_, thickness);
         separateParts();

@@ -15,6 +15,7 @@
 namespace demolish {
 namespace {
 
+constexpr size_t kMostGroups = 16;     // with a surface each; more are put together
 constexpr size_t kMostPoints = 20000;  // of those looked at
 
 /// One part, its box and what is inside of it.
@@ -43,6 +44,18 @@ struct Groups {
     std::vector<uint32_t> of_part;
     std::vector<char> overlaps;  // by group
 };
+
+Groups numbered(DisjointSets& sets, const std::vector<char>& is_doubled) {
+    Groups groups;
+    groups.overlaps.assign(sets.number(groups.of_part), 0);
+    for (size_t p = 0; p < is_doubled.size(); ++p)
+        if (is_doubled[p] != 0) groups.overlaps[groups.of_part[p]] = 1;
+    if (size_t(std::count(groups.overlaps.begin(), groups.overlaps.end(), 1)) <= kMostGroups) return groups;
+    const auto first = uint32_t(std::find(is_doubled.begin(), is_doubled.end(), 1) - is_doubled.begin());
+    for (uint32_t p = first; p < is_doubled.size(); ++p)
+        if (is_doubled[p] != 0) sets.join(first, p);
+    return numbered(sets, is_doubled);
+}
 
 Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
     std::vector<SolidPart> parts;
@@ -76,11 +89,7 @@ Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
         for (uint32_t host = 0; host < parts.size(); ++host)
             if (!parts[host].is_hollow && parts[host].windingNumber(some_point[p]) > 0) sets.join(p, host);
     }
-    Groups groups;
-    groups.overlaps.assign(sets.number(groups.of_part), 0);
-    for (size_t p = 0; p < parts.size(); ++p)
-        if (is_doubled[p] != 0) groups.overlaps[groups.of_part[p]] = 1;
-    return groups;
+    return numbered(sets, is_doubled);
 }
 
 void append(RepairMesh& repair, const RepairMesh& surface) {

@@ -24,7 +24,7 @@ struct SampleGrid {
     SampleGrid(const TriangleMesh& mesh, int along) : bounds(boundsOf(mesh.positions)) {
         const Double3 size = bounds.size();
         const double cell = std::cbrt(size.x * size.y * size.z) / along;
-        const auto cells = [&](double side) { return int(std::clamp(side / cell, 3.0, 40.0 * along)); };
+        const auto cells = [&](double side) { return int(std::clamp(side / cell, 3.0, 4.0 * along)); };
         count = {cells(size.x), cells(size.y), cells(size.z)};
     }
     size_t size() const { return size_t(count[0]) * size_t(count[1]) * size_t(count[2]); }

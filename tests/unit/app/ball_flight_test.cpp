@@ -48,6 +48,21 @@ TEST(BallFlight, TheBallTouchesTheSurfaceInTimeWithTheChosenVelocity) {
     }
 }
 
+TEST(BallFlight, WhatLiesFlatIsHitFromAbove) {
+    BreakableBody plate = gridCube(12);
+    for (Particle& particle : plate.particles) particle.seed.y *= 0.05;
+    plate.bounds_max.y *= 0.05;
+    Shot shot;
+    shot.impact.velocity = 10;
+    const TimedBall timed = ballsOf(shot).at(0);
+    const Projectile ball =
+        makeBall(shot, makeSetup(shot, {std::make_shared<BreakableBody>(plate)}), timed, timed.flight_time)
+            .ball;
+    EXPECT_DOUBLE_EQ(ball.radius, 1.0 / 12);
+    EXPECT_NEAR(flown(ball, timed.flight_time).velocity.y, -10, 1e-9);
+    EXPECT_GT(ball.position.y, 0.5);
+}
+
 TEST(BallFlight, ABallFindsItsBodyWhereItStands) {
     Shot shot;
     shot.impact.velocity = 10;

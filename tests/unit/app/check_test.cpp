@@ -17,8 +17,8 @@ using testing::HasSubstr;
 
 /// A unit cube of quads, of which the first `faces` are there.
 std::string boxText(int faces) {
-    static const char* const kFaces[] = {"f 1 2 3 4\n", "f 8 7 6 5\n", "f 1 5 6 2\n",
-                                         "f 2 6 7 3\n", "f 3 7 8 4\n", "f 4 8 5 1\n"};
+    static const char* const kFaces[] = {"f 4 3 2 1\n", "f 5 6 7 8\n", "f 2 6 5 1\n",
+                                         "f 3 7 6 2\n", "f 4 8 7 3\n", "f 1 5 8 4\n"};
     std::string text = "v 0 0 0\nv 0 0 1\nv 1 0 1\nv 1 0 0\nv 0 1 0\nv 0 1 1\nv 1 1 1\nv 1 1 0\n";
     for (int face = 0; face < faces; ++face) text += kFaces[face];
     return text;

@@ -132,9 +132,12 @@ TEST(Corpus, AllButAFewModelsBreak) {
         return;
     }
     const auto table = storedTable();
-    for (size_t i = 0; i < files.size(); ++i)
-        if (const auto row = table.find(files[i].string()); row != table.end())
+    for (size_t i = 0; i < files.size(); ++i) {
+        const auto row = table.find(files[i].string());
+        if (row != table.end()) {
             EXPECT_EQ(outcomes[i].word, row->second) << files[i];
+        }
+    }
 }
 
 }  // namespace

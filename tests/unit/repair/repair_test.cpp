@@ -67,6 +67,7 @@ TEST(Repair, WeldingIsEnoughForLooseFaces) {
     const RepairedMesh result = repaired(test::unwelded(makeCube(1)));
     ASSERT_TRUE(isSolid(result.mesh));
     EXPECT_EQ(result.report.welded, 28u);
+    EXPECT_EQ(result.report.parts, 1u);
     EXPECT_EQ(enclosedVolume(result.mesh), 1);
     for (uint32_t t = 0; t < 12; ++t) EXPECT_EQ(result.source[t], t);
 }

@@ -135,6 +135,15 @@ TEST(Unite, WhatOverlapsNothingStaysAsItWas) {
     for (size_t t = 0; t < apart.triangles.size(); ++t) EXPECT_EQ(repair.source[t], t);
 }
 
+TEST(Unite, ManyPairsShareOneSurface) {
+    TriangleMesh pairs;
+    for (int i = 0; i < 20; ++i) {
+        const Double3 place{2.0 * (i % 5), 0, 2.0 * (i / 5)};
+        pairs = test::joined(pairs, test::joined(makeBox(place, {1, 1, 1}), makeBox(place, {0.5, 2, 0.5})));
+    }
+    EXPECT_NEAR(enclosedVolume(unitedOf(pairs, 40).mesh) / (20 * 1.25), 1, 0.02);
+}
+
 TEST(WindingSamples, TellOverlapAndInsideOut) {
     const WindingSamples nested = sampleWinding(joined(makeCube(2), makeCube(1)));
     EXPECT_NEAR(nested.overlap(), 1.0 / 8, 0.01);
