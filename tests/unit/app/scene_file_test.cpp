@@ -64,6 +64,15 @@ TEST(SceneFile, ReadsTheVelocityToBreakAt) {
     EXPECT_THROW(loadSceneFile(folder.write("c.toml", "break_at_mps = -1\n" + kHead)), InputFileError);
 }
 
+TEST(SceneFile, ReadsHowItsModelIsRepaired) {
+    const TemporaryFolder folder;
+    const auto file = folder.write("leaf.toml", kHead + "repair = \"exact\"\nthickness_m = 0.02\n");
+    EXPECT_EQ(loadSceneFile(file).repair, (RepairOptions{RepairMode::kExact, 0.02}));
+    EXPECT_EQ(loadSceneFile(folder.write("plain.toml", kHead)).repair, RepairOptions{});
+    EXPECT_THAT(complaintAbout(kHead + "repair = \"never\"\n"), HasSubstr("auto, exact, remesh, off"));
+    EXPECT_THAT(complaintAbout(kHead + "thickness_m = -1\n"), HasSubstr("thickness_m"));
+}
+
 TEST(SceneFile, NamesItsRowOfTheStrengthTable) {
     const TemporaryFolder folder;
     EXPECT_EQ(loadSceneFile(folder.write("block.toml", kHead)).strength_row, "");

@@ -120,6 +120,9 @@ TEST(Shot, BallsAreLiveAndPlacesAreNot) {
     after.bodies[0].variant = 1;
     EXPECT_EQ(changeBetween(before, after), Change::kBody);
     after = before;
+    after.repair.thickness = 0.01;
+    EXPECT_EQ(changeBetween(before, after), Change::kBody);
+    after = before;
     after.sleeping = false;
     EXPECT_EQ(changeBetween(before, after), Change::kSolver);
 }
