@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <tbb/global_control.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -107,6 +109,17 @@ TEST(Repair, PartsThatOverlapCountOnce) {
     const RepairedMesh exact = repairedIn(RepairMode::kExact, bars);
     EXPECT_TRUE(sameBits(exact.mesh, bars));
     EXPECT_GT(exact.report.overlap, 0.1);
+}
+
+TEST(Repair, TheSameMeshForOneAndTwoThreads) {
+    const TriangleMesh bars = joined(makeBox({}, {2, 0.6, 0.6}), makeBox({}, {0.6, 0.6, 2}));
+    const auto make = [](const TriangleMesh& mesh, RepairMode mode, size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return repairedIn(mode, mesh).mesh;
+    };
+    EXPECT_TRUE(sameBits(make(bars, RepairMode::kAuto, 1), make(bars, RepairMode::kAuto, 2)));
+    const TriangleMesh open = test::without(test::makeSphere(1, 3), {1, 2, 3});
+    EXPECT_TRUE(sameBits(make(open, RepairMode::kRemesh, 1), make(open, RepairMode::kRemesh, 2)));
 }
 
 TEST(Repair, ModesAllowAndForbid) {
