@@ -152,6 +152,7 @@ void runBench(const BenchOptions& options) {
     const BenchRun run = runBenchPlan(plan, session, stage.get());
     if (run.status == StepStatus::kOk && run.samples.empty())
         throw Interrupted("interrupted before the first timed frame; nothing was written");
+    if (run.status == StepStatus::kOk) tellMessage(session);
 
     session.solver().measure();
     RunReport report = reportOf(plan, run, session, stage.get(), size);

@@ -136,6 +136,7 @@ void runCapture(const CaptureOptions& options) {
     session.setColour(colourOf(options.view));
     runFrames(capture, session, stage, files);
     files.finish();
+    if (capture.status == StepStatus::kOk) tellMessage(session);
 
     session.solver().measure();
     RunReport report;

@@ -100,6 +100,10 @@ void announce(const BuiltShot& built) {
                  stats.mass, built.build_seconds);
 }
 
+void tellMessage(const Session& session) {
+    if (const std::string message = session.status().message; !message.empty()) spdlog::warn("{}", message);
+}
+
 FrameWatch watchFrame(ProgressBar& bar, uint64_t done, uint64_t all, const char* label) {
     return [&bar, done, all, label](double share) {
         bar.show((static_cast<double>(done) + share) / static_cast<double>(all), label);

@@ -20,6 +20,9 @@ BuiltShot buildWithBar(const Shot& shot, const BuildOptions& options);
 /// One line on stderr: where it runs and what it breaks.
 void announce(const BuiltShot& built);
 
+/// What the session has to say of its shot, if anything: one line on stderr.
+void tellMessage(const Session& session);
+
 /// For Session::advance(): moves the bar on within a frame, the one after the first `done` of `all`, and
 /// stops it at an interrupt.
 FrameWatch watchFrame(ProgressBar& bar, uint64_t done, uint64_t all, const char* label);

@@ -3,6 +3,7 @@
 #include "app/session/session.h"
 
 #include <chrono>
+#include <sstream>
 #include <utility>
 
 #include "app/session/ball_flight.h"
@@ -14,6 +15,15 @@ namespace demolish {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// moved: m.
+std::string setBackSentence(double moved) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "a ball would have started inside something and starts " << moved
+         << " m farther back on its way; make it smaller or aim it from farther away";
+    return text.str();
+}
 
 double msSince(Clock::time_point begun) {
     return std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
@@ -175,8 +185,9 @@ void Session::restartIfNotHit() {
 void Session::fire(const Projectile& ball) {
     try {
         if (!atEnd()) show(newest_);
-        solver().fire(ball);
+        const double moved = solver().fire(ball);
         ++projectiles_;
+        if (moved > 0) message_ = setBackSentence(moved);
     } catch (const UsageError& error) {
         message_ = error.what();
     }

@@ -33,12 +33,17 @@ Quaternion fromGlm(const glm::dquat& q) {
     return {q.x, q.y, q.z, q.w};
 }
 
+/// m, from a seed to the lowest point that its cell may have, however the body is turned.
+double reachBelow(const BreakableBody& body, const Particle& particle) {
+    return std::max({body.spacing, particle.depth, particle.seed.y - particle.lowest});
+}
+
 /// Turned and lifted so that it meets the floor with the chosen velocity.
 void drop(const Shot& shot, const BreakableBody& body, const Placement& place, BodyInstance& instance) {
     const glm::dquat rotation = turnOf(place) * glm::dquat(toGlm(shot.impact.tilt));
     double lowest = 1e300;
     for (const auto& particle : body.particles)
-        lowest = std::min(lowest, (rotation * toGlm(particle.seed)).y - body.spacing);
+        lowest = std::min(lowest, (rotation * toGlm(particle.seed)).y - reachBelow(body, particle));
     // Falls for some hundredths of a second, so that one sees it come.
     const double speed = shot.impact.velocity;
     const double gap = std::min(0.06 * speed, speed * speed / (2 * kGravity));

@@ -78,8 +78,9 @@ class Solver {
     /// Exactly n substeps; for tests and benchmarks.
     virtual StepStatus advanceSubsteps(uint32_t n) = 0;
 
-    /// A new projectile from now on; at most kMaxProjectiles in a run. Throws UsageError beyond that.
-    virtual void fire(const Projectile& projectile) = 0;
+    /// A new projectile from now on; at most kMaxProjectiles in a run. Throws UsageError beyond that. One
+    /// that would start inside something starts farther back on its way, clear of it: m that it was moved.
+    virtual double fire(const Projectile& projectile) = 0;
 
     /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host
     /// memory for the CPU solver. Draw lists and interior vertices are written only if fracture changed since

@@ -59,16 +59,33 @@ DEM_FN uint32_t findBond(const Span<const uint32_t>& row_start, const Span<const
                     [&](uint32_t slot) { return linkedParticle(link[slot]); });
 }
 
-/// A particle that its bonds leave no outside (`buried`, 1 of a particle) touches nothing while all of them
-/// hold.
-DEM_FN bool standsBetweenBonds(const Span<const uint32_t>& buried, const Span<const uint32_t>& row_start,
-                               const Span<const BondLink>& link, uint32_t i) {
-    if (buried[i] == 0) return false;
-    bool all_hold = true;  // no early end: reads need not wait for each other
-    for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
-        all_hold = isBonded(link[slot]) && all_hold;
-    return all_hold;
-}
+/// Particles that their bonds leave no outside: while all of them hold, nothing but a projectile touches such
+/// a particle.
+struct Enclosures {
+    Span<const uint32_t> buried;     ///< per particle of a body: 1 of such a particle
+    Span<const uint32_t> row_start;  ///< as BondRowsIn has them
+    Span<const BondLink> link;
+    uint32_t in_bodies = 0;
+
+    /// Of a particle or projectile slot.
+    DEM_FN bool hold(uint32_t i) const { return i < in_bodies && buried[i] != 0 && allBondsHold(i); }
+    /// And so do the bonds of all that it is bonded to: no crack reaches it for a while.
+    DEM_FN bool holdDeeply(uint32_t i) const {
+        if (!hold(i)) return false;
+        bool all_hold = true;
+        for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
+            all_hold = all_hold && allBondsHold(linkedParticle(link[slot]));
+        return all_hold;
+    }
+
+  private:
+    DEM_FN bool allBondsHold(uint32_t i) const {
+        bool all_hold = true;  // no early end: reads need not wait for each other
+        for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
+            all_hold = isBonded(link[slot]) && all_hold;
+        return all_hold;
+    }
+};
 
 template <class Backend, class Real>
 struct BondArrays {

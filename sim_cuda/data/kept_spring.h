@@ -20,5 +20,10 @@ template <class Real>
 DEM_FN bool hasBeenSofter(const Vec4<Real>& kept) {
     return kept.w > Real(0);
 }
+/// Whoever has parted keeps nothing: no touch begins with what another has left.
+template <class Real>
+DEM_FN bool holdsNothing(const Vec4<Real>& kept) {
+    return !(length2(xyz(kept)) > Real(0)) && !hasBeenSofter(kept);
+}
 
 }  // namespace demolish

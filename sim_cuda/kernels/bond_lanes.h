@@ -11,8 +11,7 @@ namespace demolish {
 template <class Real>
 struct alignas(8 * sizeof(Real)) BondRecord {
     Vec3<Real> force, torque;
-    Real breaks{};    ///< 1: the bond is gone after this substep
-    Real fracture{};  ///< J, at the lower id only
+    Real breaks{};  ///< 1: the bond is gone after this substep
 };
 /// The damper's part of it, for the ledger.
 template <class Real>
@@ -162,11 +161,9 @@ class BondLanes {
         const uint32_t slot = slot_[l], twin = pairs_.twin[slot];
         const Real breaks =
             params_.breaking != 0 && bondBreaks(out_.severity[l], out_.limit[l]) ? Real(1) : Real(0);
-        pairs_.record[slot] = {out_.force.at(l), out_.torque_i.at(l), breaks, Real(0)};
-        pairs_.record[twin] = {-out_.force.at(l), -out_.torque_j.at(l), breaks, Real(0)};
+        pairs_.record[slot] = {out_.force.at(l), out_.torque_i.at(l), breaks};
+        pairs_.record[twin] = {-out_.force.at(l), -out_.torque_j.at(l), breaks};
         if constexpr (kLedger) {
-            if (breaks > Real(0))
-                pairs_.record[slot].fracture = bondFractureEnergy(in_.bond(l), in_.pair(l), params_.dt);
             pairs_.damping[slot] = {damping_.force.at(l), damping_.torque_i.at(l)};
             pairs_.damping[twin] = {-damping_.force.at(l), -damping_.torque_j.at(l)};
         }

@@ -61,22 +61,32 @@ DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnPar
     return next;
 }
 
-/// W: what `part` of a load gives to the particle at the mean velocity of the kick.
+/// W: what `part` of a load gives to the particle at a velocity on the way from that before the kick (share
+/// 0) to that after it (1).
+template <class Real>
+DEM_FN Real powerAt(Real share, const Wrench<Real>& part, const LoadedState<Real>& before,
+                    const LoadedState<Real>& after) {
+    const Vec3<Real> kick = xyz(after.velocity) - xyz(before.velocity),
+                     turn = xyz(after.spin) - xyz(before.spin);
+    return dot(part.force, axpy(share, kick, xyz(before.velocity))) +
+           dot(part.torque, axpy(share, turn, xyz(before.spin)));
+}
+/// At the mean velocity of the kick.
 template <class Real>
 DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
                       const LoadedState<Real>& after) {
-    const Vec3<Real> velocity = Real(0.5) * (xyz(before.velocity) + xyz(after.velocity));
-    const Vec3<Real> spin = Real(0.5) * (xyz(before.spin) + xyz(after.spin));
-    return dot(part.force, velocity) + dot(part.torque, spin);
+    return powerAt(Real(0.5), part, before, after);
 }
 
-/// What is dissipated needs the velocities at which it acted.
+/// What is dissipated needs the velocities at which it acted; what a bond that breaks leaves to its ends, the
+/// mean one of the second half of the kick.
 template <class Real>
 DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
                        const LoadedState<Real>& after, Real dt) {
     bookedDamping(ledger) += madd(-dt, meanPower(tally.damping, before, after), tally.contact_loss);
     bookedFriction(ledger) -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
-    bookedFracture(ledger) += tally.fracture;
+    bookedFracture(ledger) +=
+        madd(Real(-0.5) * dt, powerAt(Real(0.75), tally.released, before, after), tally.fracture);
 }
 
 /// A carried particle: the velocity at the end of the contact step is not known yet, so that what damps and

@@ -69,6 +69,12 @@ struct MeasureEnergy {
         return flight.free == 0 ? 0 : 0.5 * (flight.lag + 1.0) * static_cast<double>(params.dt);
     }
 
+    /// Contact steps have not come to this contact yet: it has taken in nothing, however deep it is.
+    DEM_FN bool isNew(bool rigid, const Vec4<Real>& kept) const { return rigid && !hasBeenSofter(kept); }
+    DEM_FN bool isNew(uint32_t i, uint32_t j, const Vec4<Real>& kept) const {
+        return isNew(isMoved(i, Regime::kRigid) || isMoved(j, Regime::kRigid), kept);
+    }
+
     DEM_FN double elasticEnergy(const OwnParticle<Real>& own) const {
         double sum = 0;
         for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s)
@@ -97,6 +103,7 @@ struct MeasureEnergy {
         if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
         const Vec4<Real> spring = arrays.bond_spring[slot];
+        if (isNew(own.id, j, spring)) return Real(0);
         const ParticleConstants<Real> other = arrays.constants[j];
         const BondStiffness<Real> faces =
             cappedFaces(bond, params, pairInertia(own.constants, other), softestOf(spring)).stiffness;
@@ -108,7 +115,7 @@ struct MeasureEnergy {
         const ParticleConstants<Real> other = arrays.constants[j];
         const Vec3<Real> apart = separation(own.state, loadState(arrays.in, j));
         const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
-        if (!(overlap > Real(0))) return Real(0);
+        if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
         const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other),
                                            softestOf(spring)),
@@ -118,8 +125,8 @@ struct MeasureEnergy {
     /// `height`: m, over the surface of collider c.
     DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c, Real height) const {
         const Real overlap = own.constants.floor_radius - height;
-        if (!(overlap > Real(0))) return Real(0);
         const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
+        if (!(overlap > Real(0)) || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
         return touchEnergy(
             contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
                             againstWall(own.constants), softestOf(spring)),

@@ -68,16 +68,24 @@ DEM_FN void add(Wrench<Real>& sum, const Wrench<Real>& term) {
 template <class Real>
 struct Tally {
     Wrench<Real> damping, friction;  ///< parts of the total load
+    Wrench<Real> released;           ///< likewise, of bonds that break in this substep
     Real spring_energy{};            ///< J, growth of tangential springs' energy (this particle's half of it)
-    Real fracture{};                 ///< J
+    Real fracture{};                 ///< J, of those bonds, before the kick (at the lower id)
     Real contact_loss{};  ///< J, of contacts that grew softer, began or ended (this particle's half)
 
     DEM_FN void operator+=(const Tally& other) {
         add(damping, other.damping);
         add(friction, other.friction);
+        add(released, other.released);
         spring_energy += other.spring_energy;
         fracture += other.fracture;
         contact_loss += other.contact_loss;
+    }
+
+    /// A bond breaks, of which this is one end.
+    DEM_FN void addBreak(const BondRelease<Real>& release, bool is_lower_end) {
+        add(released, release.load);
+        if (is_lower_end) fracture += release.energy;
     }
 };
 

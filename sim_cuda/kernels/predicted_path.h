@@ -42,20 +42,4 @@ DEM_FN bool leavesPath(const Vec4<Real>& built_position, const Vec4<Real>& built
     return trusted >= Real(0) && !(length2(axpy(lookahead, turned, strayed)) <= trusted * trusted);
 }
 
-/// One thread a particle: raises the flag when the lists have to be built again; a state that is not finite
-/// raises it too.
-template <class Real>
-struct CheckPaths {
-    StateIn<Real> state;
-    PathsIn<Real> paths;
-    Span<uint32_t> flag;  ///< one word
-    Real elapsed{}, lookahead{};
-
-    DEM_FN void operator()(uint32_t i) const {
-        if (leavesPath(paths.position[i], paths.velocity[i], positionOf(state, i), xyz(state.velocity[i]),
-                       elapsed, lookahead))
-            atomicOrU32(&flag[0], 1u);
-    }
-};
-
 }  // namespace demolish

@@ -105,6 +105,7 @@ struct StepRigid {
     Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles in substeps
     Span<const ParticleConstants<Real>> own_constants;
     uint32_t stride = kRigidStride;  ///< substeps in this step
+    double push = 0;                 ///< s, pushedSubsteps()
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
     DEM_FN RigidRow row(uint32_t entry) const {
@@ -136,8 +137,9 @@ struct StepRigid {
         return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
-        const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride;
-        advance(body, total.force, total.torque, fallen * asDouble(params.gravity), double(params.dt));
+        const double dt = double(params.dt);
+        const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride * dt;
+        advance(body, push * total.force, push * total.torque, fallen * asDouble(params.gravity), dt);
         body.touching = total.touching;
         const uint32_t wanted = total.touching / kContactsPerShare;
         body.contact_share = wanted > body.least_share ? wanted : body.least_share;
@@ -163,10 +165,10 @@ struct StepRigid {
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
                 const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, params.dt);
+                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, Real(push));
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
-                               Real(carried_share) * params.dt);
+                               Real(carried_share * push));
             }
         }
     }

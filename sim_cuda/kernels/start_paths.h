@@ -6,6 +6,7 @@
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/kernels/fill_grid.h"
+#include "sim_cuda/kernels/predicted_path.h"
 #include "sim_cuda/kernels/velocity_range.h"
 
 namespace demolish {
@@ -15,29 +16,44 @@ template <class Real>
 struct StartPaths {
     StateIn<Real> state;
     Span<const ParticleConstants<Real>> constants;
-    Span<const uint32_t> bond_row;
-    Span<const BondLink> link;
-    Span<const uint32_t> buried;  ///< per particle of a body: 1 while its bonds hold
+    Enclosures enclosures;
     Span<Vec4<Real>> built_position, built_velocity;
     Span<uint32_t> place_kind;  ///< per particle of a body: kInGrid or kEnclosed
     Real skin_share{};          ///< skin of a body's particle over its R_c
     Real largest_skin{};        ///< m, no skin is wider (projectiles)
-    uint32_t in_bodies = 0;
+    Real longest_horizon{};     ///< s, that the lists may hold
 
     DEM_FN VelocityRanges<Real> operator()(uint32_t i) const {
-        const ParticleConstants<Real> own = constants[i];
-        const Real skin = minOf(skin_share * own.contact_radius, largest_skin);
-        const Vec3<Real> velocity = xyz(state.velocity[i]);
-        const bool active = own.takesPart();
-        built_position[i] = withW(positionOf(state, i), own.contact_radius + skin);
-        built_velocity[i] = withW(velocity, active ? skin : Real(kNoPath));
+        const Vec4<Real> position = pathPosition(i), velocity = pathVelocity(i);
+        const uint32_t in_bodies = enclosures.in_bodies;
+        built_position[i] = position;
+        built_velocity[i] = velocity;
         VelocityRanges<Real> ranges;
         if (i < in_bodies)
-            place_kind[i] = standsBetweenBonds(buried, bond_row, link, i) ? kEnclosed : kInGrid;
-        if (!active) return ranges;
+            place_kind[i] =
+                enclosures.holdDeeply(i) && !meetsProjectile(position, velocity) ? kEnclosed : kInGrid;
+        if (!hasPath(velocity)) return ranges;
         VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
-        range.low = range.high = velocity;
+        range.low = range.high = xyz(velocity);
         return ranges;
+    }
+
+  private:
+    DEM_FN Real skin(uint32_t i) const {
+        return minOf(skin_share * constants[i].contact_radius, largest_skin);
+    }
+    DEM_FN Vec4<Real> pathPosition(uint32_t i) const {
+        return withW(positionOf(state, i), constants[i].contact_radius + skin(i));
+    }
+    DEM_FN Vec4<Real> pathVelocity(uint32_t i) const {
+        return withW(xyz(state.velocity[i]), constants[i].takesPart() ? skin(i) : Real(kNoPath));
+    }
+    DEM_FN bool meetsProjectile(const Vec4<Real>& position, const Vec4<Real>& velocity) const {
+        for (uint32_t p = enclosures.in_bodies; p < constants.size(); ++p)
+            if (constants[p].takesPart() &&
+                mayMeet(position, velocity, pathPosition(p), pathVelocity(p), longest_horizon))
+                return true;
+        return false;
     }
 };
 

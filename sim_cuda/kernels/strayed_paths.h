@@ -6,12 +6,11 @@
 //
 //   list the strayed -> see whom they meet -> start their paths anew
 #pragma once
-#include <bit>
-
 #include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/find_neighbours.h"
 #include "sim_cuda/kernels/insert_pairs.h"
+#include "sim_cuda/kernels/paths_now.h"
 
 namespace demolish {
 
@@ -21,43 +20,6 @@ inline constexpr uint32_t kMostStrayed = 192;
 /// Words for the host, 0 before: how many have strayed (above kMostStrayed: too many); how many entries the
 /// rows lack; when something has to be decided, as soonest() tells it.
 inline constexpr uint32_t kStrayedCount = 0, kEntriesLacking = 1, kMustDecide = 2, kStrayWords = 3;
-
-/// The sooner, the larger the word: threads agree by the largest, and 0 means never. `seconds` >= 0.
-DEM_FN uint32_t soonest(float seconds) {
-    return ~std::bit_cast<uint32_t>(seconds);
-}
-/// s; infinite for never.
-inline double secondsOf(uint32_t word) {
-    return word == 0 ? 1e30 : static_cast<double>(std::bit_cast<float>(~word));
-}
-
-/// As in PathsIn, but the position is that of this moment.
-template <class Real>
-struct PathFromHere {
-    Vec4<Real> position, velocity;
-};
-
-/// Paths at a moment, `elapsed` s after the build.
-template <class Real>
-struct PathsNow {
-    StateIn<Real> state;
-    PathsIn<Real> paths;
-    Real elapsed{}, lookahead{};
-
-    DEM_FN bool strays(uint32_t i) const {
-        return leavesPath(paths.position[i], paths.velocity[i], positionOf(state, i), xyz(state.velocity[i]),
-                          elapsed, lookahead);
-    }
-    DEM_FN PathFromHere<Real> former(uint32_t i) const {
-        const Vec4<Real> start = paths.position[i], velocity = paths.velocity[i];
-        return {withW(axpy(elapsed, xyz(velocity), xyz(start)), reachOf(start)), velocity};
-    }
-    DEM_FN PathFromHere<Real> anew(uint32_t i) const {
-        return {withW(positionOf(state, i), reachOf(paths.position[i])),
-                withW(xyz(state.velocity[i]), skinOf(paths.velocity[i]))};
-    }
-    DEM_FN PathFromHere<Real> now(uint32_t i) const { return strays(i) ? anew(i) : former(i); }
-};
 
 /// One thread a particle or projectile slot.
 template <class Real>
@@ -79,7 +41,6 @@ struct SeeStrayed {
     PathsNow<Real> paths;
     BondRowsIn<Real> bonds;
     ContactRowsIn<Real> contacts;
-    Span<const uint32_t> buried;         ///< per particle of a body, as StartPaths has it
     Span<const uint32_t> label, regime;  ///< without `regime` everything is moved with its bonds
     Span<const ParticleConstants<Real>> constants;
     ColliderSet<Real> colliders;
@@ -92,22 +53,25 @@ struct SeeStrayed {
 
     DEM_FN void operator()(uint32_t thread) const {
         const uint32_t count = words[kStrayedCount], j = thread / kThreads;
-        if (count == 0 || count > kMostStrayed || !takesPart(j) || isEnclosed(j)) return;
+        if (count == 0 || count > kMostStrayed || !takesPart(j)) return;
         const PathFromHere<Real> other = paths.now(j);
+        const bool enclosed = paths.enclosures.hold(j);
         for (uint32_t k = thread % kThreads; k < count; k += kThreads) {
             const uint32_t i = strayed[k];
+            if (enclosed && !isProjectile(i)) continue;
             if (i == j)
                 seeColliders(i);
             else if (const PathFromHere<Real> own = paths.anew(i);
-                     mayMeet(own, other) && !isEnclosed(i) && !moveAsOne(i, j))
+                     mayMeet(own, other) && mayTouch(i, j) && !moveAsOne(i, j))
                 seePair(i, j, own, other);
         }
     }
 
   private:
     DEM_FN bool takesPart(uint32_t i) const { return hasPath(paths.paths.velocity[i]); }
-    DEM_FN bool isEnclosed(uint32_t i) const {
-        return i < in_bodies && standsBetweenBonds(buried, bonds.row_start, bonds.link, i);
+    DEM_FN bool isProjectile(uint32_t i) const { return i >= in_bodies; }
+    DEM_FN bool mayTouch(uint32_t i, uint32_t j) const {
+        return isProjectile(j) || !paths.enclosures.hold(i);
     }
     DEM_FN bool moveAsOne(uint32_t i, uint32_t j) const {
         return label[i] == label[j] && regime.count > 0 && regime[label[i]] != wordOf(Regime::kBonded);
@@ -119,8 +83,7 @@ struct SeeStrayed {
         return findBond(bonds.row_start, bonds.link, i, j) < bonds.row_start[i + 1];
     }
     DEM_FN void tell(uint32_t word, Real seconds) const {
-        const uint32_t told = soonest(static_cast<float>(seconds));
-        if (told > atomicLoadU32(&words[word])) atomicMaxU32(&words[word], told);
+        tellSoonest(words[word], static_cast<float>(seconds));
     }
 
     /// Asked first, since few may.

@@ -41,19 +41,29 @@ class CpuParticleStep {
     Wrench<Real> bondSlot(const OwnParticle<Real>& own, uint32_t slot, Tally<Real>& tally) const {
         const LinkEnd end = linkEnd(arrays_, slot);
         if (!isBonded(end.link)) return formerBondSlot<kLedger>(arrays_, params_, own, slot, end, tally);
-        return own.isCarried() ? Wrench<Real>{} : recorded(slot, tally);
+        return own.isCarried() ? Wrench<Real>{} : recorded(own, slot, end, tally);
     }
 
-    Wrench<Real> recorded(uint32_t slot, Tally<Real>& tally) const {
+    Wrench<Real> recorded(const OwnParticle<Real>& own, uint32_t slot, const LinkEnd& end,
+                          Tally<Real>& tally) const {
         const BondRecord<Real>& record = pairs_.record[slot];
-        if (record.breaks > Real(0))
-            arrays_.link[slot].link = linkWord(linkedParticle(arrays_.link[slot]), PairState::kBroken);
         if constexpr (kLedger) {
             const DampingRecord<Real>& damping = pairs_.damping[slot];
             add(tally.damping, {damping.force, damping.torque});
-            tally.fracture += record.fracture;
         }
+        if (record.breaks > Real(0)) breakBond(own, slot, end, tally);
         return {record.force, record.torque};
+    }
+
+    void breakBond(const OwnParticle<Real>& own, uint32_t slot, const LinkEnd& end,
+                   Tally<Real>& tally) const {
+        arrays_.link[slot].link = linkWord(end.id, PairState::kBroken);
+        if constexpr (kLedger) {
+            const BondConstants<Real> bond =
+                bondConstants(arrays_.rest[slot], end.link.grade, arrays_.body_laws[own.owner]);
+            const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays_.in, end.id));
+            tally.addBreak(bondRelease(bond, pair), own.id < end.id);
+        }
     }
 
     const SubstepArrays<Real>& arrays_;

@@ -29,7 +29,7 @@ __device__ __forceinline__ Wrench<Real> solidBondSlot(const SubstepArrays<Real>&
     if constexpr (kLedger) {
         const BondEffect<Real> damping = bondDamping(bond, pair);
         add(tally.damping, {damping.force, damping.torque_i});
-        if (breaks && own.id < j) tally.fracture += bondFractureEnergy(bond, pair, params.dt);
+        if (breaks) tally.addBreak(bondRelease(bond, pair), own.id < j);
     }
     return {effect.force, effect.torque_i};
 }
@@ -55,7 +55,7 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
         read.constants = arrays.constants[solid ? own.id : j];
         read.spring = arrays.bond_spring[solid ? 0 : slot];
         if (!solid)
-            return isApart(own, read.other.position, read.constants, link, params)
+            return isApart(own, read.other.position, read.constants, link, read.spring, params)
                        ? Wrench<Real>{}
                        : touchingFormerBond<kLedger>(arrays, params, own, read, tally);
     }
@@ -210,6 +210,7 @@ __device__ __forceinline__ void sumTally(Tally<Real>& tally) {
     for (uint32_t step = T / 2; step > 0; step /= 2) {
         add(tally.damping, shuffledDown(tally.damping, step, T));
         add(tally.friction, shuffledDown(tally.friction, step, T));
+        add(tally.released, shuffledDown(tally.released, step, T));
         tally.spring_energy += __shfl_down_sync(0xffffffffu, tally.spring_energy, step, T);
         tally.fracture += __shfl_down_sync(0xffffffffu, tally.fracture, step, T);
         tally.contact_loss += __shfl_down_sync(0xffffffffu, tally.contact_loss, step, T);

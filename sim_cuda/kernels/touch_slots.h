@@ -56,17 +56,16 @@ DEM_FN void releaseTouch(const TouchLaw<Real>& law, Real overlap, Real opening, 
     if constexpr (kLedger)
         tally.contact_loss +=
             share * crossingLoss(law.stiffness, overlap, overlapBefore(overlap, opening, params.dt));
-    const Vec3<Real> before = xyz(spring);
-    const Real squared = length2(before);
-    if (!(squared > Real(0)) && !hasBeenSofter(spring)) return;
+    if (holdsNothing(spring)) return;
     kept = Vec4<Real>{};
-    if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * squared);
+    if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(xyz(spring)));
 }
 
-/// m/s, at which two centres part.
+/// m/s, at which two centres have parted in the step before, on a straight way; `distance` m, dt s.
 template <class Real>
-DEM_FN Real partingSpeed(const PairMotion<Real>& pair, const Vec3<Real>& normal) {
-    return dot(pair.velocity_j - pair.velocity_i, normal);
+DEM_FN Real partingSpeed(const PairMotion<Real>& pair, Real distance, Real dt) {
+    const Vec3<Real> before = axpy(-dt, pair.velocity_j - pair.velocity_i, pair.separation);
+    return (distance - length(before)) / dt;
 }
 
 /// Type 1: spheres of radius R_c.
@@ -81,8 +80,8 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                                       reduced(radius, other.contact_radius),
                                                       pairInertia(own.constants, other), softestOf(spring));
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.normal), spring, kept, params, Real(0.5),
-                              tally);
+        releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.distance, params.dt), spring, kept,
+                              params, Real(0.5), tally);
         return {};
     }
     const Real arm_i = madd(Real(-0.5), overlap, radius),
@@ -121,12 +120,15 @@ DEM_FN ContactEnd<Real> contactEndWithOwner(const SubstepArrays<Real>& arrays, u
     return end;
 }
 
-/// Nothing more need be read of a contact's other end.
+/// Nothing more need be read of a contact's other end: the pair is no matter of this step, or is apart and
+/// has been since before.
 template <class Real>
 DEM_FN bool isOutOfTouch(const OwnParticle<Real>& own, const Vec4<Real>& position,
-                         const ParticleConstants<Real>& other, const StepParams<Real>& params) {
-    return outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) ||
-           isLeftOut(own.constants, other, params);
+                         const ParticleConstants<Real>& other, const Vec4<Real>& kept,
+                         const StepParams<Real>& params) {
+    if (isLeftOut(own.constants, other, params)) return true;
+    return outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) &&
+           holdsNothing(kept);
 }
 
 /// A slot of the contact list and its other end.
@@ -135,11 +137,11 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
                                 const OwnParticle<Real>& own, uint32_t slot, const ContactEnd<Real>& end,
                                 Tally<Real>& tally) {
     const ParticleConstants<Real> other = end.constants;
-    if (isOutOfTouch(own, end.position, other, params)) return {};
+    Vec4<Real>& spring = arrays.contact_spring[slot];
+    if (isOutOfTouch(own, end.position, other, spring, params)) return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
-    Vec4<Real>& spring = arrays.contact_spring[slot];
     return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), spring,
                                         spring, tally);
 }
@@ -180,7 +182,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
         TouchLaw<Real> faces;
         faces.stiffness = bond.stiffness.normal;
         faces.shear = bond.stiffness.shear;
-        releaseTouch<kLedger>(faces, overlap, partingSpeed(pair, line.normal), former.spring,
+        releaseTouch<kLedger>(faces, overlap, partingSpeed(pair, line.distance, params.dt), former.spring,
                               arrays.bond_spring[former.slot], params, Real(0.5), tally);
         const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
         arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
@@ -197,10 +199,10 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
 /// Only a broken bond has faces that touch before the spheres do.
 template <class Real>
 DEM_FN bool isApart(const OwnParticle<Real>& own, const Vec4<Real>& position,
-                    const ParticleConstants<Real>& other, BondLink link, const StepParams<Real>& params) {
-    if (isLeftOut(own.constants, other, params)) return true;
-    return pairState(link) != PairState::kBroken &&
-           outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius);
+                    const ParticleConstants<Real>& other, BondLink link, const Vec4<Real>& kept,
+                    const StepParams<Real>& params) {
+    return pairState(link) == PairState::kBroken ? isLeftOut(own.constants, other, params)
+                                                 : isOutOfTouch(own, position, other, kept, params);
 }
 /// The record of a bond that is no longer solid and whose ends are not apart.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
@@ -223,9 +225,10 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
                                    Tally<Real>& tally) {
     const Vec4<Real> position = arrays.in.position[end.id];
     const ParticleConstants<Real> other = arrays.constants[end.id];
-    if (isApart(own, position, other, end.link, params)) return {};
+    const Vec4<Real> kept = arrays.bond_spring[slot];
+    if (isApart(own, position, other, end.link, kept, params)) return {};
     const FormerBond<Real> former{slot,  end.link,          loadWithoutRotation(arrays.in, position, end.id),
-                                  other, arrays.rest[slot], arrays.bond_spring[slot]};
+                                  other, arrays.rest[slot], kept};
     return touchingFormerBond<kLedger, kStep>(arrays, params, own, former, tally);
 }
 
@@ -250,6 +253,15 @@ DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Re
                     lowPart(state.position, state.velocity, state.spin), visit);
 }
 
+/// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
+/// the two.
+template <StepKind kStep, class Real>
+DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
+    constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
+    const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
+    return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
+}
+
 /// Collider c: a wall with R* = R_w, nothing moves on its side. `turned_with(i, plane)`: what turns with
 /// particle i at least, where something other than itself does.
 template <bool kLedger, class Real, class TurnedWith>
@@ -259,7 +271,7 @@ DEM_FN Wrench<Real> colliderContact(const SubstepArrays<Real>& arrays, const Ste
                                     [[maybe_unused]] const TurnedWith& turned_with) {
     const Vec3<Real> normal = xyz(tangent.plane);
     const Real height = tangent.distance, overlap = own.constants.floor_radius - height;
-    if (overlap < Real(-kRoughReach + 1) * own.constants.floor_radius) return {};
+    if (isClearOf<TurnedWith::kStep>(own, -overlap, params.dt)) return {};
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
     TouchLaw<Real> law = contactTouchLaw<TurnedWith::kStep>(
         arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)), own.constants.floor_radius,

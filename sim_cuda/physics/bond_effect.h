@@ -56,19 +56,25 @@ DEM_FN BondEffect<T> bondDamping(const BondConstants<T>& bond, const PairMotion<
     return loadEffect(dampedBondLoad(BondLoad<T>{}, bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
 }
 
-/// J, leaves with the bond if it breaks in this substep: it still pulls through this kick, so its energy half
-/// a step later, less what the compressed faces keep (A.6).
+/// What leaves with a bond that breaks in this substep, seen from i.
 template <class T>
-DEM_FN T bondFractureEnergy(const BondConstants<T>& bond, const PairMotion<T>& pair, T dt) {
+struct BondRelease {
+    T energy{};      ///< J, of both ends together
+    Wrench<T> load;  ///< on i
+};
+
+/// The bond still pulls through this kick: of the energy that it has now, what the second half of the kick
+/// does with the load goes to the particles, and the rest is fracture. What the compressed faces keep stays
+/// out of both (A.6).
+template <class T>
+DEM_FN BondRelease<T> bondRelease(const BondConstants<T>& bond, const PairMotion<T>& pair) {
     const BondDeformation<T> d = bondDeformation(bond.rest, pair);
-    const BondRates<T> rates = bondRates(d, pair);
-    const BondLoad<T> elastic = bondLoad(bond.stiffness, d);
-    const Vec3<T> force = axpy(elastic.normal_force, d.normal, elastic.shear_force);
-    const Vec3<T> moment = axpy(elastic.torsion_moment, d.normal, elastic.bending_moment);
-    const T power = dot(force, rates.velocity) + dot(moment, rates.spin);
-    const T energy = madd(T(0.5) * dt, power, bondEnergy(bond.stiffness, d));
-    const T overlap = brokenOverlap(length(bond.rest), length(pair.separation));
-    return fractureEnergy(energy, bond.stiffness.normal, overlap);
+    const BondEffect<T> pull = loadEffect(bondLoad(bond.stiffness, d), d);
+    const T squared = length2(pair.separation), inverse = inverseSqrt(squared);
+    const T overlap = brokenOverlap(length(bond.rest), squared * inverse);
+    const T kept = brokenRepulsion(bond.stiffness.normal, overlap);
+    return {fractureEnergy(bondEnergy(bond.stiffness, d), bond.stiffness.normal, overlap),
+            {axpy(kept * inverse, pair.separation, pull.force), pull.torque_i}};
 }
 
 }  // namespace demolish

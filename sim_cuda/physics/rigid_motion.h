@@ -51,13 +51,13 @@ DEM_FN Vec3<double> spinAt(const RigidBody& body, const Quat<double>& turned) {
 }
 
 /// Kick and drift as of one particle (physics B.1); the turn takes omega at its middle, so that without a
-/// torque L is kept exactly and the energy to third order. `force` N, `torque` N m about the centre,
-/// `gravity` m/s^2, dt s.
-DEM_FN void advance(RigidBody& body, const Vec3<double>& force, const Vec3<double>& torque,
-                    const Vec3<double>& gravity, double dt) {
-    body.velocity = axpy(dt, axpy(body.inverse_mass, force, gravity), body.velocity);
+/// torque L is kept exactly and the energy to third order. `push` N s, `turn` N m s about the centre, `fall`
+/// m/s that gravity adds, dt s of the drift.
+DEM_FN void advance(RigidBody& body, const Vec3<double>& push, const Vec3<double>& turn,
+                    const Vec3<double>& fall, double dt) {
+    body.velocity = axpy(body.inverse_mass, push, body.velocity + fall);
     body.centre = axpy(dt, body.velocity, body.centre);
-    body.angular = axpy(dt, torque, body.angular);
+    body.angular = body.angular + turn;
     const Quat<double> half = advanced(body.turned, spinAt(body, body.turned), 0.5 * dt);
     body.turned = advanced(body.turned, spinAt(body, half), dt);
     body.spin = spinAt(body, body.turned);
@@ -71,6 +71,13 @@ DEM_FN double fallenSubsteps(Flight& flight, uint32_t stride, bool touched) {
     if (touched) return stride;
     flight.lag = stride - 1;
     return stride - 0.5 * (double(flight.lag) - double(before));
+}
+
+/// Substeps for which what touches pushes in a contact step of `stride` substeps after one of `before`: from
+/// the middle of the one to the middle of the other, or a step that is shorter or longer than the one before
+/// it would not keep the energy of what touches.
+DEM_FN double pushedSubsteps(uint32_t before, uint32_t stride) {
+    return 0.5 * (double(before) + double(stride));
 }
 
 }  // namespace demolish

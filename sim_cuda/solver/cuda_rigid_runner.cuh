@@ -20,12 +20,14 @@ class RigidRunner<CudaBackend, Real> {
     void run(CudaBackend& backend, const Step& step, uint32_t n, bool follows) {
         makeRoom(backend, step.work);
         GraphKey key = keyOf(step);
-        key.push_back(n);
+        key.insert(key.end(), {n, step.before});
         graphs_.run(backend, key, [&] {
+            uint32_t previous = step.before;
             for (uint32_t done = 0; done < n;) {
                 const uint32_t stride = std::min(kRigidStride, n - done);
                 gather(backend, step, stride, follows || done > 0);
-                move(backend, step, stride, false);
+                move(backend, step, previous, stride, false);
+                previous = stride;
                 done += stride;
             }
         });
@@ -49,10 +51,8 @@ class RigidRunner<CudaBackend, Real> {
         launchGather(backend, follows, gatherOf(step, stride), roundedUp(step.work.active_at_most),
                      step.ledger);
     }
-    /// Always after another kernel of the step.
-    void move(CudaBackend& backend, const Step& step, uint32_t stride, bool carried) {
-        step.ledger ? launchMove(backend, step.template mover<true>(load_.view(), stride, carried))
-                    : launchMove(backend, step.template mover<false>(load_.view(), stride, carried));
+    void moveCarrying(CudaBackend& backend, const Step& step, uint32_t stride) {
+        move(backend, step, stride, stride, true);
     }
 
     /// The graphs that so many particles may need, so that none is recorded while things break. Runner: that
@@ -102,6 +102,12 @@ class RigidRunner<CudaBackend, Real> {
         load_ = backend.allocate<RigidLoad<Real>>(work.active_at_most + work.active_at_most / 2);
     }
 
+    /// Always after another kernel of the step.
+    void move(CudaBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
+        step.ledger
+            ? launchMove(backend, step.template mover<true>(load_.view(), previous, stride, carried))
+            : launchMove(backend, step.template mover<false>(load_.view(), previous, stride, carried));
+    }
     static void launchGather(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                              uint32_t active, bool ledger) {
         ledger ? launchGatherWith<true>(backend, follows, gather, active)

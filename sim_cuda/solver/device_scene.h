@@ -4,11 +4,13 @@
 #pragma once
 #include <vector>
 
+#include "sim_cuda/kernels/paths_now.h"
 #include "sim_cuda/solver/fragments.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/projectiles.h"
 #include "sim_cuda/solver/regimes.h"
 #include "sim_cuda/solver/solver_data.h"
+#include "sim_cuda/solver/way_back.h"
 
 namespace demolish {
 
@@ -56,9 +58,18 @@ struct DeviceScene {
     /// Views for a substep from the present state into the other one.
     SubstepArrays<Real> arrays() { return data.arrays(lists.contacts()); }
 
+    /// `elapsed` s after the contact lists were built, seen as far as `ahead` s on.
+    PathsNow<Real> pathsNow(double elapsed, double ahead) const {
+        const auto& contacts = lists.contacts();
+        return {state(), contacts.paths(), static_cast<Real>(elapsed), static_cast<Real>(ahead),
+                lists.enclosures(data.bonds.in())};
+    }
+
     void uploadLaws(const std::vector<Projectile>& projectiles) {
         data.uploadLaws(backend, buildLawTables(setup, tables, projectiles));
     }
+    /// The projectile where it touches nothing (way_back.h); the state must be complete. Waits.
+    Projectile setBack(const Projectile& shot);
     /// Projectile `slot` takes part from now on.
     void place(uint32_t slot, const Projectile& shot) {
         const Double3 x = shot.position, v = shot.velocity;
@@ -69,5 +80,17 @@ struct DeviceScene {
                   static_cast<Real>(shot.radius)});
     }
 };
+
+template <class Backend, class Real>
+Projectile DeviceScene<Backend, Real>::setBack(const Projectile& shot) {
+    const StateIn<Real> now = state();
+    const auto position = backend.downloaded(now.position);
+    const auto constants = backend.downloaded(data.particles.constants.view());
+    std::vector<Ball> others;
+    for (uint32_t i = 0; i < tables.counts.total; ++i)
+        if (constants[i].takesPart())
+            others.push_back({inDouble(xyz(position[i])), double(constants[i].contact_radius)});
+    return placedFree(shot, others, setup.params.colliders);
+}
 
 }  // namespace demolish

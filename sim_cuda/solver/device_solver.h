@@ -35,7 +35,7 @@ class DeviceSolver final : public Solver {
     }
     bool frameUnfinished() const override { return loop_.frameUnfinished(); }
     void giveUpFrame() override { loop_.giveUpFrame(); }
-    void fire(const Projectile& projectile) override;
+    double fire(const Projectile& projectile) override;
     void exportFrame(const RenderStreams& streams, bool streams_fresh) override {
         exporter_.write(scene_, projectiles_, stats().bonds_broken, streams, streams_fresh);
     }
@@ -82,6 +82,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     loop_.stepper().recordAhead(scene_);
     if (settles) settle(scene_, loop_, progress);
     loop_.startProjectiles();
+    projectiles_.begin();
     scene_.fragments.recluster(scene_.data);
     scene_.fragments.advanceAges();
     scene_.fragments.gather(scene_.data);
@@ -128,17 +129,19 @@ void DeviceSolver<Backend, Real>::sumFrame() {
 }
 
 template <class Backend, class Real>
-void DeviceSolver<Backend, Real>::fire(const Projectile& projectile) {
+double DeviceSolver<Backend, Real>::fire(const Projectile& projectile) {
     checkStart(projectile, scene_.setup.params.colliders);
     projectiles_.fire(projectile, scene_.substeps);
     scene_.uploadLaws(projectiles_.all());
     loop_.startProjectiles();
+    const Double3 wanted = projectile.position, placed = projectiles_.all().back().position;
+    return length(Vec3<double>{placed.x - wanted.x, placed.y - wanted.y, placed.z - wanted.z});
 }
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::measure() {
-    loop_.freshenLists();
-    books_.setMechanical(energy_.measure(scene_, loop_.stepper()));
+    loop_.withGoodLists(
+        [&] { books_.setMechanical(energy_.measure(scene_, loop_.stepper()), projectiles_.work()); });
 }
 
 template <class Backend, class Real>

@@ -40,7 +40,8 @@ void FrameBooks::tell(double external) {
     stats_.energy.external = external;
 }
 
-void FrameBooks::setMechanical(const MechanicalSums& sums) {
+void FrameBooks::setMechanical(const MechanicalSums& sums, double external) {
+    stats_.energy.external = external;
     stats_.energy.kinetic = sums.kinetic;
     stats_.energy.elastic = sums.elastic;
     stats_.energy.potential = sums.potential;

@@ -31,7 +31,8 @@ class FrameBooks {
     void closeFrame(uint32_t substeps, double time, uint32_t list_rebuilds);
     /// booked: the sums' energies count. external: J, work put in since the start.
     void addSums(const FrameSums& sums, bool booked, double external);
-    void setMechanical(const MechanicalSums& sums);
+    /// external: as above, up to this moment.
+    void setMechanical(const MechanicalSums& sums, double external);
     void setFragments(const FragmentSummary& summary);
     /// Of the last decision; Regimes: regimes.h.
     template <class Regimes>

@@ -28,6 +28,7 @@ namespace demolish {
 struct LoopState {
     uint64_t substeps = 0;  ///< since the start
     uint64_t quiet = 0;     ///< 1: nothing has moved in the last frame, nor will unless it is shot at
+    uint64_t contact_stride = kRigidStride;  ///< substeps of the last contact step
     Projectiles::State projectiles;
     ListSchedule::State lists;
     DecisionState decisions;
@@ -66,8 +67,10 @@ class FrameLoop {
     StepStatus runStretch(uint32_t n);
     /// Those whose time has come take part from now on.
     void startProjectiles();
-    /// Builds the contact lists if that is due.
-    void freshenLists();
+    /// use() with contact lists that are good for the present state; those of the run stay, and with them
+    /// when they are made anew.
+    template <class Use>
+    void withGoodLists(const Use& use);
     Stepper<Backend, Real>& stepper() { return stepper_; }
 
     LoopState state() const;
@@ -76,22 +79,28 @@ class FrameLoop {
   private:
     struct FrameUnderWay {
         uint32_t substeps = 0, remaining = 0;
-        bool moved = false;   ///< anything, so far
-        uint64_t builds = 0;  ///< of contact lists, before it
+        bool moved = false;          ///< anything, so far
+        uint32_t list_rebuilds = 0;  ///< so far
         LoopState before;
     };
 
     bool staysQuiet(uint32_t n) const;
     void beginFrame(uint32_t n);
     StepStatus runFrame(const FrameWatch& watch);
+    /// The next one; lists that are due are still to be built.
     Stretch stretch() const;
+    Stretch usualStretch() const;
     uint32_t untilNextStart(uint32_t at_most) const;
     void decide(bool frame_starts, uint32_t remaining);
     void decideIfDue(uint32_t remaining);
+    /// Builds the contact lists if that is due.
+    void freshenLists();
     void buildLists();
     void look(uint32_t lookahead);
     void followStrayed(uint32_t next);
     void runAwake(uint32_t n);
+    bool movesBonds() const { return !scene_.regimes.on() || scene_.regimes.movesBonds(); }
+    bool movesRigid() const { return scene_.regimes.on() && scene_.regimes.movesRigid(); }
     bool nothingMoves() const {
         const auto& regimes = scene_.regimes;
         return regimes.on() && !regimes.movesBonds() && !regimes.movesRigid();
@@ -104,7 +113,7 @@ class FrameLoop {
     Stepper<Backend, Real> stepper_;
     StateLook<Backend, Real> look_;
     StrayPaths<Backend, Real> strays_;
-    Checkpoint<Backend, Real> frame_start_;
+    Checkpoint<Backend, Real> frame_start_, present_;
     std::optional<FrameUnderWay> frame_;
     bool quiet_ = false;
 };
@@ -128,12 +137,12 @@ typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint3
     if (frame_->remaining > 0) return {};
     const FrameUnderWay frame = *std::exchange(frame_, std::nullopt);
     decisions_.noteFrame(frame.substeps);
-    return {status, false, frame.substeps, static_cast<uint32_t>(scene_.lists.builds() - frame.builds)};
+    return {status, false, frame.substeps, frame.list_rebuilds};
 }
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
-    frame_ = {n, n, false, scene_.lists.builds(), state()};
+    frame_ = {n, n, false, 0, state()};
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
@@ -171,6 +180,7 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
             continue;
         }
         frame_->moved = true;
+        freshenLists();
         const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
         const StepStatus status = runStretch(part);
         if (status != StepStatus::kOk) return status;
@@ -187,22 +197,27 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
 template <class Backend, class Real>
 StepStatus FrameLoop<Backend, Real>::runStretch(uint32_t n) {
     freshenLists();
-    const Stretch whole = stretch();
-    const uint32_t first = std::min(n, whole.first), second = n - first, next = whole.length();
+    const uint32_t first = std::min(n, stretch().first), second = n - first, next = usualStretch().length();
     runAwake(first);
     look(second + next);
     runAwake(second);
     const auto answer = look_.wait();
     const bool is_good = answer.status == StepStatus::kOk;
+    lists_.lookWithin(answer.look_within);
     if (lists_.judge(answer.left_paths, is_good, next, scene_.lists.horizon())) followStrayed(next);
     return answer.status;
 }
 
 /// Without bonds nothing happens fast.
 template <class Backend, class Real>
-Stretch FrameLoop<Backend, Real>::stretch() const {
-    if (scene_.regimes.on() && !scene_.regimes.movesBonds()) return kRigidStretch;
+Stretch FrameLoop<Backend, Real>::usualStretch() const {
+    if (!movesBonds()) return kRigidStretch;
     return scene_.tables.time_step < kShortSubstep ? kShortBondedStretch : kBondedStretch;
+}
+
+template <class Backend, class Real>
+Stretch FrameLoop<Backend, Real>::stretch() const {
+    return cutShort(usualStretch(), lists_.untilLook(), movesRigid() ? kRigidStride : 1);
 }
 
 template <class Backend, class Real>
@@ -243,11 +258,26 @@ void FrameLoop<Backend, Real>::buildLists() {
     scene_.lists.use(lists_.next(decisions_.somethingRigid(), decisions_.shotStarted()));
     scene_.lists.build(scene_.state(), scene_.data.particles.constants.view(), scene_.data.bonds.in());
     lists_.built();
+    if (frame_) ++frame_->list_rebuilds;
+}
+
+template <class Backend, class Real>
+template <class Use>
+void FrameLoop<Backend, Real>::withGoodLists(const Use& use) {
+    if (!lists_.due()) return use();
+    stepper_.placeRigid(scene_);
+    present_.keep(scene_);
+    const ListSchedule::State schedule = lists_.state();
+    buildLists();
+    use();
+    present_.putBack(scene_);
+    lists_.resume(schedule);
 }
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::look(uint32_t lookahead) {
-    look_.start(scene_, stepper_, lists_.age(), lookahead * scene_.tables.time_step);
+    look_.start(scene_, stepper_, lists_.age(), lookahead * scene_.tables.time_step,
+                usualStretch().length() * scene_.tables.time_step);
 }
 
 /// At the end of a stretch, with lists that hold for another: `next` substeps. Waits.
@@ -264,9 +294,13 @@ void FrameLoop<Backend, Real>::followStrayed(uint32_t next) {
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::startProjectiles() {
-    for (const uint32_t slot : projectiles_.startDue(scene_.substeps)) {
-        scene_.place(slot, projectiles_.all()[slot]);
+    for (const uint32_t slot : projectiles_.due(scene_.substeps)) {
+        stepper_.placeRigid(scene_);
+        const Projectile shot = scene_.setBack(projectiles_.all()[slot]);
+        scene_.place(slot, shot);
+        projectiles_.start(slot, shot);
         lists_.demand();
+        lists_.lookWithin(0);
         decisions_.noteShot();
     }
 }
@@ -279,14 +313,15 @@ uint32_t FrameLoop<Backend, Real>::untilNextStart(uint32_t at_most) const {
 
 template <class Backend, class Real>
 LoopState FrameLoop<Backend, Real>::state() const {
-    return {scene_.substeps, quiet_ ? uint64_t{1} : 0, projectiles_.state(), lists_.state(),
-            decisions_.state()};
+    return {scene_.substeps,      quiet_ ? uint64_t{1} : 0, stepper_.contactStride(),
+            projectiles_.state(), lists_.state(),           decisions_.state()};
 }
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::resume(const LoopState& state) {
     scene_.substeps = state.substeps;
     quiet_ = state.quiet != 0;
+    stepper_.resume(static_cast<uint32_t>(state.contact_stride));
     projectiles_.resume(state.projectiles);
     lists_.resume(state.lists);
     decisions_.resume(state.decisions);

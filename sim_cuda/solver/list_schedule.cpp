@@ -29,6 +29,11 @@ void ListSchedule::built() {
     state_.due = 0;
 }
 
+void ListSchedule::lookWithin(double seconds) {
+    constexpr double kMost = 1e9;
+    state_.until_look = static_cast<uint32_t>(std::min(seconds / time_step_, kMost));
+}
+
 bool ListSchedule::judge(bool left_paths, bool state_is_good, uint32_t next, double horizon) {
     const double needed = (state_.age + static_cast<double>(next)) * time_step_;
     const bool lasts = needed <= horizon, can_be_kept = left_paths && state_is_good && lasts;

@@ -39,15 +39,17 @@ uint64_t Projectiles::nextStart() const {
     return next;
 }
 
-std::vector<uint32_t> Projectiles::startDue(uint64_t substep) {
-    std::vector<uint32_t> due;
-    for (uint32_t slot = 0; slot < all_.size(); ++slot) {
-        if (hasStarted(slot) || startSubstep(all_[slot]) > substep) continue;
-        due.push_back(slot);
-        state_.started |= uint64_t{1} << slot;
-        if (substep > 0) state_.work += energyOf(all_[slot]);
-    }
-    return due;
+std::vector<uint32_t> Projectiles::due(uint64_t substep) const {
+    std::vector<uint32_t> slots;
+    for (uint32_t slot = 0; slot < all_.size(); ++slot)
+        if (!hasStarted(slot) && startSubstep(all_[slot]) <= substep) slots.push_back(slot);
+    return slots;
+}
+
+void Projectiles::start(uint32_t slot, const Projectile& placed) {
+    all_[slot] = placed;
+    state_.started |= uint64_t{1} << slot;
+    if (state_.begun != 0) state_.work += energyOf(placed);
 }
 
 double Projectiles::energyOf(const Projectile& projectile) const {

@@ -19,6 +19,7 @@ class Projectiles {
     struct State {
         double work = 0;       ///< J that have come in with projectiles after the beginning
         uint64_t started = 0;  ///< a bit a slot
+        uint64_t begun = 0;    ///< 1: whoever starts now has not been there at the beginning
     };
 
     /// gravity: m/s^2; time_step: s, of a substep.
@@ -30,8 +31,12 @@ class Projectiles {
 
     /// First substep at which the next waiting one takes part; the largest number when none waits.
     uint64_t nextStart() const;
-    /// Slots of those whose time has come by this substep, ascending: they have started from now on.
-    std::vector<uint32_t> startDue(uint64_t substep);
+    /// Slots of those that wait and whose time has come by this substep, ascending.
+    std::vector<uint32_t> due(uint64_t substep) const;
+    /// The one of `slot` takes part from now on, as it was placed.
+    void start(uint32_t slot, const Projectile& placed);
+    /// The run begins: what starts later puts in work.
+    void begin() { state_.begun = 1; }
 
     /// m, centre of a projectile that still waits at this time (s): on its way to where it starts.
     Double3 waitingAt(uint32_t slot, double time) const;

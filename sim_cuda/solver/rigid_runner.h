@@ -28,6 +28,7 @@ struct RigidStepOf {
     const RigidWork& work;
     const RigidConstants<Real>& constants;
     bool ledger = false;
+    uint32_t before = kRigidStride;  ///< substeps of the contact step before
 
     /// The arrays of a substep as contact steps use them: other constants, and both instants of the state
     /// kept the same.
@@ -36,8 +37,12 @@ struct RigidStepOf {
         views.constants = constants.in_contact_steps;
         return views;
     }
+    /// After a contact step of `previous` substeps. What carries particles pushes them and is pushed for the
+    /// same time, whatever was before.
     template <bool kLedger>
-    StepRigid<kLedger, Real> mover(Span<const RigidLoad<Real>> load, uint32_t stride, bool carried) const {
+    StepRigid<kLedger, Real> mover(Span<const RigidLoad<Real>> load, uint32_t previous, uint32_t stride,
+                                   bool carried) const {
+        const double push = pushedSubsteps(carried ? stride : previous, stride) * double(params.dt);
         return {arrays(),
                 data.particles.out(data.current),
                 rigidParams(params, stride),
@@ -47,6 +52,7 @@ struct RigidStepOf {
                 constants.in_substeps,
                 data.particles.constants.view(),
                 stride,
+                push,
                 carried ? 1.0 / stride : 0.0};
     }
 };
@@ -61,10 +67,12 @@ class RigidRunner<CpuBackend, Real> {
 
     /// n substeps' time, in contact steps of kRigidStride substeps and a shorter last one.
     void run(CpuBackend& backend, const Step& step, uint32_t n, bool) {
+        uint32_t previous = step.before;
         for (uint32_t done = 0; done < n;) {
             const uint32_t stride = std::min(kRigidStride, n - done);
             gather(backend, step, stride, done > 0);
-            move(backend, step, stride, false);
+            move(backend, step, previous, stride, false);
+            previous = stride;
             done += stride;
         }
     }
@@ -73,7 +81,7 @@ class RigidRunner<CpuBackend, Real> {
     void repeat(CpuBackend&, const Step&, const Runner&, uint32_t n, const Steps& steps) {
         steps(n);
     }
-    /// The two halves of one contact step; substeps that carry particles stand between them. On the GPU the
+    /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.
     void gather(CpuBackend& backend, const Step& step, uint32_t stride, bool) {
         if (load_.size() < step.work.active_at_most)
@@ -81,12 +89,15 @@ class RigidRunner<CpuBackend, Real> {
                 backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
         step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
     }
-    void move(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
-        step.ledger ? moveWith<true>(backend, step, stride, carried)
-                    : moveWith<false>(backend, step, stride, carried);
+    void moveCarrying(CpuBackend& backend, const Step& step, uint32_t stride) {
+        move(backend, step, stride, stride, true);
     }
 
   private:
+    void move(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
+        step.ledger ? moveWith<true>(backend, step, previous, stride, carried)
+                    : moveWith<false>(backend, step, previous, stride, carried);
+    }
     template <bool kLedger>
     void gatherWith(CpuBackend& backend, const Step& step, uint32_t stride) {
         backend.forEach(step.work.active_at_most,
@@ -95,9 +106,9 @@ class RigidRunner<CpuBackend, Real> {
                         "rigid load");
     }
     template <bool kLedger>
-    void moveWith(CpuBackend& backend, const Step& step, uint32_t stride, bool carried) {
+    void moveWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
         backend.forEach(step.work.fragments_at_most,
-                        step.template mover<kLedger>(load_.view(), stride, carried), "rigid step");
+                        step.template mover<kLedger>(load_.view(), previous, stride, carried), "rigid step");
     }
 
     CpuBackend::Buffer<RigidLoad<Real>> load_;

@@ -67,6 +67,9 @@ void checkStart(const Projectile& projectile, const std::vector<Collider>& colli
 /// Half the distance to the nearest seed of the same body, m: no two particles of a body overlap at rest,
 /// whether bonded or not (physics A.6, models E.4).
 std::vector<double> contactRadii(const BreakableBody& body);
+/// Makes contact radii smaller where particles of different bodies overlap: no two bodies begin pressed into
+/// each other.
+void keepBodiesApart(SceneTables& tables);
 /// Depth of the seed but at most the sphere of equal volume, m; with `standing`, cells of the sole get the
 /// seed's height above the body's lowest point (models E.4).
 std::vector<double> floorRadii(const BreakableBody& body, bool standing);

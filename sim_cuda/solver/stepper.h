@@ -37,6 +37,10 @@ class Stepper {
     /// True if a caller has to let them follow by itself, who then does so.
     bool takePlacing() { return std::exchange(rigid_lags_, false); }
 
+    /// Substeps of the last contact step; part of what changes while stepping.
+    uint32_t contactStride() const { return contact_stride_; }
+    void resume(uint32_t contact_stride) { contact_stride_ = contact_stride; }
+
   private:
     using RigidStep = RigidStepOf<Backend, Real>;
 
@@ -49,6 +53,7 @@ class Stepper {
     bool lists_stand_ =
         false;                 ///< since the last step nothing that steps read has been written but the state
     bool rigid_lags_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
+    uint32_t contact_stride_ = kRigidStride;
     bool recorded_ahead_[2] = {};  ///< GPU: without and with the ledger
 };
 
@@ -79,13 +84,14 @@ void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
 template <class Backend, class Real>
 void Stepper<Backend, Real>::runRigid(Scene& scene, uint32_t n, bool follows) {
     const RigidConstants<Real> constants = scene.regimes.rigidConstants();
-    const RigidStep step{scene.data, scene.lists.contacts(),   scene.params, scene.regimes.rigid(),
-                         constants,  scene.setup.params.ledger};
+    const RigidStep step{scene.data, scene.lists.contacts(),    scene.params,   scene.regimes.rigid(),
+                         constants,  scene.setup.params.ledger, contact_stride_};
     if (!scene.regimes.movesBonds())
         rigid_runner_.run(scene.backend, step, n, follows);
     else
         scene.regimes.carries() ? runTogether(scene, step, n, follows) : runApart(scene, step, n, follows);
     rigid_lags_ = true;
+    contact_stride_ = n % kRigidStride == 0 ? kRigidStride : n % kRigidStride;
 }
 
 /// Contact steps with the substeps between their halves: a rigid body answers to the sum of what its carried
@@ -104,7 +110,7 @@ void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, ui
             rigid_runner_.gather(backend, step, stride, follows || done > 0);
             runner_.runOne(backend, scene.data, step.contacts, params, step.ledger, true);
             runner_.runOn(backend, scene.data, step.contacts, scene.params, step.ledger, stride - 1);
-            rigid_runner_.move(backend, step, stride, true);
+            rigid_runner_.moveCarrying(backend, step, stride);
             done += stride;
         }
     });

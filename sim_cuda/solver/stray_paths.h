@@ -41,18 +41,17 @@ typename StrayPaths<Backend, Real>::Answer StrayPaths<Backend, Real>::restart(
     const uint32_t total = scene.tables.counts.total;
     auto& contacts = scene.lists.contacts();
     const auto& regimes = scene.regimes;
-    const PathsNow<Real> paths{scene.state(), contacts.paths(), static_cast<Real>(elapsed),
-                               static_cast<Real>(ahead)};
+    const PathsNow<Real> paths = scene.pathsNow(elapsed, ahead);
     scene.backend.forEach(total, ListStrayed<Real>{paths, strayed_.span(), words_.span()},
                           "list the strayed");
     scene.backend.forEach(
         size_t{total} * kThreads,
         SeeStrayed<kThreads, Real>{
-            paths, scene.data.bonds.in(), contacts.in(), scene.lists.buried(),
-            scene.fragments.clusters.fragment(), regimes.on() ? regimes.regime() : Span<const uint32_t>{},
-            scene.data.particles.constants.view(), scene.params.colliders,
-            static_cast<Real>(scene.lists.horizon() - elapsed), static_cast<Real>(regimes.gentlestHit()),
-            scene.tables.counts.in_bodies, strayed_.view(), lacking_.span(), words_.span()},
+            paths, scene.data.bonds.in(), contacts.in(), scene.fragments.clusters.fragment(),
+            regimes.on() ? regimes.regime() : Span<const uint32_t>{}, scene.data.particles.constants.view(),
+            scene.params.colliders, static_cast<Real>(scene.lists.horizon() - elapsed),
+            static_cast<Real>(regimes.gentlestHit()), scene.tables.counts.in_bodies, strayed_.view(),
+            lacking_.span(), words_.span()},
         "see the strayed");
     scene.backend.forEach(
         kMostStrayed,

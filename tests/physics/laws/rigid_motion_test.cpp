@@ -60,6 +60,12 @@ TEST(Flight, GravityGoesOnWithTheContactsOfWhatIsTouched) {
     EXPECT_EQ(flight.free, 0u);
 }
 
+TEST(Flight, WhatTouchesPushesFromTheMiddleOfAStepToTheMiddleOfTheNext) {
+    EXPECT_EQ(pushedSubsteps(10, 10), 10);
+    EXPECT_EQ(pushedSubsteps(10, 4), 7);
+    EXPECT_EQ(pushedSubsteps(4, 10), 7);
+}
+
 RigidBody spinningBrick() {
     RigidBody body;
     body.inverse_mass = 0.5;
@@ -93,7 +99,7 @@ TEST(RigidMotion, TurnsWithoutATorqueAtConstantEnergy) {
 
 struct Push {
     DEM_FN RigidBody operator()(RigidBody body) const {
-        advance(body, {4, 0, 0}, {}, {0, -10, 0}, 0.1);
+        advance(body, {0.4, 0, 0}, {}, {0, -1, 0}, 0.1);
         return body;
     }
 };

@@ -38,7 +38,7 @@ struct Means {
     double broken = 0, fragments = 0, largest = 0, energy = 0, damping = 0, friction = 0, fracture = 0;
 };
 Means meansOf(const Regimes& regimes) {
-    constexpr int kRuns = 3;
+    constexpr int kRuns = 4;
     Means means;
     for (int k = 0; k < kRuns; ++k) {
         SceneSetup setup = with(breakingScene(), regimes);
@@ -66,8 +66,8 @@ TEST_F(HandOver, NeitherFragmentsNorLedgerTellWhetherItWasOn) {
     EXPECT_NEAR(on.broken, off.broken, 0.02 * off.broken);
     EXPECT_NEAR(on.fragments, off.fragments, 0.06 * off.fragments);
     EXPECT_NEAR(on.largest, off.largest, 0.02);
-    EXPECT_NEAR(on.energy, off.energy, 1e-3 * off.energy);
-    EXPECT_NEAR(on.damping, off.damping, 0.02 * off.damping);
+    EXPECT_NEAR(on.energy, off.energy, 2e-3 * off.energy);
+    EXPECT_NEAR(on.damping, off.damping, 0.05 * off.damping);
     EXPECT_NEAR(on.friction, off.friction, 0.05 * off.friction);
     EXPECT_NEAR(on.fracture, off.fracture, 0.02 * off.fracture);
 }

@@ -200,7 +200,7 @@ TEST(LongFrame, InSlicesItIsTheSame) {
 }
 
 TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
-    const command::ShootAt click{{0, 1, 3}, {0, 0.5, 0}};
+    const command::ShootAt click{{0, 1, 3}, {0, 0.5, 1}};
     chosen_.impact.velocity = 0;
     session_.apply(command::ChangeShot{chosen_}, 0);
     session_.apply(click, 0);
@@ -210,6 +210,14 @@ TEST_F(SessionTest, AClickShootsNothingAtVelocityZero) {
     session_.apply(command::ChangeShot{chosen_}, 0);
     session_.apply(click, 0);
     EXPECT_EQ(session_.status().message, "");
+    EXPECT_TRUE(session_.status().playing);
+}
+
+TEST_F(SessionTest, ABallThatWouldStartInsideTheBodyStartsFartherBackAndASentenceSaysSo) {
+    chosen_.impact.velocity = 5;
+    session_.apply(command::ChangeShot{chosen_}, 0);
+    session_.apply(command::ShootAt{{0, 1, 3}, {0, 0.5, 0}}, 0);
+    EXPECT_THAT(session_.status().message, testing::HasSubstr("farther back on its way"));
     EXPECT_TRUE(session_.status().playing);
 }
 

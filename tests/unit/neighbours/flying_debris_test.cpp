@@ -38,7 +38,6 @@ struct Flight {
                                SeeStrayed<kThreads, float>{paths,
                                                            arrays.bonds.in(),
                                                            lists.contacts().in(),
-                                                           lists.buried(),
                                                            labels,
                                                            {},
                                                            arrays.particles.constants.view(),
@@ -96,7 +95,8 @@ struct Flight {
         auto flag = arrays.backend.allocate<uint32_t>(1);
         arrays.backend.forEach(
             cloud.items.size(),
-            CheckPaths<float>{arrays.state(), lists.contacts().paths(), flag.span(), since_build, lookahead},
+            CheckPaths<float>{{arrays.state(), lists.contacts().paths(), since_build, lookahead},
+                              flag.span()},
             "check paths");
         if (flag.span()[0] != 0 && follows && since_build + lookahead <= lists.horizon() && follow(lookahead))
             flag.span()[0] = 0;

@@ -77,7 +77,7 @@ TEST(FrameBooks, AStateThatIsResumedGoesOnAndKnowsNoEnergiesOfTheMoment) {
     const FrameBooks::State state = books.state();
     MechanicalSums measured;
     measured.kinetic = 11;
-    books.setMechanical(measured);
+    books.setMechanical(measured, 0);
     books.closeFrame(10, 0.002, 0);
     books.addSums(sumsOf(9), true, 5);
     EXPECT_EQ(books.stats().energy.kinetic, 11) << "those of the last measurement stay";

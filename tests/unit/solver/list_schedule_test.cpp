@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "sim_cuda/solver/look_interval.h"
 
 namespace demolish::tests {
@@ -92,6 +94,25 @@ TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
     EXPECT_DOUBLE_EQ(lists.remaining(kHorizon, 10), 10 * kStep);
     lists.pass(100);
     EXPECT_EQ(lists.remaining(kHorizon, 10), 0);
+}
+
+TEST(ListSchedule, TheFirstLookComesAtOnceAndTheNextAsItSays) {
+    ListSchedule lists = fresh();
+    EXPECT_EQ(lists.untilLook(), 0u);
+    lists.lookWithin(7.5 * kStep);
+    EXPECT_EQ(lists.untilLook(), 7u);
+    lists.lookWithin(1e30);
+    EXPECT_GT(lists.untilLook(), 1'000'000u);
+}
+
+TEST(Stretch, IsCutToWholeStepsAndNeverToNone) {
+    const auto halves = [](const Stretch& stretch) { return std::pair(stretch.first, stretch.second); };
+    EXPECT_EQ(halves(cutShort(kBondedStretch, 20, 1)), std::pair(10u, 10u));
+    EXPECT_EQ(halves(cutShort(kBondedStretch, 1000, 1)), std::pair(10u, 10u));
+    EXPECT_EQ(halves(cutShort(kBondedStretch, 7, 1)), std::pair(4u, 3u));
+    EXPECT_EQ(halves(cutShort(kBondedStretch, 0, 1)), std::pair(1u, 0u));
+    EXPECT_EQ(halves(cutShort(kRigidStretch, 39, 10)), std::pair(20u, 10u));
+    EXPECT_EQ(halves(cutShort(kRigidStretch, 3, 10)), std::pair(10u, 0u));
 }
 
 }  // namespace

@@ -21,11 +21,9 @@ struct LookedAt {
                           path_velocity = withW(xyz(velocity), 0.1f);
         const ParticleConstants<float> constants{1, 1, 0.1f, 0.1f};
         uint32_t words[kLookWords] = {};
-        const CheckPaths<float> paths{{{&position, 1}, {&rotation, 1}, {&velocity, 1}, {&spin, 1}},
-                                      {{&path_position, 1}, {&path_velocity, 1}},
-                                      {&words[kLookRebuild], 1},
-                                      0,
-                                      0};
+        const CheckPaths<float> paths{{{{&position, 1}, {&rotation, 1}, {&velocity, 1}, {&spin, 1}},
+                                       {{&path_position, 1}, {&path_velocity, 1}}},
+                                      {&words[kLookRebuild], 1}};
         LookAtState<float>{paths, {&constants, 1}, {words, kLookWords}, 10}(0);
         return words[kLookStatus];
     }

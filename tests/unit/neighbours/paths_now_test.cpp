@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands between bonds and may be met by a projectile all the same; what comes so fast that the next
+// look must be sooner.
+#include <gtest/gtest.h>
+
+#include "sim_cuda/kernels/look_at_state.h"
+#include "tests/unit/neighbours/bonded_grid.h"
+#include "tests/unit/neighbours/particle_cloud.h"
+
+namespace demolish::test {
+namespace {
+
+/// 3 x 3 x 3 bonded particles 0.1 m apart, the one in the middle buried; one projectile slot is free to use.
+struct Block {
+    static constexpr uint32_t kMiddle = 13;
+    BondedGrid grid{3, 3, 3};
+    Cloud cloud = cloudOf(grid);
+    uint32_t shot = cloud.in_bodies;
+
+    static Cloud cloudOf(const BondedGrid& grid) {
+        Cloud cloud;
+        for (uint32_t i = 0; i < grid.count(); ++i) {
+            const auto at = grid.placeOf(i);
+            cloud.items.push_back({{0.1f * float(at.x), 0.1f * float(at.y), 0.1f * float(at.z)}, {}, 0.05f});
+        }
+        cloud.addProjectileSlots();
+        return cloud;
+    }
+    std::vector<uint32_t> buried() const {
+        std::vector<uint32_t> marks(cloud.in_bodies);
+        marks[kMiddle] = 1;
+        return marks;
+    }
+};
+
+/// Lists of a block, built.
+struct BuiltBlock {
+    CloudArrays arrays;
+    NeighbourLists<CpuBackend, float> lists;
+
+    explicit BuiltBlock(const Block& block)
+        : arrays(block.cloud), lists(arrays.backend, block.cloud.counts(), block.cloud.largestRadius()) {
+        setBonds(block);
+        lists.setBuried(block.buried());
+        lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
+    }
+    void setBonds(const Block& block) {
+        arrays.bonds.row_start = arrays.backend.uploaded(block.grid.row_start);
+        arrays.bonds.link = arrays.backend.uploaded(block.grid.link);
+    }
+    PathsNow<float> paths(float lookahead = 0) const {
+        return {arrays.state(), lists.contacts().paths(), 0, lookahead, lists.enclosures(arrays.bonds.in())};
+    }
+    uint32_t kindOfMiddle() const { return lists.contacts().place_kind.view()[Block::kMiddle]; }
+    /// s, until the next look; `usual` s, of a stretch.
+    double lookWithin(float lookahead, float usual, const ColliderSet<float>& colliders = {}) {
+        auto words = arrays.backend.allocate<uint32_t>(kLookWords);
+        arrays.backend.forEach(
+            kMaxProjectiles * 4,
+            SeeFastShots<4, float>{paths(lookahead), lists.contacts().in(), arrays.particles.constants.view(),
+                                   colliders, words.span(), usual},
+            "see fast shots");
+        return secondsOf(words.span()[kLookAgain]);
+    }
+};
+
+TEST(Enclosed, IsInNoListWhileItsBondsHold) {
+    const BuiltBlock built{Block{}};
+    EXPECT_EQ(built.kindOfMiddle(), kEnclosed);
+    EXPECT_TRUE(built.lists.enclosures(built.arrays.bonds.in()).hold(Block::kMiddle));
+}
+
+TEST(Enclosed, IsListedWhereAProjectileMayReachIt) {
+    Block block;
+    block.cloud.items[block.shot] = {{0.1f, 0.1f, 0.4f}, {0, 0, -10}, 0.05f, true};
+    const BuiltBlock built{block};
+    EXPECT_EQ(built.kindOfMiddle(), kInGrid);
+    const auto rows = built.lists.contacts().in();
+    EXPECT_LT(findContact(rows.row_start, rows.neighbour, Block::kMiddle, block.shot),
+              rows.row_start[Block::kMiddle + 1]);
+    block.cloud.items[block.shot].v = {10, 0, 0};
+    EXPECT_EQ(BuiltBlock{block}.kindOfMiddle(), kEnclosed) << "it flies past";
+}
+
+TEST(FastShots, AreSeenBeforeTheyHitAndTellHowSoonToLook) {
+    Block block;
+    block.cloud.items[block.shot] = {{0.1f, 0.1f, 0.4f}, {0, 0, -10}, 0.05f, true};
+    BuiltBlock built{block};
+    const double skin = 0.5 * 0.05, gap = 0.2 - 2 * 0.05, way = gap + kSkinsBetweenLooks * skin;
+    EXPECT_NEAR(built.lookWithin(0.02f, 0.02f), way / 10, 1e-6);
+    EXPECT_GT(built.lookWithin(0.02f, 0.001f), 1) << "a short stretch is short enough";
+    EXPECT_GT(built.lookWithin(0.0001f, 0.02f), 1) << "it is too far away for now";
+}
+
+TEST(FastShots, SeeColliders) {
+    Block block;
+    block.cloud.items[block.shot] = {{5, 0.2f, 0}, {0, -10, 0}, 0.05f, true};
+    BuiltBlock built{block};
+    const auto floor = makeColliderSet<float>({Plane{}});
+    const double way = 0.2 - 0.05 + kSkinsBetweenLooks * 0.5 * 0.05;
+    EXPECT_NEAR(built.lookWithin(0.02f, 0.05f, floor), way / 10, 1e-6);
+    EXPECT_GT(built.lookWithin(0.02f, 0.05f), 1) << "nothing is in its way";
+}
+
+}  // namespace
+}  // namespace demolish::test
