@@ -15,7 +15,7 @@ endif()
 install(FILES LICENSE DESTINATION ${data_dir} COMPONENT program)
 
 # The README and all pages and pictures that it leads to, each at its place: links hold in the bundle as well.
-file(GLOB_RECURSE pages RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS app/*.md assets/*.md docs/*.md docs/*.png engine/*.md
+file(GLOB_RECURSE pages RELATIVE ${PROJECT_SOURCE_DIR} CONFIGURE_DEPENDS app/*.md assets/*.md docs/*.md docs/*.jpg docs/*.png engine/*.md
     sim_cuda/*.md tests/*.md)
 foreach(page README.md CONTRIBUTING.md CHANGELOG.md ${pages})
     get_filename_component(place ${page} DIRECTORY)
