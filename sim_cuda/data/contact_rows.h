@@ -45,10 +45,6 @@ DEM_FN bool hasPath(const Vec4<Real>& path_velocity) {
     return skinOf(path_velocity) >= Real(0);
 }
 
-/// Where a list build looks for a particle of a body: in the grid; nowhere, since it stands between solid
-/// bonds and meets no projectile; among the few that are too fast for the grid.
-inline constexpr uint32_t kInGrid = 0, kEnclosed = 1, kSetApart = 2;
-
 template <class Backend, class Real>
 struct ContactArrays {
     template <class T>
@@ -58,7 +54,6 @@ struct ContactArrays {
     Buffer<uint32_t> neighbour;  ///< capacity may exceed row_start[total]
     Buffer<Vec4<Real>> spring;
     Buffer<Vec4<Real>> built_position, built_velocity;  ///< PathsIn
-    Buffer<uint32_t> place_kind;                        ///< per particle of a body: kInGrid ...
     uint32_t used = 0;                                  ///< row_start[total]
 
     ContactRowsIn<Real> in() const { return {row_start.view(), neighbour.view(), spring.view()}; }

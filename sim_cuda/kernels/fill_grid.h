@@ -8,6 +8,10 @@
 
 namespace demolish {
 
+/// Where a particle of a body is looked for: in the buckets; nowhere, since it stands between solid bonds and
+/// meets no projectile; among the few that are too fast for the grid.
+inline constexpr uint32_t kInGrid = 0, kEnclosed = 1, kSetApart = 2;
+
 template <class Real>
 struct CountInBuckets {
     PathsIn<Real> paths;

@@ -35,6 +35,7 @@ struct PathsNow {
     PathsIn<Real> paths;
     Real elapsed{}, lookahead{};
     Enclosures enclosures{};
+
     DEM_FN bool strays(uint32_t i) const {
         return leavesPath(paths.position[i], paths.velocity[i], positionOf(state, i), xyz(state.velocity[i]),
                           elapsed, lookahead);

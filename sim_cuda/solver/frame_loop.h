@@ -87,7 +87,7 @@ class FrameLoop {
     bool staysQuiet(uint32_t n) const;
     void beginFrame(uint32_t n);
     StepStatus runFrame(const FrameWatch& watch);
-    /// The next one; lists that are due are still to be built.
+    /// The next one: the usual one, or as much of it as the last look allows.
     Stretch stretch() const;
     Stretch usualStretch() const;
     uint32_t untilNextStart(uint32_t at_most) const;
@@ -180,7 +180,6 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
             continue;
         }
         frame_->moved = true;
-        freshenLists();
         const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
         const StepStatus status = runStretch(part);
         if (status != StepStatus::kOk) return status;
@@ -208,7 +207,7 @@ StepStatus FrameLoop<Backend, Real>::runStretch(uint32_t n) {
     return answer.status;
 }
 
-/// Without bonds nothing happens fast.
+/// Without bonds nothing happens fast but hits by projectiles, which cut it short.
 template <class Backend, class Real>
 Stretch FrameLoop<Backend, Real>::usualStretch() const {
     if (!movesBonds()) return kRigidStretch;

@@ -16,7 +16,7 @@ class ListSchedule {
         uint32_t life = 10'000;   ///< substeps that lists have lasted of late
         uint32_t left_paths = 0;  ///< 1: somebody had left his path when they were last looked at
         uint32_t due = 1;         ///< 1: they must be built before the next substep
-        uint32_t until_look = 0;  ///< substeps until somebody must look at them again; any number may do
+        uint32_t until_look = 0;  ///< substeps that may pass until the next look; above a stretch: as usual
     };
 
     /// time_step: s, of a substep.

@@ -130,7 +130,7 @@ class NeighbourLists {
     Buffer<uint32_t> zeroed_, place_, member_, draft_, long_draft_;
     Buffer<uint32_t> bucket_start_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
-    Buffer<uint32_t> buried_;
+    Buffer<uint32_t> buried_, place_kind_;
     Buffer<uint64_t> sorted_entries_;
     Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
@@ -159,6 +159,7 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       bucket_start_(backend.template allocate<uint32_t>(mask_ + size_t{2})),
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      place_kind_(backend.template allocate<uint32_t>(counts.in_bodies)),
       sorted_entries_(backend.template allocate<uint64_t>(kMostInserted)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
@@ -171,7 +172,6 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
     }
     contacts_.built_position = backend.template allocate<Vec4<Real>>(counts.total);
     contacts_.built_velocity = backend.template allocate<Vec4<Real>>(counts.total);
-    contacts_.place_kind = backend.template allocate<uint32_t>(counts.in_bodies);
 }
 
 template <class Backend, class Real>
@@ -202,9 +202,8 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state,
     backend_.reduceInto(
         ranges_.span(), counts_.total, VelocityRanges<Real>{},
         StartPaths<Real>{state, constants, enclosures(bonds), contacts_.built_position.span(),
-                         contacts_.built_velocity.span(), contacts_.place_kind.span(),
-                         Real(settings_.skin_share), Real(settings_.skin_share * largest_radius_),
-                         Real(settings_.longest_horizon)},
+                         contacts_.built_velocity.span(), place_kind_.span(), Real(settings_.skin_share),
+                         Real(settings_.skin_share * largest_radius_), Real(settings_.longest_horizon)},
         WidenRanges<Real>{}, "start paths");
     chooseFrame(state, constants);
 }
@@ -230,19 +229,19 @@ void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state,
     backend_.forEach(samples, SampleVelocities<Real>{state, constants, ranges_.view(), velocityBins()},
                      "sample velocities");
     backend_.forEach(3, TrimVelocities{velocityBins(), slow_.span(), samples}, "trim velocities");
-    backend_.forEach(counts_.in_bodies,
-                     CountFast<Real>{state, constants, ranges_.view(), slow_.view(),
-                                     contacts_.place_kind.view(), fastCount()},
-                     "count the fast");
+    backend_.forEach(
+        counts_.in_bodies,
+        CountFast<Real>{state, constants, ranges_.view(), slow_.view(), place_kind_.view(), fastCount()},
+        "count the fast");
 }
 
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::fillGrid() {
-    backend_.forEach(counts_.in_bodies,
-                     CountInBuckets<Real>{contacts_.paths(), frame_.view(), ranges_.view(), slow_.view(),
-                                          mask_, contacts_.place_kind.span(), key_.span(), bucketCounters(),
-                                          apartCount(), place_.span()},
-                     "count in buckets");
+    backend_.forEach(
+        counts_.in_bodies,
+        CountInBuckets<Real>{contacts_.paths(), frame_.view(), ranges_.view(), slow_.view(), mask_,
+                             place_kind_.span(), key_.span(), bucketCounters(), apartCount(), place_.span()},
+        "count in buckets");
     backend_.exclusiveScan(bucketCounters(), bucket_start_.span());
     backend_.forEach(counts_.in_bodies,
                      FillBuckets<Real>{contacts_.paths(),
@@ -250,7 +249,7 @@ void NeighbourLists<Backend, Real>::fillGrid() {
                                        key_.view(),
                                        bucket_start_.view(),
                                        place_.view(),
-                                       contacts_.place_kind.view(),
+                                       place_kind_.view(),
                                        mask_,
                                        {member_.span(), member_key_.span(), member_ball_.span(),
                                         member_position_.span(), member_velocity_.span()}},
@@ -267,7 +266,7 @@ NeighbourSearch<Real> NeighbourLists<Backend, Real>::searchOf(const BondRowsIn<R
              member_velocity_.view()},
             bonds.row_start,
             bonds.link,
-            contacts_.place_kind.view(),
+            place_kind_.view(),
             place_.view(),
             apartCount(),
             mask_,

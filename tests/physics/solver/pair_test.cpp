@@ -59,6 +59,18 @@ TEST_F(Pair, WhatIsRigidIsLeftOutWhereTheTwoGoApart) {
     }
 }
 
+/// However far two part in one substep: the next touch shall not begin with what this one leaves.
+TEST_F(Pair, WhatHasPartedKeepsNoSpring) {
+    for (const double distance : {1.005, 1.5, 10.0}) {
+        setState(PairState::kContact);
+        data_.bonds.spring.span()[0] = data_.bonds.spring.span()[1] = {0, 1e-5, 0, 7};
+        setDistance(distance * kSize);
+        step();
+        for (uint32_t slot = 0; slot < 2; ++slot)
+            EXPECT_TRUE(holdsNothing(data_.bonds.spring.view()[slot])) << distance;
+    }
+}
+
 TEST_F(Pair, TheBondBreaksAtItsStrengthAndNotBefore) {
     const double strength = tables_.body[0].report.strength, area = kSize * kSize;
     const double limit = strength * tables_.slots[0].strength * area / tables_.slots[0].stiffness;

@@ -51,7 +51,11 @@ struct BuiltBlock {
     PathsNow<float> paths(float lookahead = 0) const {
         return {arrays.state(), lists.contacts().paths(), 0, lookahead, lists.enclosures(arrays.bonds.in())};
     }
-    uint32_t kindOfMiddle() const { return lists.contacts().place_kind.view()[Block::kMiddle]; }
+    bool listsMiddleWith(uint32_t other) const {
+        const auto rows = lists.contacts().in();
+        return findContact(rows.row_start, rows.neighbour, Block::kMiddle, other) <
+               rows.row_start[Block::kMiddle + 1];
+    }
     /// s, until the next look; `usual` s, of a stretch.
     double lookWithin(float lookahead, float usual, const ColliderSet<float>& colliders = {}) {
         auto words = arrays.backend.allocate<uint32_t>(kLookWords);
@@ -64,22 +68,32 @@ struct BuiltBlock {
     }
 };
 
-TEST(Enclosed, IsInNoListWhileItsBondsHold) {
-    const BuiltBlock built{Block{}};
-    EXPECT_EQ(built.kindOfMiddle(), kEnclosed);
-    EXPECT_TRUE(built.lists.enclosures(built.arrays.bonds.in()).hold(Block::kMiddle));
-}
-
-TEST(Enclosed, IsListedWhereAProjectileMayReachIt) {
+TEST(Enclosed, IsListedWhereAProjectileMayReachItAndOnlyThere) {
     Block block;
     block.cloud.items[block.shot] = {{0.1f, 0.1f, 0.4f}, {0, 0, -10}, 0.05f, true};
-    const BuiltBlock built{block};
-    EXPECT_EQ(built.kindOfMiddle(), kInGrid);
-    const auto rows = built.lists.contacts().in();
-    EXPECT_LT(findContact(rows.row_start, rows.neighbour, Block::kMiddle, block.shot),
-              rows.row_start[Block::kMiddle + 1]);
+    EXPECT_TRUE(BuiltBlock{block}.listsMiddleWith(block.shot));
     block.cloud.items[block.shot].v = {10, 0, 0};
-    EXPECT_EQ(BuiltBlock{block}.kindOfMiddle(), kEnclosed) << "it flies past";
+    EXPECT_FALSE(BuiltBlock{block}.listsMiddleWith(block.shot)) << "it flies past";
+}
+
+/// Of particles 13 (the middle one), 14 beside it and 5 beside 14.
+TEST(Enclosed, HoldsDeeplyWhileTheBondsAboutItHoldToo) {
+    Block block;
+    BuiltBlock built{block};
+    const auto enclosures = [&] { return built.lists.enclosures(built.arrays.bonds.in()); };
+    EXPECT_TRUE(enclosures().hold(Block::kMiddle));
+    EXPECT_TRUE(enclosures().holdDeeply(Block::kMiddle));
+    EXPECT_FALSE(enclosures().hold(0)) << "is not buried";
+    block.grid.setState(0, 1, PairState::kBroken);
+    built.setBonds(block);
+    EXPECT_TRUE(enclosures().holdDeeply(Block::kMiddle)) << "neither is bonded to the middle";
+    block.grid.setState(5, 14, PairState::kBroken);
+    built.setBonds(block);
+    EXPECT_TRUE(enclosures().hold(Block::kMiddle));
+    EXPECT_FALSE(enclosures().holdDeeply(Block::kMiddle));
+    block.grid.setState(Block::kMiddle, 14, PairState::kBroken);
+    built.setBonds(block);
+    EXPECT_FALSE(enclosures().hold(Block::kMiddle));
 }
 
 TEST(FastShots, AreSeenBeforeTheyHitAndTellHowSoonToLook) {
