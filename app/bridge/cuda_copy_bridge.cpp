@@ -38,13 +38,15 @@ CudaCopyBridge::CudaCopyBridge(engine::FractureMesh& mesh, const Solver& solver,
 
 CudaCopyBridge::~CudaCopyBridge() = default;
 
-const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements) {
+const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements, size_t first) {
     const auto index = static_cast<size_t>(id);
-    const size_t wanted = std::min(elements * kStreamElementBytes[index], memory_->bytes[index]);
+    const size_t before = std::min(first * kStreamElementBytes[index], memory_->bytes[index]);
+    const size_t wanted = std::min(elements * kStreamElementBytes[index], memory_->bytes[index] - before);
     if (wanted == 0) return nullptr;
-    auto* host = static_cast<std::byte*>(memory_->pinned[index].atLeast(wanted));
-    copyToHost(host, memory_->device[index], wanted, stream_, "copying the frame");
-    mesh_.stream(id).upload({host, wanted});
+    auto* host = static_cast<std::byte*>(memory_->pinned[index].atLeast(before + wanted));
+    copyToHost(host + before, static_cast<const std::byte*>(memory_->device[index]) + before, wanted, stream_,
+               "copying the frame");
+    mesh_.stream(id).upload({host + before, wanted}, before);
     return host;
 }
 
@@ -63,9 +65,13 @@ void CudaCopyBridge::transfer(Solver& solver, const FrameRequest& request) {
     solver.synchronize();
     projectile_block_.read(request.projectiles, projectiles_);
     if (change != FrameChange::kProjectiles) bringStreams(change);
-    const auto read = [&](StreamId id, size_t size) {
-        const void* host = memory_->pinned[static_cast<size_t>(id)].data();
-        return std::span(static_cast<const std::byte*>(host), size);
+    const auto read = [&](StreamId id, size_t first, size_t size) {
+        const auto i = static_cast<size_t>(id);
+        auto* host = static_cast<std::byte*>(memory_->pinned[i].atLeast(first + size));
+        if (id == StreamId::kExteriorVertices)  // more of it than was brought
+            copyToHost(host + first, static_cast<const std::byte*>(memory_->device[i]) + first, size, stream_,
+                       "copying the frame");
+        return std::span<const std::byte>(host + first, size);
     };
     if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
 }
@@ -83,6 +89,12 @@ void CudaCopyBridge::bringStreams(FrameChange change) {
     bring(StreamId::kInteriorVertices, use.interior_vertices);
     bring(StreamId::kExteriorIndices, use.exterior_indices);
     bring(StreamId::kCrackEdges, use.crack_edges);
+    const size_t vertices =
+        memory_->bytes[static_cast<size_t>(StreamId::kExteriorVertices)] / sizeof(SurfaceVertex);
+    const size_t chunks = exteriorChunks(vertices);
+    const auto* flags = reinterpret_cast<const uint32_t*>(bring(StreamId::kExteriorChunks, chunks));
+    const WrittenVertices outside = writtenVertices({flags, flags == nullptr ? 0 : chunks}, vertices);
+    bring(StreamId::kExteriorVertices, outside.count, outside.first);
 }
 
 }  // namespace demolish

@@ -25,8 +25,9 @@ class CudaCopyBridge : public FrameBridge {
 
   private:
     struct Memory;
-    /// Copies the first `elements` of a stream to the host and on to GL; returns the host copy.
-    const std::byte* bring(engine::StreamId id, size_t elements);
+    /// Copies `elements` of a stream to the host and on to GL; returns the host copy of its first element,
+    /// null if there is nothing to copy.
+    const std::byte* bring(engine::StreamId id, size_t elements, size_t first = 0);
     void bringStreams(FrameChange change);
 
     engine::FractureMesh& mesh_;

@@ -107,10 +107,10 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
     if (tapped > 0) streams.colours = colourStreamsAt(colours_.atLeast(kColours * tapped), tapped);
     solver.exportFrame(streams, request.fresh);
     solver.synchronize();
-    const auto read = [&](engine::StreamId id, size_t size) {
+    const auto read = [&](engine::StreamId id, size_t first, size_t size) {
         const auto i = static_cast<size_t>(id);
         auto* copy = static_cast<std::byte*>(copies_[i].atLeast(size));
-        copyToHost(copy, data[i], size, stream_, "copying the frame");
+        copyToHost(copy, static_cast<const std::byte*>(data[i]) + first, size, stream_, "copying the frame");
         return std::span<const std::byte>(copy, size);
     };
     if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));

@@ -44,8 +44,9 @@ class ExportHistory {
     ParticleColour colour_ = ParticleColour::kFragment;
 };
 
-/// The first so many bytes of a stream as it was written last. They stay until the next transfer.
-using ReadStream = std::function<std::span<const std::byte>(engine::StreamId, size_t)>;
+/// So many bytes of a stream, from one on, as it was written last. They stay until the next transfer, or
+/// until the same stream is read again.
+using ReadStream = std::function<std::span<const std::byte>(engine::StreamId, size_t first, size_t bytes)>;
 /// As ColourStreams.
 struct ColourBytes {
     std::span<const uint8_t> damage, stress, speed;

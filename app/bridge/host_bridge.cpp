@@ -30,16 +30,17 @@ void HostBridge::transfer(Solver& solver, const FrameRequest& request) {
     solver.exportFrame(streams, request.fresh);
     projectiles_.resize(request.projectiles);
     if (change != FrameChange::kProjectiles) uploadStreams(streams, change);
-    const auto read = [&](StreamId id, size_t size) {
-        return std::span<const std::byte>(memory_[static_cast<size_t>(id)].get(), size);
+    const auto read = [&](StreamId id, size_t first, size_t size) {
+        return std::span<const std::byte>(memory_[static_cast<size_t>(id)].get() + first, size);
     };
     if (request.tap) request.tap(change, read, colourBytesAt(colours_.data(), tapped));
 }
 
-void HostBridge::upload(StreamId id, size_t elements) {
+void HostBridge::upload(StreamId id, size_t elements, size_t first) {
     const auto index = static_cast<size_t>(id);
-    const size_t wanted = std::min(elements * kStreamElementBytes[index], bytes_[index]);
-    if (wanted > 0) mesh_.stream(id).upload({memory_[index].get(), wanted});
+    const size_t before = std::min(first * kStreamElementBytes[index], bytes_[index]);
+    const size_t wanted = std::min(elements * kStreamElementBytes[index], bytes_[index] - before);
+    if (wanted > 0) mesh_.stream(id).upload({memory_[index].get() + before, wanted}, before);
 }
 
 void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change) {
@@ -52,6 +53,10 @@ void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change)
     upload(StreamId::kInteriorIndices, use.interior_indices);
     upload(StreamId::kInteriorVertices, use.interior_vertices);
     upload(StreamId::kExteriorIndices, use.exterior_indices);
+    const WrittenVertices outside =
+        writtenVertices({streams.exterior_chunks.data, exteriorChunks(streams.exterior_vertices.capacity)},
+                        streams.exterior_vertices.capacity);
+    upload(StreamId::kExteriorVertices, outside.count, outside.first);
     upload(StreamId::kCrackEdges, use.crack_edges);
     upload(StreamId::kCommands, 1);
 }

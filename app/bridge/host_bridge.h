@@ -19,7 +19,7 @@ class HostBridge : public FrameBridge {
     Transfer kind() const override { return Transfer::kHost; }
 
   private:
-    void upload(engine::StreamId id, size_t elements);
+    void upload(engine::StreamId id, size_t elements, size_t first = 0);
     void uploadStreams(const RenderStreams& streams, FrameChange change);
 
     engine::FractureMesh& mesh_;

@@ -61,6 +61,7 @@ class FrameReader {
         const StreamSizes sizes = solver_.exportSizes();
         reserve(FrameParts::kDrawLists, streams_.interior_vertices, sizes.interior_vertices);
         reserve(FrameParts::kDrawLists, streams_.interior_indices, sizes.interior_indices);
+        reserve(FrameParts::kDrawLists, streams_.exterior_vertices, sizes.exterior_vertices);
         reserve(FrameParts::kDrawLists, streams_.exterior_indices, sizes.exterior_indices);
         reserve(FrameParts::kDrawLists, streams_.crack_edges, sizes.crack_edges);
         reserve(FrameParts::kDrawLists, streams_.commands, 1);
@@ -85,6 +86,7 @@ class FrameReader {
         bring(streams_.interior_indices, frame.commands.interior.count, frame.interior_indices);
         const DrawListUse use = drawListUse(frame.commands, frame.interior_indices);
         bring(streams_.interior_vertices, use.interior_vertices, frame.interior_vertices);
+        bring(streams_.exterior_vertices, frame.exterior_vertices);
         bring(streams_.exterior_indices, use.exterior_indices, frame.exterior_indices);
         bring(streams_.crack_edges, use.crack_edges, frame.crack_edges);
     }

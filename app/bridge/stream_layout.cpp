@@ -27,6 +27,8 @@ RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
     streams.interior_indices = streamOf<uint32_t>(data, bytes, StreamId::kInteriorIndices);
     streams.exterior_indices = streamOf<uint32_t>(data, bytes, StreamId::kExteriorIndices);
     streams.crack_edges = streamOf<uint32_t>(data, bytes, StreamId::kCrackEdges);
+    streams.exterior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kExteriorVertices);
+    streams.exterior_chunks = streamOf<uint32_t>(data, bytes, StreamId::kExteriorChunks);
     streams.commands = streamOf<DrawCommands>(data, bytes, StreamId::kCommands);
     streams.colour = colour;
     return streams;

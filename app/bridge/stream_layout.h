@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eight streams in one order, with the size of their elements, so that the three bridges count bytes
+// The streams in one order, with the size of their elements, so that the three bridges count bytes
 // alike.
 #pragma once
 #include <array>
@@ -14,14 +14,15 @@ namespace demolish {
 inline constexpr size_t kStreamCount = static_cast<size_t>(engine::StreamId::kCount);
 
 inline constexpr std::array<size_t, kStreamCount> kStreamElementBytes = {
-    sizeof(ParticleInstance), sizeof(uint32_t), sizeof(FragmentTransform), sizeof(SurfaceVertex),
-    sizeof(uint32_t),         sizeof(uint32_t), sizeof(uint32_t),          sizeof(DrawCommands)};
+    sizeof(ParticleInstance), sizeof(uint32_t),    sizeof(FragmentTransform), sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(uint32_t),    sizeof(uint32_t),          sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(DrawCommands)};
 
 /// Streams that change while nothing breaks; the solver's others are draw lists.
 inline constexpr std::array<engine::StreamId, 2> kMotionStreams = {engine::StreamId::kParticles,
                                                                    engine::StreamId::kTransforms};
 
-/// Points the solver's streams at eight blocks of memory, given in the order of StreamId; null leaves a
+/// Points the solver's streams at blocks of memory, given in the order of StreamId; null leaves a
 /// stream out.
 RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
                         const std::array<size_t, kStreamCount>& bytes, ParticleColour colour);

@@ -18,7 +18,7 @@ namespace {
 template <class T>
 std::span<const T> seen(const ReadStream& read, StreamId id, size_t count) {
     if (count == 0) return {};
-    return {reinterpret_cast<const T*>(read(id, count * sizeof(T)).data()), count};
+    return {reinterpret_cast<const T*>(read(id, 0, count * sizeof(T)).data()), count};
 }
 
 template <class T>
@@ -113,14 +113,17 @@ void Recording::add(RecordedFrame frame) {
 }
 
 std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const ReadStream& read,
-                                                                std::span<const uint8_t> damage) {
+                                                                std::span<const uint8_t> damage,
+                                                                size_t outside_vertices) {
     auto list = std::make_shared<RecordedDrawList>();
     list->particle_fragment = copied(seen<uint32_t>(read, StreamId::kParticleFragment, damage.size()));
     list->damage = copied(damage);
     list->slots = slotsOf(list->particle_fragment);
     list->commands = seen<DrawCommands>(read, StreamId::kCommands, 1)[0];
     const SurfaceSpans surface(read, list->commands);
-    list->bytes = sizeof(*list) + damage.size() + surface.bytes() +
+    list->outside = RecordedOutside(frames_.empty() ? nullptr : &frames_.back().draw_list->outside, read,
+                                    outside_vertices);
+    list->bytes = sizeof(*list) + damage.size() + surface.bytes() + list->outside.ownBytes() +
                   sizeof(uint32_t) * (list->particle_fragment.size() + list->slots.size());
     finishCopies();
     copying_ = std::async(std::launch::async, [list, surface] {
@@ -132,7 +135,7 @@ std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const ReadStream
 }
 
 RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, const ColourBytes& colours,
-                              const FrameStats& stats) {
+                              const FrameStats& stats, size_t outside_vertices) {
     RecordedFrame frame;
     frame.stats = stats;
     if (change == FrameChange::kProjectiles) {
@@ -144,7 +147,8 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
         return frame;
     }
     const size_t particles = colours.stress.size();
-    frame.draw_list = breaksWith(stats) ? readDrawList(stream, colours.damage) : frames_.back().draw_list;
+    frame.draw_list =
+        breaksWith(stats) ? readDrawList(stream, colours.damage, outside_vertices) : frames_.back().draw_list;
     frame.stress = copied(colours.stress);
     frame.speed = copied(colours.speed);
     const auto all = seen<FragmentTransform>(stream, StreamId::kTransforms, particles);
@@ -164,6 +168,7 @@ void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetu
     upload(mesh, StreamId::kParticleFragment, list.particle_fragment);
     upload(mesh, StreamId::kInteriorVertices, list.interior_vertices.span());
     upload(mesh, StreamId::kInteriorIndices, list.interior_indices.span());
+    list.outside.upload(mesh);
     upload(mesh, StreamId::kExteriorIndices, drawnExterior(setup, list.particle_fragment));
     upload(mesh, StreamId::kCrackEdges, list.crack_edges.span());
     upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});

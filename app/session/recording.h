@@ -8,6 +8,7 @@
 
 #include "app/bridge/frame_bridge.h"
 #include "app/session/recorded_array.h"
+#include "app/session/recorded_outside.h"
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/api/solver.h"
 
@@ -19,6 +20,7 @@ struct RecordedDrawList {
     std::vector<uint8_t> damage;  ///< as ColourStreams
     RecordedArray<SurfaceVertex> interior_vertices;
     RecordedArray<uint32_t> interior_indices, crack_edges;
+    RecordedOutside outside;
     DrawCommands commands{};
     std::vector<uint32_t> slots;  ///< slots in use, ascending
     size_t bytes = 0;             ///< of all of it
@@ -40,9 +42,10 @@ class Recording {
     void clear();
     /// The frame that a tap sees, but for the projectiles; it follows the one that was added last. Megabytes
     /// of new memory take milliseconds to fill: that goes on by itself, and ends before finishCopies() does,
-    /// which has to be called before the next transfer and before a frame is looked at.
+    /// which has to be called before the next transfer and before a frame is looked at. `outside_vertices`:
+    /// as StreamSizes::exterior_vertices.
     RecordedFrame read(FrameChange change, const ReadStream& stream, const ColourBytes& colours,
-                       const FrameStats& stats);
+                       const FrameStats& stats, size_t outside_vertices);
     void finishCopies() {
         if (copying_.valid()) copying_.get();
     }
@@ -61,7 +64,8 @@ class Recording {
 
   private:
     std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
-                                                         std::span<const uint8_t> damage);
+                                                         std::span<const uint8_t> damage,
+                                                         size_t outside_vertices);
     /// Did something break since the frame recorded last?
     bool breaksWith(const FrameStats& stats) const {
         return frames_.empty() || frames_.back().stats.bonds_broken != stats.bonds_broken;

@@ -201,7 +201,8 @@ void Session::bringFrame(bool fresh) {
     FrameTap tap;
     if (options_.record && !recording_.full())
         tap = [&](FrameChange change, const ReadStream& read, const ColourBytes& colours) {
-            frame = recording_.read(change, read, colours, shown_);
+            frame = recording_.read(change, read, colours, shown_,
+                                    built_.solver->exportSizes().exterior_vertices);
         };
     FrameBridge& bridge = output_->bridge();
     const auto begun = Clock::now();

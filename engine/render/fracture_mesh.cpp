@@ -8,6 +8,7 @@
 namespace demolish::engine {
 namespace {
 
+constexpr size_t kChunk = 64;  // vertices
 constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32;
 
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {
@@ -35,6 +36,10 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
             return data.exterior_indices.size_bytes();
         case StreamId::kCrackEdges:
             return data.crack_capacity * sizeof(uint32_t);
+        case StreamId::kExteriorVertices:
+            return data.exterior_vertices.size();
+        case StreamId::kExteriorChunks:
+            return (data.exterior_vertices.size() / kVertexBytes + kChunk - 1) / kChunk * sizeof(uint32_t);
         case StreamId::kCommands:
             return 3 * kDrawCommandBytes;
         case StreamId::kCount:
@@ -51,8 +56,7 @@ uint64_t FractureMesh::nextVersion() {
 }
 
 FractureMesh::FractureMesh(const FractureMeshData& data)
-    : exterior_vertices_(fixedBuffer(data.exterior_vertices)),
-      crack_edges_(fixedBuffer(data.crack_edges)),
+    : crack_edges_(fixedBuffer(data.crack_edges)),
       particle_count_(data.particle_count),
       particle_capacity_(std::max(data.particle_capacity, data.particle_count)) {
     for (size_t i = 0; i < streams_.size(); ++i) {
@@ -64,6 +68,7 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
     // does not move.
     const float identity[8] = {0, 0, 0, 1, 0, 0, 0, 0};
     stream(StreamId::kTransforms).upload(std::as_bytes(std::span(identity)));
+    stream(StreamId::kExteriorVertices).upload(data.exterior_vertices);
     stream(StreamId::kExteriorIndices).upload(std::as_bytes(data.exterior_indices));
     const uint32_t exterior[5] = {static_cast<uint32_t>(data.exterior_indices.size()), 1, 0, 0, 0};
     stream(StreamId::kCommands)

@@ -13,8 +13,7 @@ namespace demolish::engine {
 
 /// Bytes as they lie in the buffers (std430 / vertex attributes); sizes are checked by whoever fills them.
 struct FractureMeshData {
-    std::span<const std::byte>
-        exterior_vertices;  ///< 24 B each: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
+    std::span<const std::byte> exterior_vertices;  ///< what their stream starts with
     std::span<const uint32_t>
         exterior_indices;  ///< 3 per triangle; what is drawn until the stream says otherwise
     std::span<const std::byte> crack_edges;  ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
@@ -35,7 +34,7 @@ class FractureMesh {
         return streams_[static_cast<size_t>(id)];
     }
     const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
-    const gl::Buffer& exteriorVertices() const { return exterior_vertices_; }
+    const gl::Buffer& exteriorVertices() const { return stream(StreamId::kExteriorVertices); }
     const gl::Buffer& crackEdges() const { return crack_edges_; }
     /// Triangles as one of the stream's commands says, of what is bound.
     void drawCommanded(uint32_t command) const;
@@ -48,7 +47,7 @@ class FractureMesh {
 
   private:
     static uint64_t nextVersion();
-    gl::Buffer exterior_vertices_, crack_edges_;
+    gl::Buffer crack_edges_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
     size_t particle_count_ = 0, particle_capacity_ = 0;
     uint64_t version_ = nextVersion();

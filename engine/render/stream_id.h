@@ -11,10 +11,12 @@ enum class StreamId : uint32_t {
     kParticles,         ///< 32 B: position 3f, radius, value, fragment u32, 2 x u32
     kParticleFragment,  ///< u32 per particle
     kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
-    kInteriorVertices,  ///< 24 B, as exterior_vertices
+    kInteriorVertices,  ///< 24 B, as kExteriorVertices
     kInteriorIndices,   ///< u32
     kExteriorIndices,   ///< u32, into the exterior vertices
     kCrackEdges,        ///< u32
+    kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
+    kExteriorChunks,    ///< u32 per 64 exterior vertices: which were written last; nothing here reads it
     kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
     kCount
 };

@@ -52,6 +52,48 @@ struct ExteriorTriangle {
 static_assert(sizeof(ExteriorTriangle) == 48);
 inline constexpr uint32_t kNoNeighbour = 0xffffffffu;
 
+/// What keeps a point of the outside from leaving the body's shape when it slides.
+enum class SlideKind : uint32_t {
+    kPlane,  ///< smooth round it: along the surface
+    kEdge,   ///< on a sharp edge: along that
+    kNone,   ///< a corner
+};
+
+/// A place on the outside, one for all exterior vertices and the pool vertex that stand on it.
+struct OutsidePoint {
+    Float3 position;    ///< m, at rest
+    uint32_t triangle;  ///< of the mesh: one that it lies in
+    Float3 normal;      ///< unit, outward: mean of the triangles round it
+    float spacing;      ///< m, h of its body
+    Float3 axis;        ///< unit: normal of the plane, or direction of the edge, along which it slides
+    float reach;        ///< m, how far it may slide
+    SlideKind kind;
+    uint32_t cell;  ///< one whose outside it lies on
+    uint32_t pool;  ///< pool vertex, or kNoPool
+    uint32_t reserved = 0;
+};
+static_assert(sizeof(OutsidePoint) == 64);
+inline constexpr uint32_t kNoPool = 0xffffffffu;
+
+/// A triangle of the mesh with what its corners carry: what slides over it takes that up.
+struct MeshTriangle {
+    Float3 corner[3];       ///< m
+    uint32_t normal[3];     ///< octahedral
+    uint32_t uv[3];         ///< 2 x float16
+    uint32_t neighbour[3];  ///< triangle beyond the side from corner k to k + 1, or kNoNeighbour
+};
+static_assert(sizeof(MeshTriangle) == 72);
+
+/// Where an exterior vertex belongs: its point, and the triangle of the mesh that its normal and UV are of.
+struct ExteriorHome {
+    uint32_t point, triangle;
+};
+
+/// A crack edge at one of its ends.
+struct PointCrack {
+    uint32_t edge, other;  ///< of crack_edges; the point at the far end
+};
+
 struct FractureGeometry {
     std::vector<SurfaceVertex> exterior;               ///< X: vertices grouped by cell
     std::vector<ExteriorTriangle> exterior_triangles;  ///< one per triangle of the mesh
@@ -68,6 +110,14 @@ struct FractureGeometry {
     std::vector<uint32_t> pool_corner_next;      ///< pool id of the next vertex round that triangle
     std::vector<uint32_t> pool_corner_previous;  ///< pool id of the previous vertex round that triangle
     std::vector<CrackEdge> crack_edges;          ///< K
+    std::vector<OutsidePoint> points;            ///< of the outside
+    std::vector<ExteriorHome> exterior_home;     ///< per exterior vertex
+    std::vector<MeshTriangle> mesh_triangles;    ///< as exterior_triangles
+    std::vector<uint32_t> point_corner_start;    ///< CSR over points: corners of parts of the outside there
+    std::vector<uint32_t> point_corner_next;     ///< point that follows round that part
+    std::vector<uint32_t> point_corner_previous;
+    std::vector<uint32_t> point_crack_start;  ///< CSR over points: crack edges that end there
+    std::vector<PointCrack> point_cracks;
 };
 
 }  // namespace demolish

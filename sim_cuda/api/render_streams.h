@@ -56,6 +56,11 @@ struct ColourStreams {
     Stream<uint8_t> damage, stress, speed;
 };
 
+inline constexpr size_t kExteriorChunk = 64;
+constexpr size_t exteriorChunks(size_t vertices) {
+    return (vertices + kExteriorChunk - 1) / kExteriorChunk;
+}
+
 /// An empty stream is not written. A fragment's slot is the lowest particle id in it.
 struct RenderStreams {
     Stream<ParticleInstance> particles;       ///< one per particle and projectile (projectiles last)
@@ -67,7 +72,12 @@ struct RenderStreams {
     Stream<uint32_t>
         exterior_indices;          ///< into the exterior vertices: mesh triangles, cut where they are cracked
     Stream<uint32_t> crack_edges;  ///< ids of the crack edges shown
-    Stream<DrawCommands> commands;  ///< one
+    /// The outside, which slides where it cracks; written in whole chunks of kExteriorChunk vertices: all of
+    /// them into fresh streams, else those of which one has moved since the last export into streams that
+    /// were not fresh.
+    Stream<SurfaceVertex> exterior_vertices;
+    Stream<uint32_t> exterior_chunks;  ///< per chunk: 1 where this export wrote it
+    Stream<DrawCommands> commands;     ///< one
     ParticleColour colour = ParticleColour::kFragment;
     ColourStreams colours;  ///< for a recording, whatever `colour` is
 };

@@ -58,7 +58,8 @@ struct Snapshot {
 
 /// Upper bounds of the streams' sizes for a setup, so that the renderer can allocate once.
 struct StreamSizes {
-    size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_indices = 0, crack_edges = 0;
+    size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_vertices = 0,
+           exterior_indices = 0, crack_edges = 0;
 };
 StreamSizes streamSizes(const SceneSetup& setup);
 
@@ -83,8 +84,8 @@ class Solver {
     virtual double fire(const Projectile& projectile) = 0;
 
     /// Writes the frame into the caller's memory: device memory for a CUDA solver (mapped GL buffers), host
-    /// memory for the CPU solver. Draw lists and interior vertices are written only if fracture changed since
-    /// the last export into streams with `streams_fresh` false.
+    /// memory for the CPU solver. Draw lists and vertices are written only if fracture changed since the last
+    /// export into streams with `streams_fresh` false.
     virtual void exportFrame(const RenderStreams& streams, bool streams_fresh = false) = 0;
 
     /// streamSizes() of the set-up that it was made from.

@@ -14,11 +14,31 @@ namespace {
 /// are cut, and with the centre vertex a face gets about eight triangles.
 constexpr double kLongestPart = 0.45;
 
+/// How far points of the outside slide, over h: less where a wall has few cells across it.
+constexpr double kReachOnWalls = 0.45, kReachOnSolids = 0.7, kThinWall = 2.5;
+
 double enclosedVolume(const TriangleMesh& mesh) {
     double six_volumes = 0;
     for (const auto& t : mesh.triangles)
         six_volumes += dot(mesh.positions[t[0]], cross(mesh.positions[t[1]], mesh.positions[t[2]]));
     return six_volumes / 6;
+}
+
+double area(const TriangleMesh& mesh) {
+    double twice = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        twice += length(cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]));
+    return twice / 2;
+}
+
+/// A wall between two outsides is as thick as its volume over half of its area.
+void setReach(const TriangleMesh& mesh, double spacing, FractureGeometry& geometry) {
+    const double thickness = 2 * enclosedVolume(mesh) / area(mesh);
+    const double reach = (thickness < kThinWall * spacing ? kReachOnWalls : kReachOnSolids) * spacing;
+    for (OutsidePoint& point : geometry.points) {
+        point.spacing = static_cast<float>(spacing);
+        point.reach = static_cast<float>(reach);
+    }
 }
 
 }  // namespace
@@ -44,9 +64,12 @@ FractureGeometry makeFractureGeometry(const TriangleMesh& mesh, const CellComple
     const double spacing = std::cbrt(enclosedVolume(mesh) / static_cast<double>(complex.seeds.size()));
     const BondLookup lookup(bonds, complex.seeds.size());
     FractureGeometry geometry;
-    makeExterior(mesh, complex, lookup, geometry);
-    tessellateFaces(complex, splitVoronoiEdges(complex, kLongestPart * spacing), lookup, geometry);
+    const std::vector<uint32_t> corner_vertex = makeExterior(mesh, complex, lookup, geometry);
+    const std::vector<uint32_t> pool_of_vertex =
+        tessellateFaces(complex, splitVoronoiEdges(complex, kLongestPart * spacing), lookup, geometry);
     listPoolCorners(geometry);
+    listOutsidePoints(mesh, complex, corner_vertex, pool_of_vertex, geometry);
+    setReach(mesh, spacing, geometry);
     return geometry;
 }
 

@@ -146,8 +146,8 @@ void joinChunks(const CellComplex& complex, const std::vector<uint32_t>& piece_s
 
 }  // namespace
 
-void makeExterior(const TriangleMesh& mesh, const CellComplex& complex, const BondLookup& bonds,
-                  FractureGeometry& geometry) {
+std::vector<uint32_t> makeExterior(const TriangleMesh& mesh, const CellComplex& complex,
+                                   const BondLookup& bonds, FractureGeometry& geometry) {
     const std::vector<uint32_t> piece_start = pieceStarts(complex);
     const auto cell_count = static_cast<uint32_t>(complex.seeds.size());
     std::vector<uint32_t> corner_vertex(complex.exterior_loop.size());
@@ -159,6 +159,7 @@ void makeExterior(const TriangleMesh& mesh, const CellComplex& complex, const Bo
     });
     joinChunks(complex, piece_start, chunks, corner_vertex, geometry);
     listExteriorTriangles(mesh, complex, corner_vertex, geometry);
+    return corner_vertex;
 }
 
 }  // namespace demolish

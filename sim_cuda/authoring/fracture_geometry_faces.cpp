@@ -11,8 +11,7 @@
 namespace demolish {
 namespace {
 
-constexpr size_t kFacesPerChunk = 256;  // fixed, so that the result does not depend on the threads
-constexpr uint32_t kUnused = 0xffffffffu;
+constexpr size_t kFacesPerChunk = 256;             // fixed, so that the result does not depend on the threads
 constexpr size_t kMostTrianglesOfRecord = 21'845;  // their vertices, at most three each, fit 16-bit indices
 
 struct RingVertex {
@@ -170,10 +169,10 @@ class FaceTessellator {
 
 /// Numbers the complex's vertices that lie on faces, in the complex's order, and starts the pool with them.
 std::vector<uint32_t> poolOfVertices(const CellComplex& complex, FractureGeometry& geometry) {
-    std::vector<uint32_t> pool(complex.vertices.size(), kUnused);
+    std::vector<uint32_t> pool(complex.vertices.size(), kNoPool);
     for (const uint32_t v : complex.loop_vertices) pool[v] = 0;
     for (size_t v = 0; v < pool.size(); ++v) {
-        if (pool[v] == kUnused) continue;
+        if (pool[v] == kNoPool) continue;
         pool[v] = static_cast<uint32_t>(geometry.pool.size());
         const Double3& p = complex.vertices[v].position;
         geometry.pool.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)});
@@ -221,9 +220,9 @@ void joinChunks(const std::vector<FaceChunk>& chunks, uint32_t first_centre, Fra
 
 }  // namespace
 
-void tessellateFaces(const CellComplex& complex, const SplitEdges& split, const BondLookup& bonds,
-                     FractureGeometry& geometry) {
-    const std::vector<uint32_t> pool_of_vertex = poolOfVertices(complex, geometry);
+std::vector<uint32_t> tessellateFaces(const CellComplex& complex, const SplitEdges& split,
+                                      const BondLookup& bonds, FractureGeometry& geometry) {
+    std::vector<uint32_t> pool_of_vertex = poolOfVertices(complex, geometry);
     const auto first_split = static_cast<uint32_t>(geometry.pool.size());
     appendInside(split.points, geometry);
     const auto first_centre = static_cast<uint32_t>(geometry.pool.size());
@@ -237,6 +236,7 @@ void tessellateFaces(const CellComplex& complex, const SplitEdges& split, const 
         }
     });
     joinChunks(chunks, first_centre, geometry);
+    return pool_of_vertex;
 }
 
 }  // namespace demolish

@@ -21,9 +21,10 @@ class BondLookup {
     std::vector<uint32_t> higher_;  ///< j of every bond
 };
 
-/// Exterior vertices by cell, their triangles and the crack edges (X and K of geometry.md 6).
-void makeExterior(const TriangleMesh& mesh, const CellComplex& complex, const BondLookup& bonds,
-                  FractureGeometry& geometry);
+/// Exterior vertices by cell, their triangles and the crack edges (X and K of geometry.md 6). Returns the
+/// exterior vertex at each entry of complex.exterior_loop.
+std::vector<uint32_t> makeExterior(const TriangleMesh& mesh, const CellComplex& complex,
+                                   const BondLookup& bonds, FractureGeometry& geometry);
 
 /// Fills exterior_triangles, exterior_cells, exterior_indices and exterior_rim. `corner_vertex`: the exterior
 /// vertex at each entry of complex.exterior_loop.
@@ -48,9 +49,15 @@ struct SplitEdges {
 SplitEdges splitVoronoiEdges(const CellComplex& complex, double longest);
 
 /// Fills pool, pool_on_surface, faces, face_vertices and face_indices. Pool order: complex vertices that lie
-/// on faces, split points, centres of faces.
-void tessellateFaces(const CellComplex& complex, const SplitEdges& split, const BondLookup& bonds,
-                     FractureGeometry& geometry);
+/// on faces, split points, centres of faces. Returns the pool vertex of each complex vertex, or kNoPool.
+std::vector<uint32_t> tessellateFaces(const CellComplex& complex, const SplitEdges& split,
+                                      const BondLookup& bonds, FractureGeometry& geometry);
+
+/// Fills points, exterior_home, mesh_triangles, point_corner_* and point_crack*. `corner_vertex` as
+/// makeExterior(), `pool_of_vertex` as tessellateFaces() returns it.
+void listOutsidePoints(const TriangleMesh& mesh, const CellComplex& complex,
+                       const std::vector<uint32_t>& corner_vertex,
+                       const std::vector<uint32_t>& pool_of_vertex, FractureGeometry& geometry);
 
 /// Fills pool_corner_*: every triangle corner at a pool vertex, in order of faces and triangles.
 void listPoolCorners(FractureGeometry& geometry);

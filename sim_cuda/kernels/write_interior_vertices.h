@@ -2,6 +2,7 @@
 // Vertices of the exposed faces, for both sides of each: the same positions, each with its side's smooth
 // normal.
 #pragma once
+#include "sim_cuda/data/crack_smoothing.h"
 #include "sim_cuda/data/fracture_mesh.h"
 #include "sim_cuda/kernels/spread_surface_distance.h"
 #include "sim_cuda/physics/vertex_packing.h"
@@ -16,8 +17,9 @@ struct WriteInteriorVertices {
     Span<const InteriorFace> faces;
     Span<const uint32_t> face_of_vertex, face_vertices;
     Span<const uint8_t> face_state;
-    Span<const uint32_t> first_vertex;  ///< of each face in the stream
-    Span<const uint32_t> fragment;      ///< slot of each particle
+    Span<const uint32_t> first_vertex;   ///< of each face in the stream
+    Span<const uint32_t> fragment;       ///< slot of each particle
+    Span<const uint32_t> fragment_size;  ///< cells, by slot
     PoolCorners corners;
     Span<const uint8_t> surface_distance;
     Span<const float> spacing;
@@ -29,7 +31,7 @@ struct WriteInteriorVertices {
         if (face_state[f] == kFaceHidden || first_vertex[f + 1] > out.size()) return;
         const InteriorFace face = faces[f];
         const uint32_t pool = face_vertices[index];
-        Side a{fragment[face.cell_a]}, b{fragment[face.cell_b]};
+        Side a = sideOf(face.cell_a, f), b = sideOf(face.cell_b, f);
         gather(pool, a, b);
         const uint32_t to = first_vertex[f] + (index - face.first_vertex);
         out[to] = vertexOfSide(pool, face.cell_a, a);
@@ -37,9 +39,11 @@ struct WriteInteriorVertices {
     }
 
   private:
-    /// Of the fragment on one side of a face: all its exposed faces that meet at a vertex.
+    static constexpr uint32_t kEveryFace = 0xffffffffu;
+
+    /// Of the fragment on one side of a face: all its exposed faces that meet at a vertex, or this one alone.
     struct Side {
-        uint32_t slot;
+        uint32_t slot, only;
         Vec3<float> normal{}, neighbours{};
         float count = 0;
 
@@ -49,6 +53,11 @@ struct WriteInteriorVertices {
             count += 2.0f;
         }
     };
+    /// A crumb's faces are flat, and its edges sharp.
+    DEM_FN Side sideOf(uint32_t cell, uint32_t face) const {
+        const uint32_t slot = fragment[cell];
+        return {slot, fragment_size[slot] <= kMostCellsOfCrumb ? face : kEveryFace};
+    }
     /// Both at once: what is read for one side is read for the other.
     DEM_FN void gather(uint32_t pool, Side& a, Side& b) const {
         const Vec3<float> here = toVec3(position[pool]);
@@ -56,8 +65,8 @@ struct WriteInteriorVertices {
             const uint32_t f = corners.face[c];
             if (face_state[f] == kFaceHidden) continue;
             const uint32_t slot_a = fragment[faces[f].cell_a], slot_b = fragment[faces[f].cell_b];
-            const bool of_a = slot_a == a.slot || slot_b == a.slot,
-                       of_b = slot_a == b.slot || slot_b == b.slot;
+            const bool of_a = (slot_a == a.slot || slot_b == a.slot) && (a.only == kEveryFace || a.only == f);
+            const bool of_b = (slot_a == b.slot || slot_b == b.slot) && (b.only == kEveryFace || b.only == f);
             if (!of_a && !of_b) continue;
             const Vec3<float> next = toVec3(position[corners.next[c]]) - here;
             const Vec3<float> previous = toVec3(position[corners.previous[c]]) - here;

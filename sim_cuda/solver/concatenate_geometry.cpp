@@ -74,6 +74,33 @@ void appendInterior(const FractureGeometry& from, const Offsets& offsets, Fractu
     append(from.pool_corner_previous, first_pool, to.pool_corner_previous);
 }
 
+void appendPoints(const FractureGeometry& from, const Offsets& offsets, FractureGeometry& to) {
+    const uint32_t first_point = count(to.points), first_triangle = count(to.mesh_triangles);
+    const uint32_t first_pool = count(to.pool), first_edge = count(to.crack_edges);
+    const uint32_t first_corner = count(to.point_corner_next), first_crack = count(to.point_cracks);
+    for (OutsidePoint point : from.points) {
+        point.triangle += first_triangle;
+        point.cell += offsets.cell;
+        if (point.pool != kNoPool) point.pool += first_pool;
+        to.points.push_back(point);
+    }
+    for (const ExteriorHome& home : from.exterior_home)
+        to.exterior_home.push_back({home.point + first_point, home.triangle + first_triangle});
+    for (MeshTriangle triangle : from.mesh_triangles) {
+        for (uint32_t& beyond : triangle.neighbour)
+            if (beyond != kNoNeighbour) beyond += first_triangle;
+        to.mesh_triangles.push_back(triangle);
+    }
+    for (size_t p = 0; p < from.points.size(); ++p) {
+        to.point_corner_start.push_back(from.point_corner_start[p + 1] + first_corner);
+        to.point_crack_start.push_back(from.point_crack_start[p + 1] + first_crack);
+    }
+    append(from.point_corner_next, first_point, to.point_corner_next);
+    append(from.point_corner_previous, first_point, to.point_corner_previous);
+    for (const PointCrack& crack : from.point_cracks)
+        to.point_cracks.push_back({crack.edge + first_edge, crack.other + first_point});
+}
+
 Offsets offsetsAfter(const Offsets& offsets, const BreakableBody& body) {
     return {offsets.cell + count(body.particles), offsets.bond + count(body.bonds)};
 }
@@ -82,9 +109,12 @@ Offsets offsetsAfter(const Offsets& offsets, const BreakableBody& body) {
 
 SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies) {
     SceneGeometry scene;
-    scene.geometry.pool_corner_start.push_back(0);
+    for (auto* start : {&scene.geometry.pool_corner_start, &scene.geometry.point_corner_start,
+                        &scene.geometry.point_crack_start})
+        start->push_back(0);
     Offsets offsets;
     for (const BodyInstance& instance : bodies) {
+        appendPoints(instance.body->geometry, offsets, scene.geometry);  // before what it counts is appended
         appendExterior(instance.body->geometry, offsets, scene.geometry);
         appendInterior(instance.body->geometry, offsets, scene.geometry);
         scene.pool_spacing.resize(scene.geometry.pool.size(), static_cast<float>(instance.body->spacing));
@@ -143,6 +173,7 @@ StreamSizes streamSizes(const SceneSetup& setup) {
         sizes.particles += instance.body->particles.size();
         sizes.interior_vertices += 2 * geometry.face_vertices.size();
         sizes.interior_indices += 2 * geometry.face_indices.size();
+        sizes.exterior_vertices += geometry.exterior.size();
         sizes.exterior_indices += geometry.exterior_indices.size();
         sizes.crack_edges += geometry.crack_edges.size();
     }

@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surface that fracture opens: which faces and cracks show, how fresh ones are bent, and what is written
-// for drawing.
+// The surface that fracture opens: which faces and cracks show, how fresh ones are bent, how the outside
+// follows (outside_surface.h), and what is written for drawing.
 //
 // Use, from Solver::exportFrame():
 //   FractureSurface<Backend> surface(backend, concatenateGeometry(setup.bodies));    once
-//   if (fracture changed)                     surface.update(fragment, bond_broken);
-//   if (fracture changed || streams_fresh)    surface.write(streams, fragment);
+//   if (fracture changed)                     surface.update(fracture);
+//   if (fracture changed || streams_fresh)    surface.write(streams, fragment, size, streams_fresh);
 //   save / restore: saveState() and restoreState(), and write() with the next frame; back to the start:
 //   reset().
-// `fragment` holds each particle's slot (any number that is equal exactly within a fragment), `bond_broken`
-// one byte per bond (1: broken) in the order of the bodies and of BreakableBody::bonds. Nothing waits for the
-// device and no count is read back. All is gathered, so it has the same bits on every device; what a frame
-// shows depends on the order in which faces were exposed from update to update, because faces that showed
-// before never move again.
+// Bonds stand in the order of the bodies and of BreakableBody::bonds. Nothing waits for the device and no
+// count is read back. All is gathered, so it has the same bits on every device; what a frame shows depends on
+// the order in which faces were exposed from update to update, because faces that showed before never move
+// again.
 #pragma once
 #include <algorithm>
 #include <cstring>
@@ -32,11 +31,10 @@
 #include "sim_cuda/kernels/write_interior_indices.h"
 #include "sim_cuda/kernels/write_interior_vertices.h"
 #include "sim_cuda/solver/concatenate_geometry.h"
+#include "sim_cuda/solver/marked_list.h"
+#include "sim_cuda/solver/outside_surface.h"
 
 namespace demolish {
-
-/// Laplacian steps on newly exposed faces; more would invert the tips of single cells (geometry.md 4 d).
-inline constexpr int kRelaxationSteps = 5;
 
 template <class Backend>
 class FractureSurface {
@@ -48,23 +46,25 @@ class FractureSurface {
     FractureSurface(Backend& backend, const SceneGeometry& scene);
 
     /// Marks what shows now and bends the faces that did not show at the last update.
-    void update(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken);
+    void update(const Fracture& fracture);
 
-    /// Fills interior_vertices, interior_indices, exterior_indices, crack_edges and commands, each unless its
-    /// stream is empty, as of the last update; `fragment` is the one of that update. What would not fit is
-    /// left out: streamSizes() always fits.
-    void write(const RenderStreams& streams, Span<const uint32_t> fragment);
+    /// Fills the vertices, indices, crack_edges and commands, each unless its stream is empty, as of the last
+    /// update; `fragment` and `size` are those of that update. What would not fit is left out: streamSizes()
+    /// always fits.
+    void write(const RenderStreams& streams, Span<const uint32_t> fragment, Span<const uint32_t> size,
+               bool streams_fresh);
+    /// Instead of write(), where nothing has changed.
+    void tellUnchanged(const RenderStreams& streams) { outside_.tellUnchanged(streams); }
 
     /// Everything whole and at rest again.
     void reset();
 
-    /// What changes from update to update, for snapshots: face states and bent positions. Waits for the
-    /// device.
+    /// What changes from update to update, for snapshots: face states, bent positions and the outside's
+    /// points. Waits for the device.
     std::vector<std::byte> saveState();
-    /// Restores saveState()'s bytes, taken on the same scene, and brings counts up to date with `fragment`
-    /// and `bond_broken` as they were then.
-    void restoreState(const std::vector<std::byte>& state, Span<const uint32_t> fragment,
-                      Span<const uint8_t> bond_broken);
+    /// Restores saveState()'s bytes, taken on the same scene, and brings counts up to date with fracture as
+    /// it was then.
+    void restoreState(const std::vector<std::byte>& state, const Fracture& fracture);
 
     /// m, pool positions as drawn, by pool id (tests, export).
     Span<const Float3> positions() const { return position_.view(); }
@@ -78,11 +78,11 @@ class FractureSurface {
         return {exterior_triangles_.view(), exterior_cells_.view(), exterior_parts_.view(),
                 exterior_rim_.view()};
     }
-    void bendNewFaces();
+    void bendNewFaces(const Fracture& fracture);
     void chooseExterior(Span<const uint32_t> fragment);
     void makeExteriorWhole();
     void writeExterior(Span<uint32_t> outside);
-    void countShown(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken);
+    void countShown(const Fracture& fracture);
 
     Backend& backend_;
     // static
@@ -98,11 +98,14 @@ class FractureSurface {
     Buffer<float> spacing_;
     Buffer<uint8_t> surface_distance_;  ///< of pool vertices, in edges
     // changing
-    Buffer<uint8_t> face_state_, movable_;
-    Buffer<uint8_t> uncut_;  ///< triangles of the mesh
-    Buffer<Float3> position_, previous_position_;
+    Buffer<uint8_t> face_state_;
+    MarkedList<Backend> movable_;                  ///< pool vertices
+    Buffer<uint32_t> smallest_;                    ///< cells of the smallest fragment at each of those
+    Buffer<uint8_t> uncut_;                        ///< triangles of the mesh
+    Buffer<Float3> position_, previous_position_;  ///< alike between updates
     Buffer<uint32_t> first_vertex_, first_index_, first_exterior_,
         crack_place_;  ///< exclusive scans, one longer than what they count
+    OutsideSurface<Backend> outside_;
 };
 
 /// Which face each entry of face_vertices belongs to.
@@ -118,6 +121,19 @@ inline std::vector<uint32_t> faceOfVertex(const FractureGeometry& geometry) {
 inline size_t cellsOf(const FractureGeometry& geometry) {
     const auto& cells = geometry.exterior_cells;
     return cells.empty() ? 0 : size_t{*std::max_element(cells.begin(), cells.end())} + 1;
+}
+
+template <class T>
+std::vector<T> readFrom(const std::byte*& at, size_t count) {
+    std::vector<T> values(count);
+    if (count > 0) std::memcpy(values.data(), at, count * sizeof(T));
+    at += count * sizeof(T);
+    return values;
+}
+template <class T>
+void appendBytes(const std::vector<T>& values, std::vector<std::byte>& to) {
+    const auto* first = reinterpret_cast<const std::byte*>(values.data());
+    to.insert(to.end(), first, first + values.size() * sizeof(T));
 }
 
 template <class Backend>
@@ -141,14 +157,16 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       spacing_(backend.uploaded(scene.pool_spacing)),
       surface_distance_(backend.template allocate<uint8_t>(rest_.size())),
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
-      movable_(backend.template allocate<uint8_t>(rest_.size())),
+      movable_(backend, rest_.size()),
+      smallest_(backend.template allocate<uint32_t>(rest_.size())),
       uncut_(backend.template allocate<uint8_t>(exterior_triangles_.size())),
       position_(backend.uploaded(scene.geometry.pool)),
-      previous_position_(backend.template allocate<Float3>(rest_.size())),
+      previous_position_(backend.uploaded(scene.geometry.pool)),
       first_vertex_(backend.template allocate<uint32_t>(faces_.size() + 1)),
       first_index_(backend.template allocate<uint32_t>(faces_.size() + 1)),
       first_exterior_(backend.template allocate<uint32_t>(exterior_triangles_.size() + 1)),
-      crack_place_(backend.template allocate<uint32_t>(crack_edges_.size() + 1)) {
+      crack_place_(backend.template allocate<uint32_t>(crack_edges_.size() + 1)),
+      outside_(backend, scene.geometry, cells_) {
     makeExteriorWhole();
     measureSurfaceDistance(scene.geometry.pool_on_surface);
 }
@@ -169,25 +187,28 @@ void FractureSurface<Backend>::measureSurfaceDistance(const std::vector<uint8_t>
 }
 
 template <class Backend>
-void FractureSurface<Backend>::update(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken) {
-    countShown(fragment, bond_broken);
-    bendNewFaces();
+void FractureSurface<Backend>::update(const Fracture& fracture) {
+    countShown(fracture);
+    outside_.update(fracture, position_.span(), previous_position_.span());
+    bendNewFaces(fracture);
 }
 
 template <class Backend>
-void FractureSurface<Backend>::countShown(Span<const uint32_t> fragment, Span<const uint8_t> bond_broken) {
+void FractureSurface<Backend>::countShown(const Fracture& fracture) {
     const size_t faces = faces_.size(), cracks = crack_edges_.size();
     backend_.forEach(faces,
-                     MarkExposedFaces{faces_.view(), fragment, face_state_.span(), first_vertex_.span(),
-                                      first_index_.span()},
+                     MarkExposedFaces{faces_.view(), fracture.fragment, face_state_.span(),
+                                      first_vertex_.span(), first_index_.span()},
                      "mark exposed faces");
-    backend_.forEach(cracks, MarkShownCracks{crack_edges_.view(), fragment, bond_broken, crack_place_.span()},
-                     "mark shown cracks");
+    backend_.forEach(
+        cracks,
+        MarkShownCracks{crack_edges_.view(), fracture.fragment, fracture.bond_broken, crack_place_.span()},
+        "mark shown cracks");
 
     backend_.exclusiveScan(first_vertex_.view().part(0, faces), first_vertex_.span());
     backend_.exclusiveScan(first_index_.view().part(0, faces), first_index_.span());
     backend_.exclusiveScan(crack_place_.view().part(0, cracks), crack_place_.span());
-    chooseExterior(fragment);
+    chooseExterior(fracture.fragment);
 }
 
 template <class Backend>
@@ -207,27 +228,29 @@ void FractureSurface<Backend>::makeExteriorWhole() {
 }
 
 template <class Backend>
-void FractureSurface<Backend>::bendNewFaces() {
-    const size_t vertices = rest_.size();
+void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
     backend_.forEach(
-        vertices,
-        ChooseMovableVertices{corners(), face_state_.view(), surface_distance_.view(), movable_.span()},
+        rest_.size(),
+        ChooseMovableVertices{corners(), faces_.view(), face_state_.view(), surface_distance_.view(),
+                              fracture.fragment, fracture.size, movable_.marks(), smallest_.span()},
         "choose movable vertices");
-    for (int step = 0; step < kRelaxationSteps; ++step) {
+    movable_.gather();
+    for (uint32_t step = 0; step < kMostSmoothingSteps; ++step) {
         std::swap(position_, previous_position_);
-        backend_.forEach(vertices,
-                         RelaxPoolVertices{corners(), face_state_.view(), movable_.view(), rest_.view(),
-                                           previous_position_.view(), spacing_.view(), position_.span()},
-                         "relax pool vertices");
+        movable_.forEach(
+            RelaxPoolVertices{corners(), face_state_.view(), smallest_.view(), rest_.view(),
+                              previous_position_.view(), spacing_.view(), step, position_.span()},
+            "relax pool vertices");
     }
-    backend_.forEach(vertices,
-                     RoughenPoolVertices{movable_.view(), surface_distance_.view(), rest_.view(),
-                                         spacing_.view(), position_.span()},
+    movable_.forEach(RoughenPoolVertices{surface_distance_.view(), smallest_.view(), rest_.view(),
+                                         spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");
 }
 
 template <class Backend>
-void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const uint32_t> fragment) {
+void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const uint32_t> fragment,
+                                     Span<const uint32_t> size, bool streams_fresh) {
+    outside_.write(streams, streams_fresh);
     const auto span = [](const auto& stream) { return Span(stream.data, stream.data ? stream.capacity : 0); };
     const Span<SurfaceVertex> vertices = span(streams.interior_vertices);
     const Span<uint32_t> indices = span(streams.interior_indices), cracks = span(streams.crack_edges);
@@ -237,7 +260,7 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
         backend_.forEach(
             face_vertices_.size(),
             WriteInteriorVertices{faces_.view(), face_of_vertex_.view(), face_vertices_.view(),
-                                  face_state_.view(), first_vertex_.view(), fragment, corners(),
+                                  face_state_.view(), first_vertex_.view(), fragment, size, corners(),
                                   surface_distance_.view(), spacing_.view(), position_.view(), vertices},
             "write interior vertices");
     if (!indices.empty())
@@ -274,6 +297,8 @@ void FractureSurface<Backend>::writeExterior(Span<uint32_t> outside) {
 template <class Backend>
 void FractureSurface<Backend>::reset() {
     backend_.copy(rest_.view(), position_.span());
+    backend_.copy(rest_.view(), previous_position_.span());
+    outside_.reset();
     backend_.fill(face_state_.span(), kFaceHidden);
     backend_.fill(first_vertex_.span(), 0u);
     backend_.fill(first_index_.span(), 0u);
@@ -283,26 +308,24 @@ void FractureSurface<Backend>::reset() {
 
 template <class Backend>
 std::vector<std::byte> FractureSurface<Backend>::saveState() {
-    const size_t position_bytes = position_.size() * sizeof(Float3);
-    std::vector<std::byte> state(position_bytes + face_state_.size());
-    const std::vector<Float3> positions = backend_.downloaded(position_.view());
-    const std::vector<uint8_t> faces = backend_.downloaded(face_state_.view());
-    if (!positions.empty()) std::memcpy(state.data(), positions.data(), position_bytes);
-    if (!faces.empty()) std::memcpy(state.data() + position_bytes, faces.data(), faces.size());
+    std::vector<std::byte> state;
+    appendBytes(backend_.downloaded(position_.view()), state);
+    appendBytes(backend_.downloaded(face_state_.view()), state);
+    appendBytes(outside_.saveState(), state);
     return state;
 }
 
 template <class Backend>
-void FractureSurface<Backend>::restoreState(const std::vector<std::byte>& state,
-                                            Span<const uint32_t> fragment, Span<const uint8_t> bond_broken) {
-    const size_t position_bytes = position_.size() * sizeof(Float3);
-    std::vector<Float3> positions(position_.size());
-    std::vector<uint8_t> faces(face_state_.size());
-    if (!positions.empty()) std::memcpy(positions.data(), state.data(), position_bytes);
-    if (!faces.empty()) std::memcpy(faces.data(), state.data() + position_bytes, faces.size());
+void FractureSurface<Backend>::restoreState(const std::vector<std::byte>& state, const Fracture& fracture) {
+    const std::byte* at = state.data();
+    const auto positions = readFrom<Float3>(at, position_.size());
+    const auto faces = readFrom<uint8_t>(at, face_state_.size());
+    const auto outside = readFrom<Float3>(at, outside_.size());
     backend_.upload(position_.span(), positions.data(), positions.size());
+    backend_.copy(position_.view(), previous_position_.span());
     backend_.upload(face_state_.span(), faces.data(), faces.size());
-    countShown(fragment, bond_broken);
+    outside_.restoreState(outside, fracture);
+    countShown(fracture);
     backend_.synchronize();  // the host copies go out of scope
 }
 

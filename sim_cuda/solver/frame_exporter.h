@@ -63,7 +63,7 @@ class FrameExporter {
     void writeParticles(Scene& scene, const RenderStreams& streams);
     void writeColours(Scene& scene, const ColourStreams& colours);
     void writeFragments(Scene& scene, const RenderStreams& streams);
-    Span<const uint8_t> brokenBonds(Scene& scene);
+    Fracture fracture(Scene& scene);
 
     FractureSurface<Backend> surface_;
     Buffer<uint8_t> broken_bonds_;
@@ -85,7 +85,10 @@ void FrameExporter<Backend, Real>::write(Scene& scene, const Projectiles& projec
     writeFragments(scene, streams);
     const bool draws_surface = streams.commands.data != nullptr, lists_changed = written_of_ != broken;
     if (draws_surface && (streams_fresh || lists_changed))
-        surface_.write(streams, scene.fragments.clusters.fragment());
+        surface_.write(streams, scene.fragments.clusters.fragment(), scene.fragments.clusters.rows().size,
+                       streams_fresh);
+    else
+        surface_.tellUnchanged(streams);
     if (draws_surface && !streams_fresh) written_of_ = broken;  // fresh streams may be another reader's
     scene.backend.synchronize();
 }
@@ -147,18 +150,19 @@ void FrameExporter<Backend, Real>::placeWaiting(Scene& scene, const Projectiles&
 }
 
 template <class Backend, class Real>
-Span<const uint8_t> FrameExporter<Backend, Real>::brokenBonds(Scene& scene) {
+Fracture FrameExporter<Backend, Real>::fracture(Scene& scene) {
     const auto& bonds = scene.data.bonds;
     scene.backend.forEach(bonds.count,
                           MarkBrokenBonds{bonds.slot_of_bond.view(), bonds.link.view(), broken_bonds_.span()},
                           "mark broken bonds");
-    return broken_bonds_.view();
+    const auto& clusters = scene.fragments.clusters;
+    return {clusters.fragment(), clusters.rows().size, broken_bonds_.view()};
 }
 
 template <class Backend, class Real>
 void FrameExporter<Backend, Real>::updateSurface(Scene& scene, uint32_t broken) {
     if (surface_of_ == broken) return;
-    surface_.update(scene.fragments.clusters.fragment(), brokenBonds(scene));
+    surface_.update(fracture(scene));
     surface_of_ = broken;
 }
 
@@ -176,7 +180,7 @@ typename FrameExporter<Backend, Real>::Saved FrameExporter<Backend, Real>::read(
 
 template <class Backend, class Real>
 void FrameExporter<Backend, Real>::restore(Scene& scene, const Saved& saved) {
-    surface_.restoreState(saved.surface, scene.fragments.clusters.fragment(), brokenBonds(scene));
+    surface_.restoreState(saved.surface, fracture(scene));
     surface_of_ = saved.broken;
     written_of_ = kNothingWritten;
 }

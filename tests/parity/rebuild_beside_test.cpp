@@ -84,7 +84,7 @@ Bytes brought(FrameBridge& bridge, Solver& solver, size_t particles, bool fresh)
     FrameRequest request;
     request.fresh = fresh;
     request.tap = [&](FrameChange, const ReadStream& read, const ColourBytes&) {
-        const auto seen = read(engine::StreamId::kParticles, particles * sizeof(ParticleInstance));
+        const auto seen = read(engine::StreamId::kParticles, 0, particles * sizeof(ParticleInstance));
         bytes.assign(seen.begin(), seen.end());
     };
     const ExpectedTransfer expected(&bridge);

@@ -8,6 +8,8 @@ DrawnSurface::DrawnSurface(const SceneSetup& setup)
     : scene(concatenateGeometry(setup.bodies)), surface(backend, scene) {
     const StreamSizes sizes = streamSizes(setup);
     vertices.resize(sizes.interior_vertices);
+    outside.resize(sizes.exterior_vertices);
+    chunks.resize(exteriorChunks(outside.size()));
     indices.resize(sizes.interior_indices);
     exterior.resize(sizes.exterior_indices);
     cracks.resize(sizes.crack_edges);
@@ -15,9 +17,12 @@ DrawnSurface::DrawnSurface(const SceneSetup& setup)
     for (const BodyInstance& instance : setup.bodies) {
         for (const BondGeometry& bond : instance.body->bonds)
             bond_cells.push_back({first_cell + bond.i, first_cell + bond.j});
+        volume_ += instance.body->mesh_volume;
         first_cell += static_cast<uint32_t>(instance.body->particles.size());
     }
     broken.resize(bond_cells.size());
+    cells_ = first_cell;
+    spacing_ = setup.bodies.front().body->spacing;
 }
 
 void DrawnSurface::show(const std::vector<uint32_t>& fragment, const std::vector<uint32_t>& cracked) {
@@ -25,18 +30,30 @@ void DrawnSurface::show(const std::vector<uint32_t>& fragment, const std::vector
     for (size_t b = 0; b < bond_cells.size(); ++b)
         broken[b] = fragment[bond_cells[b].first] != fragment[bond_cells[b].second];
     for (const uint32_t b : cracked) broken[b] = 1;
-    surface.update({fragments.data(), fragments.size()}, {broken.data(), broken.size()});
+    surface.update(fracture());
     writeStreams();
+}
+
+Fracture DrawnSurface::fracture() {
+    fragment_sizes.assign(fragments.size(), 0);
+    for (const uint32_t slot : fragments) ++fragment_sizes[slot];
+    return {{fragments.data(), fragments.size()},
+            {fragment_sizes.data(), fragment_sizes.size()},
+            {broken.data(), broken.size()}};
 }
 
 void DrawnSurface::writeStreams() {
     RenderStreams streams;
     streams.interior_vertices = {vertices.data(), vertices.size()};
     streams.interior_indices = {indices.data(), indices.size()};
+    streams.exterior_vertices = {outside.data(), outside.size()};
+    streams.exterior_chunks = {chunks.data(), chunks.size()};
     streams.exterior_indices = {exterior.data(), exterior.size()};
     streams.crack_edges = {cracks.data(), cracks.size()};
     streams.commands = {&commands, 1};
-    surface.write(streams, {fragments.data(), fragments.size()});
+    const Fracture now = fracture();
+    surface.write(streams, now.fragment, now.size, fresh);
+    fresh = false;
 }
 
 std::vector<Soup> DrawnSurface::soups(uint32_t fragment_count) const {
@@ -49,7 +66,7 @@ std::vector<Soup> DrawnSurface::soups(uint32_t fragment_count) const {
             made[fragments[u.cell]].push_back({u.position, v.position, w.position});
         }
     };
-    add(scene.geometry.exterior, exterior, commands.exterior.count);
+    add(outside, exterior, commands.exterior.count);
     add(vertices, indices, commands.interior.count);
     return made;
 }

@@ -35,6 +35,10 @@ std::shared_ptr<const BreakableBody> filled(const TriangleMesh& mesh, uint32_t p
     return fillWithParticles(SolidMesh(mesh), options);
 }
 
+/// Of all pieces together: where the outside slides over the edges of a coarse mesh, other chords bridge
+/// them. On models it is below 1e-3 (unit_cracks).
+constexpr double kVolumeError = 4e-3;
+
 double distanceBetween(const Float3& a, const Float3& b) {
     return std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z);
 }
@@ -92,7 +96,7 @@ TEST(FractureSurface, BentFragmentsStayClosedAndKeepTheVolumeTogether) {
             EXPECT_EQ(test::openEdges(soup), 0u);
             volume += test::enclosedVolume(soup);
         }
-        EXPECT_NEAR(volume, body->mesh_volume, 1e-6 * body->mesh_volume);
+        EXPECT_NEAR(volume, body->mesh_volume, kVolumeError * body->mesh_volume);
     }
 }
 
@@ -126,7 +130,7 @@ TEST(FractureSurface, TrianglesOfTheMeshAreCutWhereTheirCellsParted) {
             EXPECT_EQ(test::openEdges(soup), 0u);
             volume += test::enclosedVolume(soup);
         }
-        EXPECT_NEAR(volume, body->mesh_volume, 1e-6 * body->mesh_volume);
+        EXPECT_NEAR(volume, body->mesh_volume, kVolumeError * body->mesh_volume);
         const uint32_t count = drawn.commands.exterior.count;
         EXPECT_LE(count, body->geometry.exterior_indices.size());
         for (uint32_t i = 0; i < count; i += 3) {  // no triangle reaches into another fragment
@@ -168,20 +172,22 @@ TEST(FractureSurface, NoCellTurnsInsideOutWhenAllComeLoose) {
     for (const test::Soup& soup : drawn.soups(600)) EXPECT_GT(test::enclosedVolume(soup), 0.0);
 }
 
-TEST(FractureSurface, TheOutsideStaysAndMovesKeepTheirLimit) {
+TEST(FractureSurface, MovesKeepTheirLimitAndTheOutsideItsShape) {
     const auto body = filled(test::makeVase(50, 30), 700);
+    const FractureGeometry& geometry = body->geometry;
     test::DrawnSurface drawn(test::sceneOf(body));
-    drawn.show(test::randomFragments(body->geometry, 700, 60, 2));
+    drawn.show(test::randomFragments(geometry, 700, 60, 2));
     const std::vector<Float3> positions = drawn.positions();
-    const double limit = kRelaxationLimit + kRoughness * kRoughnessNoiseBound;
-    size_t moved = 0;
+    const double inside = kSmoothingLimit + kRoughness * kRoughnessNoiseBound;
+    size_t moved = 0, slid = 0;
     for (size_t v = 0; v < positions.size(); ++v) {
-        const double distance = distanceBetween(positions[v], body->geometry.pool[v]);
-        EXPECT_TRUE(distance == 0.0 || !body->geometry.pool_on_surface[v]);
-        EXPECT_LE(distance, limit * body->spacing);
+        const double distance = distanceBetween(positions[v], geometry.pool[v]);
+        EXPECT_LE(distance, (geometry.pool_on_surface[v] ? 1.0 : inside) * body->spacing);
         moved += distance > 0;
+        slid += distance > 0 && geometry.pool_on_surface[v];
     }
     EXPECT_GT(moved, positions.size() / 20);
+    EXPECT_GT(slid, geometry.points.size() / 20);
 }
 
 TEST(FractureSurface, WhatShowedBeforeNeverMovesAgain) {
@@ -247,7 +253,8 @@ TEST(FractureSurface, ASavedStateComesBackAndAResetIsWhole) {
     drawn.show(test::randomFragments(body->geometry, 300, 40, 2));
     ASSERT_NE(drawn.commands.interior.count, count);
     drawn.fragments = first;
-    drawn.surface.restoreState(state, {first.data(), first.size()}, {broken.data(), broken.size()});
+    drawn.broken = broken;
+    drawn.surface.restoreState(state, drawn.fracture());
     drawn.writeStreams();
     EXPECT_EQ(drawn.commands.interior.count, count);
     EXPECT_EQ(std::memcmp(drawn.vertices.data(), vertices.data(), count / 3 * sizeof(SurfaceVertex)), 0);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+// How much a crack is smoothed where it bounds a piece of so many cells: large pieces have long lines and
+// even faces, crumbs stay angular. Chosen by eye and by the measures of docs/looks.md 4.
+#pragma once
+#include <cstdint>
+
+#include "sim_cuda/physics/scalar.h"
+
+namespace demolish {
+
+/// Of one kind of piece; lengths over h.
+struct CrackSmoothing {
+    float line;      ///< sigma along the line of a crack on the outside
+    uint32_t steps;  ///< Laplacian steps on its face
+    float limit;     ///< how far these move a vertex
+    float rough;     ///< amplitude of the roughness laid over it
+};
+
+inline constexpr uint32_t kMostSmoothingSteps = 30;
+inline constexpr float kRoughness = 0.05f, kRoughnessWave = 0.6f, kSmoothingLimit = 0.7f;
+
+/// Pieces of so few cells are drawn with flat faces and sharp edges.
+inline constexpr uint32_t kMostCellsOfCrumb = 2;
+
+/// `cells`: of the smallest piece that the crack bounds there.
+DEM_FN CrackSmoothing crackSmoothing(uint32_t cells) {
+    if (cells <= 1) return {0.0f, 0, 0.0f, 0.0f};
+    if (cells <= 4) return {0.3f, 2, 0.2f, kRoughness};
+    if (cells <= 12) return {0.5f, 5, 0.35f, kRoughness};
+    if (cells <= 30) return {0.8f, 12, 0.5f, kRoughness};
+    return {1.1f, kMostSmoothingSteps, kSmoothingLimit, kRoughness};
+}
+
+/// A Gaussian's stand-in without exp(): (1 - x^2)^3 for the share x of the way to where it ends, which is at
+/// kLineReach sigmas.
+inline constexpr float kLineReach = 2.5f;
+DEM_FN float bump(float x) {
+    const float rest = 1.0f - x * x;
+    return x < 1.0f ? rest * rest * rest : 0.0f;
+}
+/// 0 at 0, 1 from 1 on, flat at both ends.
+DEM_FN float smoothStep(float x) {
+    const float t = clampTo(x, 0.0f, 1.0f);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+}  // namespace demolish

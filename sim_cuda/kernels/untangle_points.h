@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+// No part of the outside may turn over when its points slide. Where one would, its points are pushed apart by
+// as little as helps; what that does not cure goes part of its way back, and at last all of it.
+#pragma once
+#include "sim_cuda/kernels/place_points.h"
+
+namespace demolish {
+
+/// Twice the area of a part seen from outside of where it lay at rest, at the corner of one of its points.
+struct PartAt {
+    uint32_t next, previous;
+    Vec3<float> up;   ///< unit
+    float rest, now;  ///< m^2
+
+    /// What it must not fall below.
+    DEM_FN float least() const { return rest > 0 ? kLeastShare * rest : rest; }
+
+    static constexpr float kLeastShare = 0.04f;
+    static constexpr float kSliver = 1e-5f;  ///< h^2: below, a part's own normal is mostly rounding
+};
+
+struct PartsOfOutside {
+    OutsideMesh mesh;
+
+    DEM_FN PartAt at(uint32_t p, uint32_t corner, Span<const Float3> position) const {
+        PartAt part{mesh.corner_next[corner], mesh.corner_previous[corner], {}, 0, 0};
+        const OutsidePoint &a = mesh.points[p], &b = mesh.points[part.next], &c = mesh.points[part.previous];
+        const Vec3<float> rest =
+            cross(toVec3(b.position) - toVec3(a.position), toVec3(c.position) - toVec3(a.position));
+        const float sliver = PartAt::kSliver * a.spacing * a.spacing;
+        const bool clear = length2(rest) > sliver * sliver;
+        part.up = normalized(clear ? rest : toVec3(a.normal) + toVec3(b.normal) + toVec3(c.normal));
+        part.rest = dot(rest, part.up);
+        const Vec3<float> here = toVec3(position[p]);
+        part.now =
+            dot(cross(toVec3(position[part.next]) - here, toVec3(position[part.previous]) - here), part.up);
+        return part;
+    }
+    DEM_FN bool isTangled(uint32_t p, Span<const Float3> position) const {
+        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
+            const PartAt part = at(p, c, position);
+            if (part.now < part.least()) return true;
+        }
+        return false;
+    }
+};
+
+/// Points of parts that are turned over or nearly so.
+struct MarkTangled {
+    PartsOfOutside parts;
+    Span<const Float3> position;
+    Span<uint32_t> tangled;  ///< 0 or 1; all 0 before
+
+    DEM_FN void operator()(uint32_t p) const { tangled[p] = parts.isTangled(p, position) ? 1 : 0; }
+};
+
+/// And those round them, one ring a call.
+struct WidenTangled {
+    OutsideMesh mesh;
+    Span<const uint32_t> before, moves;
+    Span<uint32_t> after;
+
+    DEM_FN void operator()(uint32_t p) const {
+        uint32_t any = before[p];
+        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1] && any == 0; ++c)
+            any = before[mesh.corner_next[c]];
+        after[p] = any != 0 && moves[p] != 0 ? 1 : 0;
+    }
+};
+
+/// A step of projection onto "no part below its least area", averaged over the parts at each point.
+struct Untangle {
+    static constexpr int kSteps = 24;
+    /// Points of cracks give way less than those round them.
+    static constexpr float kRimWeight = 0.25f;
+
+    PartsOfOutside parts;
+    LayOnOutside lay;
+    Span<const RimLink> link;
+    Span<const uint32_t> moves;
+    Span<const Float3> before;
+    Span<Float3> after;
+
+    DEM_FN void operator()(uint32_t p) const {
+        const OutsideMesh& mesh = parts.mesh;
+        Vec3<float> sum;
+        float count = 0;
+        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
+            const PartAt part = parts.at(p, c, before);
+            const float lack = 1.5f * part.least() - part.now;
+            if (part.now >= part.least() || lack <= 0) continue;
+            const Vec3<float> here = toVec3(before[p]), next = toVec3(before[part.next]),
+                              previous = toVec3(before[part.previous]);
+            const Vec3<float> own = cross(part.up, previous - next);
+            const float all = weight(p) * length2(own) + weight(part.next) * length2(here - previous) +
+                              weight(part.previous) * length2(next - here);
+            if (all <= 0) continue;
+            sum = axpy(weight(p) * lack / all, own, sum);
+            count += 1.0f;
+        }
+        if (count == 0) {
+            after[p] = before[p];
+            return;
+        }
+        // More than one part pulls: their mean, taken a little too far.
+        const float share = count > 1.5f ? 1.4f / count : 1.0f;
+        const Vec3<float> push =
+            atMost(0.1f * mesh.points[p].spacing, alongOutside(mesh.points[p], share * sum));
+        after[p] = toFloat3(lay(p, toVec3(before[p]) + push));
+    }
+
+  private:
+    DEM_FN float weight(uint32_t p) const {
+        return moves[p] == 0 ? 0.0f : (link[p].kind == RimKind::kNone ? 1.0f : kRimWeight);
+    }
+};
+
+/// What is still turned over goes back: by a part of its way, or all of it.
+struct TakeBack {
+    static constexpr int kSteps = 12;
+    static constexpr float kKept = 0.6f;  ///< of the way, in the first half of the steps
+
+    PartsOfOutside parts;
+    LayOnOutside lay;
+    float kept = 0;  ///< of the way
+    Span<const Float3> start, before;
+    Span<Float3> after;
+
+    DEM_FN void operator()(uint32_t p) const {
+        const Vec3<float> from = toVec3(start[p]);
+        Float3 to = before[p];
+        if (isTurnedOver(p)) to = kept > 0 ? toFloat3(lay(p, axpy(kept, toVec3(to) - from, from))) : start[p];
+        after[p] = to;
+    }
+
+  private:
+    DEM_FN bool isTurnedOver(uint32_t p) const {
+        const OutsideMesh& mesh = parts.mesh;
+        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
+            const PartAt part = parts.at(p, c, before);
+            if (part.now < (part.rest > 0 ? 0.0f : part.rest)) return true;
+        }
+        return false;
+    }
+};
+
+}  // namespace demolish

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// The measures of docs/looks.md 4 on bodies that shots have broken.
+#include <gtest/gtest.h>
+
+#include "app/session/scene_file.h"
+#include "tests/unit/cracks/broken_shot.h"
+#include "tests/unit/cracks/crack_measures.h"
+
+namespace demolish::test {
+namespace {
+
+CrackMeasures measured(Shot shot, double seconds) {
+    tests::bringForward(shot, {});
+    const auto drawn = drawnShot(shot, seconds);
+    return measureCracks(*drawn, drawn->spacing(), drawn->volume());
+}
+
+void expectSound(const CrackMeasures& measures) {
+    EXPECT_GT(measures.pieces, 10u);
+    EXPECT_EQ(measures.open_edges, 0u) << "both sides of a crack coincide until they part";
+    EXPECT_EQ(measures.flipped, 0u) << "of " << measures.parts << " parts of the outside";
+    EXPECT_LT(measures.volume_error, 1e-3);
+}
+
+TEST(Cracks, OfAVaseAreEvenLinesAndEvenFaces) {
+    const CrackMeasures measures = measured(tests::smallScene("vase", 1500, {17}), 0.4);
+    expectSound(measures);
+    ASSERT_GT(measures.outline.length, 40);
+    EXPECT_LT(measures.outline.deviation, 0.11);  // 0.17 with the teeth of the cells
+    EXPECT_LT(measures.outline.turning, 0.5);     // 1.5
+    EXPECT_LT(measures.faces, 0.08);
+}
+
+TEST(Cracks, OfARabbitAreEvenLinesAndEvenFaces) {
+    const CrackMeasures measures = measured(tests::smallScene("bunny", 1500), 0.4);
+    expectSound(measures);
+    ASSERT_GT(measures.outline.length, 40);
+    EXPECT_LT(measures.outline.deviation, 0.18);
+    EXPECT_LT(measures.faces, 0.11);
+}
+
+}  // namespace
+}  // namespace demolish::test
