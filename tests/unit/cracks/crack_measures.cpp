@@ -20,7 +20,10 @@ Double3 asDouble(const Float3& p) {
 /// Borders between large pieces, cut where lines meet.
 class Outlines {
   public:
-    Outlines(const DrawnSurface& drawn, const std::vector<uint32_t>& size) : drawn_(drawn) {
+    /// `outside`: vertices as drawn, or at rest.
+    Outlines(const DrawnSurface& drawn, const std::vector<SurfaceVertex>& outside,
+             const std::vector<uint32_t>& size)
+        : drawn_(drawn) {
         const FractureGeometry& geometry = drawn.scene.geometry;
         for (const CrackEdge& edge : geometry.crack_edges) {
             const uint32_t a = drawn.fragments[edge.cell_a], b = drawn.fragments[edge.cell_b];
@@ -29,8 +32,8 @@ class Outlines {
             if (a == b || u == v) continue;
             all_[u].insert(v);
             all_[v].insert(u);
-            place_[u] = asDouble(drawn.outside[edge.vertex_0].position);
-            place_[v] = asDouble(drawn.outside[edge.vertex_1].position);
+            place_[u] = asDouble(outside[edge.vertex_0].position);
+            place_[v] = asDouble(outside[edge.vertex_1].position);
             if (std::min(size[a], size[b]) < kLargePiece) continue;
             large_[u].insert(v);
             large_[v].insert(u);
@@ -177,7 +180,8 @@ CrackMeasures measureCracks(DrawnSurface& drawn, double h, double volume) {
         measures.pieces += cells > 0 ? 1 : 0;
         measures.large_pieces += cells >= kLargePiece ? 1 : 0;
     }
-    measures.outline = measureLines(Outlines(drawn, size).lines(), h);
+    measures.outline = measureLines(Outlines(drawn, drawn.outside, size).lines(), h);
+    measures.outline_at_rest = measureLines(Outlines(drawn, drawn.scene.geometry.exterior, size).lines(), h);
     measureFaces(largeFaces(drawn, size), h, measures);
     measureParts(drawn, h, measures);
     double sum = 0;

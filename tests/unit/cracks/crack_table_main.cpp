@@ -20,9 +20,11 @@ void printRow(const char* scene, uint32_t particles, double seconds) {
     const auto drawn = test::drawnShot(shot, seconds);
     const test::CrackMeasures m = test::measureCracks(*drawn, drawn->spacing(), drawn->volume());
     std::printf(
-        "| %s %u | %zu, %zu | %.3f / %.2f (%.0f h) | %.3f (%.0f h²) | %zu of %zu, %.1e | %zu | %.1e |\n",
-        scene, particles, m.pieces, m.large_pieces, m.outline.deviation, m.outline.turning, m.outline.length,
-        m.faces, m.face_area, m.flipped, m.parts, m.flipped_area, m.open_edges, m.volume_error);
+        "| %s %u | %zu, %zu | %.3f / %.2f | %.3f / %.2f (%.0f h) | %.3f (%.0f h²) | %zu of %zu, %.1e | %zu | "
+        "%.1e |\n",
+        scene, particles, m.pieces, m.large_pieces, m.outline_at_rest.deviation, m.outline_at_rest.turning,
+        m.outline.deviation, m.outline.turning, m.outline.length, m.faces, m.face_area, m.flipped, m.parts,
+        m.flipped_area, m.open_edges, m.volume_error);
 }
 
 }  // namespace

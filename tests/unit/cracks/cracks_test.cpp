@@ -25,7 +25,7 @@ void expectSound(const CrackMeasures& measures) {
 TEST(Cracks, OfAVaseAreEvenLinesAndEvenFaces) {
     const CrackMeasures measures = measured(tests::smallScene("vase", 1500, {17}), 0.4);
     expectSound(measures);
-    ASSERT_GT(measures.outline.length, 40);
+    ASSERT_GT(measures.outline.length, 20);
     EXPECT_LT(measures.outline.deviation, 0.11);  // 0.17 with the teeth of the cells
     EXPECT_LT(measures.outline.turning, 0.5);     // 1.5
     EXPECT_LT(measures.faces, 0.08);
@@ -34,7 +34,7 @@ TEST(Cracks, OfAVaseAreEvenLinesAndEvenFaces) {
 TEST(Cracks, OfARabbitAreEvenLinesAndEvenFaces) {
     const CrackMeasures measures = measured(tests::smallScene("bunny", 1500), 0.4);
     expectSound(measures);
-    ASSERT_GT(measures.outline.length, 40);
+    ASSERT_GT(measures.outline.length, 20);
     EXPECT_LT(measures.outline.deviation, 0.18);
     EXPECT_LT(measures.faces, 0.11);
 }

@@ -2,6 +2,8 @@
 // Plays the parts of solver and renderer round the fracture surface.
 #include "tests/unit/draw/drawn_surface.h"
 
+#include <algorithm>
+
 namespace demolish::test {
 
 DrawnSurface::DrawnSurface(const SceneSetup& setup)
@@ -35,7 +37,7 @@ void DrawnSurface::show(const std::vector<uint32_t>& fragment, const std::vector
 }
 
 Fracture DrawnSurface::fracture() {
-    fragment_sizes.assign(fragments.size(), 0);
+    fragment_sizes.assign(size_t{*std::max_element(fragments.begin(), fragments.end())} + 1, 0);
     for (const uint32_t slot : fragments) ++fragment_sizes[slot];
     return {{fragments.data(), fragments.size()},
             {fragment_sizes.data(), fragment_sizes.size()},
