@@ -53,10 +53,10 @@ const std::byte* CudaCopyBridge::bring(StreamId id, size_t elements, size_t firs
 void CudaCopyBridge::transfer(Solver& solver, const FrameRequest& request) {
     const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
     std::array<void*, kStreamCount> data{};
-    if (change == FrameChange::kAll) data = memory_->device;
-    if (change == FrameChange::kMotion)
-        for (const StreamId id : kMotionStreams)
-            data[static_cast<size_t>(id)] = memory_->device[static_cast<size_t>(id)];
+    const bool with_effects = solver.stats().effects_shown;
+    for (const StreamId id : streamsOf(change, with_effects))
+        data[static_cast<size_t>(id)] = memory_->device[static_cast<size_t>(id)];
+    mesh_.showEffects(with_effects, solver.stats().effects_moving);
     RenderStreams streams = streamsAt(data, memory_->bytes, request.colour);
     streams.projectiles = projectile_block_.stream();
     const size_t tapped = request.tap && change != FrameChange::kProjectiles ? mesh_.particleCount() : 0;
@@ -65,6 +65,7 @@ void CudaCopyBridge::transfer(Solver& solver, const FrameRequest& request) {
     solver.synchronize();
     projectile_block_.read(request.projectiles, projectiles_);
     if (change != FrameChange::kProjectiles) bringStreams(change);
+    if (change != FrameChange::kProjectiles && with_effects) bringEffects();
     const auto read = [&](StreamId id, size_t first, size_t size) {
         const auto i = static_cast<size_t>(id);
         auto* host = static_cast<std::byte*>(memory_->pinned[i].atLeast(first + size));
@@ -95,6 +96,12 @@ void CudaCopyBridge::bringStreams(FrameChange change) {
     const auto* flags = reinterpret_cast<const uint32_t*>(bring(StreamId::kExteriorChunks, chunks));
     const WrittenVertices outside = writtenVertices({flags, flags == nullptr ? 0 : chunks}, vertices);
     bring(StreamId::kExteriorVertices, outside.count, outside.first);
+}
+
+void CudaCopyBridge::bringEffects() {
+    const auto& commands = *reinterpret_cast<const EffectCommands*>(bring(StreamId::kEffectCommands, 1));
+    bring(StreamId::kGrains, commands.grains.instance_count);
+    bring(StreamId::kPuffs, commands.puffs.instance_count);
 }
 
 }  // namespace demolish

@@ -29,6 +29,7 @@ class CudaCopyBridge : public FrameBridge {
     /// null if there is nothing to copy.
     const std::byte* bring(engine::StreamId id, size_t elements, size_t first = 0);
     void bringStreams(FrameChange change);
+    void bringEffects();
 
     engine::FractureMesh& mesh_;
     CUstream_st* stream_;  ///< cudaStream_t

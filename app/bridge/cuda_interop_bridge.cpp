@@ -37,12 +37,6 @@ bool contextIsOnCudaDevice(std::string& why_not) {
     return true;
 }
 
-constexpr std::array<engine::StreamId, kStreamCount> kAllStreams = [] {
-    std::array<engine::StreamId, kStreamCount> all{};
-    for (uint32_t i = 0; i < all.size(); ++i) all[i] = engine::StreamId{i};
-    return all;
-}();
-
 /// No discard flag: the draw lists keep their contents while nothing breaks.
 cudaError_t registerBuffer(cudaGraphicsResource*& resource, GLuint buffer) {
     const cudaError_t error = cudaGraphicsGLRegisterBuffer(&resource, buffer, cudaGraphicsRegisterFlagsNone);
@@ -72,17 +66,20 @@ CudaInteropBridge::~CudaInteropBridge() {
 }
 
 void CudaInteropBridge::map(std::span<const engine::StreamId> ids) {
-    if (ids.empty()) return;
-    std::vector<cudaGraphicsResource*> mapped;
-    for (const engine::StreamId id : ids) mapped.push_back(resources_[static_cast<size_t>(id)]);
-    checkCuda(cudaGraphicsMapResources(static_cast<int>(mapped.size()), mapped.data(), stream_),
+    std::vector<cudaGraphicsResource*> missing;
+    for (const engine::StreamId id : ids) {
+        auto* resource = resources_[static_cast<size_t>(id)];
+        if (std::find(mapped_.begin(), mapped_.end(), resource) == mapped_.end()) missing.push_back(resource);
+    }
+    if (missing.empty()) return;
+    checkCuda(cudaGraphicsMapResources(static_cast<int>(missing.size()), missing.data(), stream_),
               "mapping GL's buffers");
-    mapped_ = std::move(mapped);
+    mapped_.insert(mapped_.end(), missing.begin(), missing.end());
 }
 
 /// While nothing moves, the next frame will hardly need them.
 void CudaInteropBridge::prepare() {
-    if (mapped_.empty() && history_.moved()) map(kAllStreams);
+    if (mapped_.empty() && history_.moved()) map(streamsOf(FrameChange::kAll, mesh_.effectsShown()));
 }
 
 int CudaInteropBridge::unmap() {
@@ -93,7 +90,7 @@ int CudaInteropBridge::unmap() {
 
 void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::StreamId> ids,
                                      FrameChange change, const FrameRequest& request) {
-    if (mapped_.empty()) map(ids);
+    map(ids);
     std::array<void*, kStreamCount> data{};
     std::array<size_t, kStreamCount> bytes{};
     for (const engine::StreamId id : ids) {
@@ -119,19 +116,10 @@ void CudaInteropBridge::exportMapped(Solver& solver, std::span<const engine::Str
 
 void CudaInteropBridge::transfer(Solver& solver, const FrameRequest& request) {
     const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
-    switch (change) {
-        case FrameChange::kAll:
-            exportMapped(solver, kAllStreams, change, request);
-            mesh_.touch();
-            break;
-        case FrameChange::kMotion:
-            exportMapped(solver, kMotionStreams, change, request);
-            mesh_.touch();
-            break;
-        case FrameChange::kProjectiles:
-            exportMapped(solver, {}, change, request);
-            break;
-    }
+    const bool with_effects = solver.stats().effects_shown;
+    exportMapped(solver, streamsOf(change, with_effects), change, request);
+    mesh_.showEffects(with_effects, solver.stats().effects_moving);
+    if (change != FrameChange::kProjectiles) mesh_.touch();
     projectile_block_.read(request.projectiles, projectiles_);
 }
 

@@ -32,10 +32,10 @@ class CudaInteropBridge : public FrameBridge {
 
   private:
     CudaInteropBridge(engine::FractureMesh& mesh, CUstream_st* stream) : mesh_(mesh), stream_(stream) {}
-    void map(std::span<const engine::StreamId> streams);
-    int unmap();  ///< cudaError_t
-    /// Maps these streams unless all are mapped, lets the solver write them and the tap read them, and unmaps
-    /// what is mapped.
+    void map(std::span<const engine::StreamId> streams);  ///< those that are not yet
+    int unmap();                                          ///< cudaError_t
+    /// Maps those of these streams that are not yet mapped, lets the solver write them and the tap read them,
+    /// and unmaps what is mapped.
     void exportMapped(Solver& solver, std::span<const engine::StreamId> streams, FrameChange change,
                       const FrameRequest& request);
 

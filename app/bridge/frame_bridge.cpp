@@ -45,7 +45,9 @@ FrameChange ExportHistory::next(const FrameStats& stats, ParticleColour colour, 
     const bool no_frame_between = stats.frame == frame_ || stats.frame == frame_ + 1;
     // A solver that puts nothing to sleep counts neither.
     const bool all_asleep = stats.awake_particles == 0 && stats.sleeping_fragments > 0;
-    const bool at_rest = was_asleep_ && all_asleep && colour == colour_ && no_frame_between;
+    const bool effects_rest = !effects_moved_ && !stats.effects_moving;
+    const bool at_rest = was_asleep_ && all_asleep && effects_rest && colour == colour_ && no_frame_between;
+    effects_moved_ = stats.effects_moving;
     frame_ = stats.frame;
     broken_ = stats.bonds_broken;
     was_asleep_ = all_asleep;

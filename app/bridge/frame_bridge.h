@@ -24,7 +24,7 @@ const char* transferName(Transfer transfer);
 /// How much of a frame has to travel.
 enum class FrameChange {
     kProjectiles,  ///< the bodies are as they were exported last
-    kMotion,       ///< particles and transforms; what is drawn with them stays
+    kMotion,       ///< particles, transforms, grit and dust; what is drawn with them stays
     kAll,
 };
 
@@ -34,13 +34,13 @@ class ExportHistory {
     /// What has to travel now that the solver's frame is `stats`; the caller brings it over. What falls
     /// asleep travels once more. `fresh` as in FrameRequest.
     FrameChange next(const FrameStats& stats, ParticleColour colour, bool fresh);
-    /// Bodies moved in the frame that was brought over last.
-    bool moved() const { return !was_asleep_; }
+    /// Bodies, grit or dust moved in the frame that was brought over last.
+    bool moved() const { return !was_asleep_ || effects_moved_; }
 
   private:
     uint64_t frame_ = 0;
     uint32_t broken_ = 0;
-    bool was_asleep_ = false;
+    bool was_asleep_ = false, effects_moved_ = false;
     ParticleColour colour_ = ParticleColour::kFragment;
 };
 

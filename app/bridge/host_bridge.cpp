@@ -16,11 +16,10 @@ HostBridge::HostBridge(engine::FractureMesh& mesh) : mesh_(mesh), bytes_(streamB
 void HostBridge::transfer(Solver& solver, const FrameRequest& request) {
     const FrameChange change = history_.next(solver.stats(), request.colour, request.fresh);
     std::array<void*, kStreamCount> data{};
-    if (change == FrameChange::kAll)
-        for (size_t i = 0; i < kStreamCount; ++i) data[i] = memory_[i].get();
-    if (change == FrameChange::kMotion)
-        for (const StreamId id : kMotionStreams)
-            data[static_cast<size_t>(id)] = memory_[static_cast<size_t>(id)].get();
+    const bool with_effects = solver.stats().effects_shown;
+    for (const StreamId id : streamsOf(change, with_effects))
+        data[static_cast<size_t>(id)] = memory_[static_cast<size_t>(id)].get();
+    mesh_.showEffects(with_effects, solver.stats().effects_moving);
     RenderStreams streams = streamsAt(data, bytes_, request.colour);
     projectiles_.resize(kMaxProjectiles);
     streams.projectiles = {projectiles_.data(), projectiles_.size()};
@@ -46,6 +45,11 @@ void HostBridge::upload(StreamId id, size_t elements, size_t first) {
 void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change) {
     const size_t count = mesh_.particleCount();
     for (const StreamId id : kMotionStreams) upload(id, count);
+    if (const EffectCommands* effects = streams.effect_commands.data) {
+        upload(StreamId::kGrains, effects->grains.instance_count);
+        upload(StreamId::kPuffs, effects->puffs.instance_count);
+        upload(StreamId::kEffectCommands, 1);
+    }
     if (change == FrameChange::kMotion) return;
     const DrawListUse use = drawListUse(*streams.commands.data,
                                         {streams.interior_indices.data, streams.interior_indices.capacity});

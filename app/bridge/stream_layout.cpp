@@ -2,6 +2,8 @@
 // Byte counts of the streams and the solver's view of them.
 #include "app/bridge/stream_layout.h"
 
+#include <algorithm>
+
 #include "engine/render/fracture_mesh.h"
 
 namespace demolish {
@@ -15,6 +17,19 @@ Stream<T> streamOf(const std::array<void*, kStreamCount>& data, const std::array
 }
 
 }  // namespace
+
+std::vector<engine::StreamId> streamsOf(FrameChange change, bool with_effects) {
+    const auto is = [](const auto& set, engine::StreamId id) {
+        return std::find(set.begin(), set.end(), id) != set.end();
+    };
+    std::vector<engine::StreamId> streams;
+    for (uint32_t i = 0; i < kStreamCount && change != FrameChange::kProjectiles; ++i) {
+        const engine::StreamId id{i};
+        const bool of_effects = is(kEffectStreams, id), of_motion = is(kMotionStreams, id);
+        if (of_effects ? with_effects : change == FrameChange::kAll || of_motion) streams.push_back(id);
+    }
+    return streams;
+}
 
 RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
                         const std::array<size_t, kStreamCount>& bytes, ParticleColour colour) {
@@ -30,6 +45,9 @@ RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
     streams.exterior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kExteriorVertices);
     streams.exterior_chunks = streamOf<uint32_t>(data, bytes, StreamId::kExteriorChunks);
     streams.commands = streamOf<DrawCommands>(data, bytes, StreamId::kCommands);
+    streams.grains = streamOf<GrainInstance>(data, bytes, StreamId::kGrains);
+    streams.puffs = streamOf<PuffInstance>(data, bytes, StreamId::kPuffs);
+    streams.effect_commands = streamOf<EffectCommands>(data, bytes, StreamId::kEffectCommands);
     streams.colour = colour;
     return streams;
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "app/bridge/draw_list_use.h"
 #include "app/bridge/frame_bridge.h"
@@ -14,13 +15,20 @@ namespace demolish {
 inline constexpr size_t kStreamCount = static_cast<size_t>(engine::StreamId::kCount);
 
 inline constexpr std::array<size_t, kStreamCount> kStreamElementBytes = {
-    sizeof(ParticleInstance), sizeof(uint32_t),    sizeof(FragmentTransform), sizeof(SurfaceVertex),
-    sizeof(uint32_t),         sizeof(uint32_t),    sizeof(uint32_t),          sizeof(SurfaceVertex),
-    sizeof(uint32_t),         sizeof(DrawCommands)};
+    sizeof(ParticleInstance), sizeof(uint32_t),     sizeof(FragmentTransform), sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(uint32_t),     sizeof(uint32_t),          sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(DrawCommands), sizeof(GrainInstance),     sizeof(PuffInstance),
+    sizeof(EffectCommands)};
 
 /// Streams that change while nothing breaks; the solver's others are draw lists.
 inline constexpr std::array<engine::StreamId, 2> kMotionStreams = {engine::StreamId::kParticles,
                                                                    engine::StreamId::kTransforms};
+
+/// Streams of grit and dust, which travel with either while there is any.
+inline constexpr std::array<engine::StreamId, 3> kEffectStreams = {
+    engine::StreamId::kGrains, engine::StreamId::kPuffs, engine::StreamId::kEffectCommands};
+/// All streams that travel with a change.
+std::vector<engine::StreamId> streamsOf(FrameChange change, bool with_effects);
 
 /// Points the solver's streams at blocks of memory, given in the order of StreamId; null leaves a
 /// stream out.

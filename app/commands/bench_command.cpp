@@ -135,7 +135,8 @@ void runKernelBench(const BenchOptions& options) {
 void runBench(const BenchOptions& options) {
     requireWritable(options.files);
     if (options.kernel) return runKernelBench(options);
-    const Shot shot = makeShot(options.shot, "paper");
+    Shot shot = makeShot(options.shot, "paper");
+    if (options.shot.effects.empty()) shot.effects.on = false;  // what the paper times has none
     const BenchPlan plan = planFor(options, shot);
     const bool draws = plan.mode != BenchMode::kSimulateOnly;
     const bool on_gpu = choosesCuda(shot);

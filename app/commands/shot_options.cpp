@@ -99,6 +99,25 @@ void applyRepair(const ShotOptions& options, Shot& shot) {
         shot.repair.thickness = inRange("--thickness", *options.thickness, kThicknessRange, "m");
 }
 
+void applyEffects(const ShotOptions& options, Shot& shot) {
+    if (!options.effects.empty()) shot.effects.on = options.effects == "on";
+    if (options.grit) shot.effects.grit = inRange("--grit", *options.grit, kAmountRange, "");
+    if (options.sparks) shot.effects.sparks = inRange("--sparks", *options.sparks, kAmountRange, "");
+    if (options.dust) shot.effects.dust = inRange("--dust", *options.dust, kAmountRange, "");
+}
+
+void addEffectOptions(CLI::App& command, ShotOptions& options) {
+    command.add_option("--effects", options.effects, "Grit, dust and sparks where bodies break (bench: off)")
+        ->type_name("on|off")
+        ->check(CLI::IsMember({"on", "off"}).description(""));
+    command.add_option("--grit", options.grit, "Times as much grit as the material says, 0..10")
+        ->type_name("FACTOR");
+    command.add_option("--dust", options.dust, "Times as much dust as the material says, 0..10")
+        ->type_name("FACTOR");
+    command.add_option("--sparks", options.sparks, "Times as many sparks as the material says, 0..10")
+        ->type_name("FACTOR");
+}
+
 }  // namespace
 
 void addRepairOptions(CLI::App& command, ShotOptions& options) {
@@ -166,6 +185,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_flag("--no-hand-over", options.no_hand_over,
                      "Step bonds even in pieces that no longer vibrate");
     command.add_flag("--no-sleep", options.no_sleep, "Step what rests, too");
+    addEffectOptions(command, options);
     command.add_option("--size", options.size, "Picture size in pixels, such as 1280x720")->type_name("WxH");
     for (CLI::Option* option : command.get_options())
         if (option->nonpositional() && option->get_group() == own_group && option != command.get_help_ptr())
@@ -182,6 +202,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     if (options.pieces)
         shot.material.tough_cells =
             static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
+    applyEffects(options, shot);
     shot.hand_over = !options.no_hand_over;
     shot.sleeping = !options.no_sleep;
     applyImpact(options, shot);

@@ -27,6 +27,8 @@ struct ShotOptions {
     std::optional<double> thickness;
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
     bool no_hand_over = false, no_sleep = false;
+    std::string effects;  ///< "on" or "off"; "" = the command's own
+    std::optional<double> grit, dust, sparks;
 };
 
 /// --repair and --thickness alone; part of addShotOptions().

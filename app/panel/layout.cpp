@@ -39,6 +39,7 @@ void showColumn(PanelContext& context) {
     showImpactPanel(context);
     showParticlesPanel(context);
     showMaterialPanel(context);
+    showEffectsPanel(context);
     showViewPanel(context);
     showEnergyPanel(context);
     ImGui::Separator();

@@ -65,6 +65,7 @@ void showShotPanel(PanelContext& context);
 void showImpactPanel(PanelContext& context);
 void showMaterialPanel(PanelContext& context);
 void showParticlesPanel(PanelContext& context);
+void showEffectsPanel(PanelContext& context);
 void showViewPanel(PanelContext& context);
 void showEnergyPanel(PanelContext& context);
 void showStatisticsPanel(PanelContext& context);

@@ -28,6 +28,15 @@ ProgressCallback part(const ProgressCallback& progress, double from, double to) 
     };
 }
 
+/// Spacings. Of drafts the large grains alone, a ninth of all: software renderers draw triangle by triangle.
+constexpr double kFinestDraftGrain = 0.08;
+
+double finestGrain(const Shot& shot, bool on_gpu) {
+    const Fineness& fine = shot.fineness;
+    const bool chosen = fine.particles || fine.particle_size || fine.draft == fine.full;
+    return on_gpu || chosen ? kFinestGrain : kFinestDraftGrain;
+}
+
 std::vector<std::shared_ptr<const BreakableBody>> fillVariants(const Shot& shot, const SolidMesh& mesh,
                                                                uint32_t particles, bool draw_geometry,
                                                                const ProgressCallback& progress) {
@@ -116,6 +125,9 @@ BuiltShot prepareShot(const Shot& shot, const BuildOptions& options, const Progr
     chooseVelocity(built.shot, *built.body);
     built.setup = makeSetup(built.shot, built.variants);
     built.setup.params.ledger = options.ledger;
+    built.setup.params.effects = shot.effects;
+    built.setup.params.effects.finest = finestGrain(shot, on_gpu);
+    if (!options.draw_geometry) built.setup.params.effects.on = false;
     built.build_seconds = secondsSince(begun);
     return built;
 }

@@ -18,6 +18,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     data.interior_vertex_capacity = sizes.interior_vertices;
     data.interior_index_capacity = sizes.interior_indices;
     data.crack_capacity = sizes.crack_edges;
+    data.grain_capacity = sizes.grains;
+    data.puff_capacity = sizes.puffs;
     mesh_ = std::make_unique<engine::FractureMesh>(data);
     bridge_ = makeFrameBridge(*mesh_, *built.solver);
 }

@@ -29,6 +29,9 @@ void readMaterial(TomlReader& reader, const std::string& prefix, Material& mater
     reader.read(prefix + "tough_factor", material.tough_factor, {1, 100});
     reader.read(prefix + "adhesion_energy_j_m2", material.adhesion_energy, {0, 1000});
     reader.read(prefix + "shear_ratio", material.shear_ratio, {0, 1});
+    reader.read(prefix + "grit_per_m2", material.debris.grit_per_m2, {0, 1e6});
+    reader.read(prefix + "dust_m2_per_m2", material.debris.dust_m2_per_m2, {0, 10});
+    reader.read(prefix + "sparks", material.debris.sparks, {0, 1});
     std::string law = material.bond_law == BondLaw::kBeam ? "beam" : "paper";
     reader.read(prefix + "bond_law", law);
     if (law != "beam" && law != "paper") reader.fail(prefix + "bond_law", "must be \"beam\" or \"paper\"");
@@ -38,6 +41,7 @@ void readMaterial(TomlReader& reader, const std::string& prefix, Material& mater
 void readLook(TomlReader& reader, const std::string& prefix, engine::SurfaceLook& look) {
     reader.readColour(prefix + "exterior_colour", look.exterior_colour);
     reader.readColour(prefix + "interior_colour", look.interior_colour);
+    reader.readColour(prefix + "dust_colour", look.dust_colour);
     readFloat(reader, prefix + "exterior_roughness", look.exterior_roughness, {0.02, 1});
     readFloat(reader, prefix + "interior_roughness", look.interior_roughness, {0.02, 1});
     readFloat(reader, prefix + "noise_strength", look.noise_strength, {0, 1});

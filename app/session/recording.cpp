@@ -37,7 +37,8 @@ void upload(engine::FractureMesh& mesh, StreamId id, const std::vector<T>& value
 
 Float3 moved(const FragmentTransform& motion, const Double3& rest) {
     const glm::quat rotation(motion.rotation.w, motion.rotation.x, motion.rotation.y, motion.rotation.z);
-    const glm::vec3 turned = rotation * glm::vec3(rest.x, rest.y, rest.z);
+    const float scale = 1 - kShrinkStep * static_cast<float>(motion.shrink);
+    const glm::vec3 turned = rotation * (scale * glm::vec3(rest.x, rest.y, rest.z));
     return {turned.x + motion.translation.x, turned.y + motion.translation.y,
             turned.z + motion.translation.z};
 }
@@ -99,6 +100,7 @@ struct SurfaceSpans {
 
 void Recording::clear() {
     finishCopies();
+    effects_.clear();
     frames_.clear();
     bytes_ = 0;
 }
@@ -108,7 +110,8 @@ void Recording::add(RecordedFrame frame) {
     const bool changed = frames_.empty() || frames_.back().draw_list != frame.draw_list;
     bytes_ += sizeof(frame) + frame.stress.size() + frame.speed.size() +
               frame.transforms.size() * sizeof(FragmentTransform) +
-              frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes : 0);
+              frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes : 0) +
+              (frame.effects ? frame.effects->bytes() : 0);
     frames_.push_back(std::move(frame));
 }
 
@@ -144,6 +147,7 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
         frame.transforms = before.transforms;
         frame.stress = before.stress;
         frame.speed = before.speed;
+        frame.effects = effects_.recordSame();
         return frame;
     }
     const size_t particles = colours.stress.size();
@@ -154,7 +158,35 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
     const auto all = seen<FragmentTransform>(stream, StreamId::kTransforms, particles);
     frame.transforms.reserve(frame.draw_list->slots.size());
     for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
+    frame.effects = readEffects(stream, stats);
     return frame;
+}
+
+std::shared_ptr<const RecordedEffects> Recording::readEffects(const ReadStream& read,
+                                                              const FrameStats& stats) {
+    if (!stats.effects_shown) {
+        effects_.clear();
+        return nullptr;
+    }
+    const EffectCommands commands = seen<EffectCommands>(read, StreamId::kEffectCommands, 1)[0];
+    return effects_.record(seen<GrainInstance>(read, StreamId::kGrains, commands.grains.instance_count),
+                           seen<PuffInstance>(read, StreamId::kPuffs, commands.puffs.instance_count));
+}
+
+void Recording::replayEffects(size_t index, engine::FractureMesh& mesh) const {
+    const bool shown = frames_[index].effects != nullptr;
+    mesh.showEffects(shown, frames_[index].stats.effects_moving);
+    if (!shown) return;
+    size_t first = index;
+    while (!frames_[first].effects->isWhole()) --first;
+    std::vector<GrainInstance> grains;
+    std::vector<PuffInstance> puffs;
+    for (size_t k = first; k <= index; ++k) frames_[k].effects->apply(grains, puffs);
+    upload(mesh, StreamId::kGrains, grains);
+    upload(mesh, StreamId::kPuffs, puffs);
+    upload(mesh, StreamId::kEffectCommands,
+           std::vector<EffectCommands>{
+               effectCommands(static_cast<uint32_t>(grains.size()), static_cast<uint32_t>(puffs.size()))});
 }
 
 void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetup& setup,
@@ -172,6 +204,7 @@ void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetu
     upload(mesh, StreamId::kExteriorIndices, drawnExterior(setup, list.particle_fragment));
     upload(mesh, StreamId::kCrackEdges, list.crack_edges.span());
     upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});
+    replayEffects(index, mesh);
 }
 
 }  // namespace demolish

@@ -8,6 +8,7 @@
 
 #include "app/bridge/frame_bridge.h"
 #include "app/session/recorded_array.h"
+#include "app/session/recorded_effects.h"
 #include "app/session/recorded_outside.h"
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/api/solver.h"
@@ -30,7 +31,8 @@ struct RecordedFrame {
     std::shared_ptr<const RecordedDrawList> draw_list;
     std::vector<FragmentTransform> transforms;  ///< of draw_list->slots
     std::vector<ParticleInstance> projectiles;
-    std::vector<uint8_t> stress, speed;  ///< as ColourStreams
+    std::vector<uint8_t> stress, speed;              ///< as ColourStreams
+    std::shared_ptr<const RecordedEffects> effects;  ///< null: there are none
     FrameStats stats;
 };
 
@@ -66,6 +68,8 @@ class Recording {
     std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
                                                          std::span<const uint8_t> damage,
                                                          size_t outside_vertices);
+    std::shared_ptr<const RecordedEffects> readEffects(const ReadStream& read, const FrameStats& stats);
+    void replayEffects(size_t frame, engine::FractureMesh& mesh) const;
     /// Did something break since the frame recorded last?
     bool breaksWith(const FrameStats& stats) const {
         return frames_.empty() || frames_.back().stats.bonds_broken != stats.bonds_broken;
@@ -74,6 +78,7 @@ class Recording {
     size_t memory_limit_;
     size_t bytes_ = 0;
     std::vector<RecordedFrame> frames_;
+    EffectsRecorder effects_;
     std::future<void> copying_;
 };
 

@@ -69,6 +69,18 @@ void readImpact(TomlReader& reader, Impact& impact) {
     reader.read("impact.tilt_rad", impact.tilt, kAngleRange);
 }
 
+void readEffects(TomlReader& reader, EffectsSettings& effects) {
+    std::string show = effects.on ? "on" : "off";
+    reader.read("effects.show", show);
+    if (show != "on" && show != "off") reader.fail("effects.show", "must be \"on\" or \"off\"");
+    effects.on = show == "on";
+    reader.read("effects.grit", effects.grit, kAmountRange);
+    reader.read("effects.dust", effects.dust, kAmountRange);
+    reader.read("effects.sparks", effects.sparks, kAmountRange);
+    reader.read("effects.grains", effects.grains, kGrainRange);
+    reader.read("effects.puffs", effects.puffs, kPuffRange);
+}
+
 engine::Camera readCamera(TomlReader& reader) {
     engine::Camera camera;
     reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
@@ -158,6 +170,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     shot.bodies = readBodies(reader, shot.height);
     shot.balls = readBalls(reader, {std::max<size_t>(1, shot.bodies.size()), shot.height}, shot.impact);
     shot.phases = readPhases(reader);
+    readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
     readPicture(reader, shot);
     reader.requireAllRead();

@@ -86,6 +86,7 @@ void Session::adopt(BuiltShot built) {
     recording_.finishCopies();
     output_.reset();  // before its solver: it may hold registered buffers
     built_ = std::move(built);
+    effects_ = built_.setup.params.effects;
     // What follows from the body's threshold is known only when the body is there.
     if (sameSubject(wanted_, built_.shot)) chooseVelocity(wanted_, *built_.body);
     if (wanted_.break_at && wanted_.break_at == built_.shot.break_at)
@@ -168,6 +169,7 @@ void Session::wantWhatIsBuilt() {
         shot.impact = live_.impact;
     shot.time_scale = live_.time_scale;
     shot.lighting = live_.lighting;
+    shot.effects = live_.effects;
     wanted_ = std::move(shot);
 }
 
@@ -216,9 +218,25 @@ void Session::bringFrame(bool fresh) {
     recording_.add(std::move(frame));
 }
 
+/// Amounts act from the next frame on; room for grains and puffs, and how fine they are, as built.
+void Session::followEffects() {
+    if (!output_) return;
+    const EffectsSettings& built = built_.setup.params.effects;
+    EffectsSettings wanted = wanted_.effects;
+    wanted.finest = built.finest;
+    wanted.grains = built.grains;
+    wanted.puffs = built.puffs;
+    if (wanted == effects_) return;
+    built_.solver->setEffects(wanted);
+    effects_ = wanted;
+}
+
 StepStatus Session::advance(const FrameWatch& watch) {
     const auto begun = Clock::now();
-    if (!frame_share_) startDueBalls();
+    if (!frame_share_) {
+        followEffects();
+        startDueBalls();
+    }
     const auto looked_at = [&](double share) {
         frame_share_ = share;
         return watch(share);

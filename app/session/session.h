@@ -94,6 +94,7 @@ class Session {
     struct Obey;
     void restart();
     void openBooks();
+    void followEffects();
     void restartIfNotHit();
     void wantWhatIsBuilt();
     void fire(const Projectile& ball);
@@ -134,6 +135,7 @@ class Session {
     bool playing_ = false;
     bool stepping_ = false;  ///< one frame, and no more
     bool measuring_ = false;
+    EffectsSettings effects_;  ///< as the solver has been told
 };
 
 }  // namespace demolish

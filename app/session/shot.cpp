@@ -39,6 +39,11 @@ void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
 /// strength where that is to follow the velocity to break at.
 void takeWhatIsLive(const Shot& from, Shot& to) {
     to.balls = from.balls;
+    to.effects.on = from.effects.on;
+    to.effects.grit = from.effects.grit;
+    to.effects.dust = from.effects.dust;
+    to.effects.sparks = from.effects.sparks;
+    to.effects.crumbling = from.effects.crumbling;
     to.time_scale = from.time_scale;
     if (to.impact.kind != from.impact.kind || (from.break_at && !sameAim(to.impact, from.impact))) return;
     const Impact before = to.impact;
@@ -61,6 +66,7 @@ void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
     to.hand_over = from.hand_over;
     to.sleeping = from.sleeping;
     to.colliders = from.colliders;
+    to.effects = from.effects;
     to.fps = from.fps;
 }
 
@@ -88,6 +94,9 @@ void validate(const Shot& shot) {
     requireInRange("the frame rate", shot.fps, kFpsRange, "frames/s");
     requireInRange("the time scale", shot.time_scale, kTimeScaleRange, "");
     requireInRange("the ball's radius", shot.impact.ball_radius, {0, 100}, "m");
+    requireInRange("the amount of grit", shot.effects.grit, kAmountRange, "");
+    requireInRange("the amount of dust", shot.effects.dust, kAmountRange, "");
+    requireInRange("the amount of sparks", shot.effects.sparks, kAmountRange, "");
     for (const TimedBall& ball : shot.balls)
         requireInRange("the velocity of a ball of the scene", ball.speed_share * shot.impact.velocity,
                        kVelocityRange, "m/s");

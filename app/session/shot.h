@@ -80,6 +80,9 @@ struct Shot {
     uint64_t seed = 1;
     DeviceChoice device = DeviceChoice::kAuto;
 
+    /// `finest` follows from the fineness. Who draws nothing has no effects.
+    EffectsSettings effects{.on = true};
+
     engine::SurfaceLook look;
     engine::Lighting lighting;
     std::optional<engine::Camera> camera;  ///< none: framed on the body
@@ -99,7 +102,9 @@ inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};
 inline constexpr Range kTimeScaleRange{0.01, 1};
 inline constexpr Range kSubstepRange{1, 20000};
-inline constexpr Range kPlaceRange{-1e4, 1e4};      // m, each coordinate of a point
+inline constexpr Range kPlaceRange{-1e4, 1e4};  // m, each coordinate of a point
+inline constexpr Range kAmountRange{0, 10};     // of grit, dust or sparks, times the material's
+inline constexpr Range kGrainRange{1, kMaxGrains}, kPuffRange{1, kMaxPuffs};
 inline constexpr Range kDirectionRange{-1e6, 1e6};  // each coordinate; only the way counts
 
 /// Whole numbers in all their digits, others in six.
@@ -113,7 +118,7 @@ void validate(const Shot& shot);
 /// What a changed shot asks for. Each level includes the ones above it.
 enum class Change {
     kNothing,
-    kLive,    ///< looks, velocity of a ball, time scale
+    kLive,    ///< looks, amounts of grit and dust, velocity of a ball, time scale
     kSolver,  ///< material, substeps, fps, velocity of a drop: same cells, new solver
     kBody,    ///< particle size, seed, model: everything
 };

@@ -17,6 +17,9 @@ class AmbientOcclusionPass {
     /// `scene_radius` in m sets how far neighbours count; `found`: depth is what ComputedRaster found and has
     /// bound. Result: r = visibility 0..1, g = linear depth, half size.
     const gl::Texture& run(const RenderTargets& targets, float scene_radius, bool found);
+    /// As the last run() found it: m along the view axis, half size, the nearest of four pixels, the floor
+    /// and colliders included.
+    const gl::Texture& nearestDepth() const { return depth_; }
     /// Makes the shader that run() needs with `found`. Throws GlError.
     void prepareFound(const RenderTargets& targets) { reduceFor(targets.samples, true); }
     /// As LightPass::showColliders().

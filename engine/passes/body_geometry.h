@@ -26,7 +26,9 @@ enum class StorageBinding : GLuint {
     kTasks = 9,
     kBalls = 10,
     kLarge = 11,
-    kCount = 12,
+    kGrains = 12,
+    kEffectCommands = 13,
+    kCount = 14,
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);

@@ -19,7 +19,8 @@ constexpr GLuint kShadowViews = 3;  // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kTriangleGroups = 4096, kSquareGroups = 8192, kSetupGroups = 2048, kLargeGroups = 1024,
-                 kCrackGroups = 4096, kBallGroups = 64, kColliderGroups = 256, kClearGroups = 2048;
+                 kCrackGroups = 4096, kBallGroups = 64, kGritGroups = 2048, kColliderGroups = 256,
+                 kClearGroups = 2048;
 /// Beyond so many px of its box a triangle is shared by several lanes.
 constexpr int kMostLanePixels = 24;
 constexpr size_t kTaskBytes = 8, kFoundHeaderBytes = 16, kLargeBytes = 88;
@@ -68,6 +69,7 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
                 gl::Program(shaders_, {"raster_squares.comp"}, samples),
                 gl::Program(shaders_, {"raster_large.comp"}, samples),
                 gl::Program(shaders_, {"raster_balls.comp"}, samples),
+                gl::Program(shaders_, {"raster_grit.comp"}, samples),
                 gl::Program(shaders_, {"raster_cracks.comp"}, samples + "#define COMPUTED\n")};
     glm::ivec2 least(static_cast<int>(kGrid)), most(0);
     for (int i = 0; i < targets.samples; ++i) {
@@ -130,6 +132,8 @@ void ComputedRaster::bind(const FractureMesh& mesh, const SpherePass& balls) con
     bindStorage(StorageBinding::kTasks, tasks_);
     bindStorage(StorageBinding::kBalls, balls.spheres());
     bindStorage(StorageBinding::kLarge, large_);
+    bindStorage(StorageBinding::kGrains, mesh.stream(StreamId::kGrains));
+    bindStorage(StorageBinding::kEffectCommands, mesh.stream(StreamId::kEffectCommands));
     glBindImageTexture(0, shadow_bits_.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
 }
 
@@ -142,14 +146,18 @@ void ComputedRaster::clear(int shadow_texels) {
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
-void ComputedRaster::rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows) {
+void ComputedRaster::rasterise(Programs& programs, const Drawn& drawn, bool naming) {
     for (gl::Program* program : programs.raster()) program->set(kNaming, naming ? 1 : 0);
     programs.triangles.use();
     glDispatchCompute(kTriangleGroups, 1, 1);
-    if (balls.sphereCount() > 0) {
+    if (drawn.balls.sphereCount() > 0) {
         programs.balls.use();
-        glDispatchCompute(kBallGroups, static_cast<GLuint>(balls.sphereCount()),
-                          with_shadows ? kShadowViews : 1);
+        glDispatchCompute(kBallGroups, static_cast<GLuint>(drawn.balls.sphereCount()),
+                          drawn.shadows && !naming ? kShadowViews : 1);
+    }
+    if (drawn.grit) {
+        programs.grit.use();
+        glDispatchCompute(kGritGroups, 1, 1);
     }
     if (!naming) {
         glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);  // the first dispatch noted what is large
@@ -186,10 +194,11 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     clear(with_shadows ? shadow_texels : 0);
     clock.mark("clear");
     if (with_shadows) castColliderShadows(colliders, shadow_texels);
-    rasterise(programs, balls, false, with_shadows);
+    const Drawn drawn{balls, scene.with_grit, with_shadows};
+    rasterise(programs, drawn, false);
     clock.mark("depths");
     glFlush();  // the GPU begins while it is told the rest
-    rasterise(programs, balls, true, false);
+    rasterise(programs, drawn, true);
     clock.mark("names");
     if (with_shadows) makeCoarseShadows();
     clock.mark("coarse shadow");

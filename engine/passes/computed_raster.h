@@ -45,15 +45,19 @@ class ComputedRaster {
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
     void bind(const FractureMesh& mesh, const SpherePass& balls) const;
     struct Programs {
-        gl::Program triangles, setup, squares, large, balls, cracks;
+        gl::Program triangles, setup, squares, large, balls, grit, cracks;
         /// Those that know the views.
-        std::array<gl::Program*, 5> raster() { return {&triangles, &setup, &squares, &large, &balls}; }
+        std::array<gl::Program*, 6> raster() { return {&triangles, &setup, &squares, &large, &balls, &grit}; }
     };
     Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
     void castColliderShadows(const ColliderPass& colliders, int shadow_texels);
     void makeCoarseShadows();
-    static void rasterise(Programs& programs, const SpherePass& balls, bool naming, bool with_shadows);
+    struct Drawn {
+        const SpherePass& balls;
+        bool grit, shadows;
+    };
+    static void rasterise(Programs& programs, const Drawn& drawn, bool naming);
 
     std::filesystem::path shaders_;
     gl::Program clear_, coarse_, colliders_;  ///< the last: made when first needed

@@ -9,7 +9,8 @@ namespace demolish::engine {
 namespace {
 
 constexpr size_t kChunk = 64;  // vertices
-constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32;
+constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kGrainBytes = 32,
+                 kPuffBytes = 32;
 
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {
     // A body without, say, crack edges still has a buffer to bind.
@@ -42,6 +43,12 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
             return (data.exterior_vertices.size() / kVertexBytes + kChunk - 1) / kChunk * sizeof(uint32_t);
         case StreamId::kCommands:
             return 3 * kDrawCommandBytes;
+        case StreamId::kGrains:
+            return data.grain_capacity * kGrainBytes;
+        case StreamId::kPuffs:
+            return data.puff_capacity * kPuffBytes;
+        case StreamId::kEffectCommands:
+            return kEffectCommandCount * kEffectCommandBytes;
         case StreamId::kCount:
             break;
     }
@@ -81,6 +88,13 @@ void FractureMesh::drawCommanded(uint32_t command) const {
     // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto* offset = reinterpret_cast<const void*>(command * kDrawCommandBytes);
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, offset);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
+void FractureMesh::drawEffect(uint32_t command, GLenum mode) const {
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, stream(StreamId::kEffectCommands).id());
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    glDrawArraysIndirect(mode, reinterpret_cast<const void*>(command * kEffectCommandBytes));
     glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 

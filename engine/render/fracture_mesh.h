@@ -22,6 +22,7 @@ struct FractureMeshData {
     size_t interior_vertex_capacity = 0;
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;
+    size_t grain_capacity = 0, puff_capacity = 0;
 };
 
 class FractureMesh {
@@ -38,6 +39,16 @@ class FractureMesh {
     const gl::Buffer& crackEdges() const { return crack_edges_; }
     /// Triangles as one of the stream's commands says, of what is bound.
     void drawCommanded(uint32_t command) const;
+    /// What one of the effects' commands says, of what is bound; `mode` as glDrawArrays.
+    void drawEffect(uint32_t command, GLenum mode) const;
+    /// Whether the effects' streams hold anything to draw, and whether any of it still flies: what lies is
+    /// grit alone. Until it is said there is nothing.
+    void showEffects(bool shown, bool flying) {
+        effects_shown_ = shown;
+        effects_fly_ = shown && flying;
+    }
+    bool effectsShown() const { return effects_shown_; }
+    bool effectsFly() const { return effects_fly_; }
     /// The streams were written from outside, by whoever knows the buffers' ids.
     void touch() { version_ = nextVersion(); }
     /// Changes with the streams' contents; no two meshes have the same.
@@ -50,6 +61,7 @@ class FractureMesh {
     gl::Buffer crack_edges_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
     size_t particle_count_ = 0, particle_capacity_ = 0;
+    bool effects_shown_ = false, effects_fly_ = false;
     uint64_t version_ = nextVersion();
 };
 

@@ -15,10 +15,13 @@
 #include "engine/passes/computed_raster.h"
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/depth_eraser.h"
+#include "engine/passes/dust_pass.h"
 #include "engine/passes/floor_pass.h"
+#include "engine/passes/grit_pass.h"
 #include "engine/passes/id_pass.h"
 #include "engine/passes/light_pass.h"
 #include "engine/passes/shadow_pass.h"
+#include "engine/passes/spark_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/platform/gl_context.h"
@@ -52,6 +55,9 @@ struct Renderer::Passes {
           occlusion(shaders),
           light(shaders),
           ids(shaders),
+          grit(shaders),
+          dust(shaders),
+          sparks(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
@@ -77,10 +83,16 @@ struct Renderer::Passes {
         colliders.setColliders(view.colliders);
         light.showColliders(colliders.count() > 0);
         occlusion.showColliders(colliders.count() > 0);
+        dust.showColliders(colliders.count() > 0);
+        sparks.showColliders(colliders.count() > 0);
     }
 
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
+    static bool showsEffects(const FractureMesh* mesh, const FrameView& view) {
+        return mesh != nullptr && mesh->effectsShown() && view.show_effects &&
+               view.mode == ViewMode::kSurface;
+    }
     bool computes(const FractureMesh* mesh, const FrameView& view);
     bool readyToCompute();
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
@@ -90,6 +102,11 @@ struct Renderer::Passes {
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
     void computeLight(const FrameView& view, GLuint framebuffer, bool found);
     void drawLight(GLuint framebuffer);
+    static bool showsDust(const FractureMesh* mesh, const FrameView& view) {
+        return showsEffects(mesh, view) && mesh->effectsFly();
+    }
+    void castDustShadows(const FractureMesh* mesh, const FrameView& view);
+    void drawDust(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     std::filesystem::path shader_folder;
@@ -105,6 +122,9 @@ struct Renderer::Passes {
     AmbientOcclusionPass occlusion;
     LightPass light;
     IdPass ids;
+    GritPass grit;
+    DustPass dust;
+    SparkPass sparks;
     std::optional<ComputedRaster> computed;  ///< made when first needed
     std::string refusal;
     DepthEraser eraser;
@@ -147,6 +167,7 @@ ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameV
     ShadowScene scene;
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
+    scene.with_grit = showsEffects(mesh, view);
     for (const SphereDraw& sphere : sphere_draws) {
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
@@ -164,6 +185,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
         if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
+        if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
         colliders.drawShadows(region);
     }
     shadow.finish(erasesTiles(view));
@@ -181,6 +203,8 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     clock.mark("body");
+    if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
+    clock.mark("grit");
     const bool with_cracks = mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks;
     if (with_cracks) cracks.draw(*mesh, view.look.crack_width);
     clock.mark("cracks");
@@ -208,17 +232,21 @@ void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, b
 }
 
 void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
+    castDustShadows(&mesh, view);
     computed->run(mesh, spheres, colliders, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality),
                   clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
     clock.mark("cracks");
     computeLight(view, framebuffer, true);
+    computed->bindShadowMap();
+    drawDust(&mesh, view, framebuffer);
 }
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
+    castDustShadows(mesh, view);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
@@ -227,10 +255,30 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    if (view.quality == RenderQuality::kDraft) return drawLight(framebuffer);
-    eraser.remember(targets->depth, targets->samples);
-    clock.mark("touched");
-    computeLight(view, framebuffer, false);
+    if (view.quality == RenderQuality::kDraft) {
+        drawLight(framebuffer);
+    } else {
+        eraser.remember(targets->depth, targets->samples);
+        clock.mark("touched");
+        computeLight(view, framebuffer, false);
+    }
+    shadow.bindMap();
+    drawDust(mesh, view, framebuffer);
+    ShadowPass::unbindMap();
+}
+
+void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView& view) {
+    const bool any = showsDust(mesh, view) && view.quality == RenderQuality::kFull;
+    dust.castShadows(any ? mesh : nullptr);
+}
+
+void Renderer::Passes::drawDust(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
+    if (!showsDust(mesh, view)) return;
+    const bool full = view.quality == RenderQuality::kFull;
+    const gl::Texture* depth = full ? &occlusion.nearestDepth() : nullptr;
+    dust.draw(*mesh, view, *targets, depth, framebuffer);
+    sparks.draw(*mesh, *targets, depth, framebuffer);
+    clock.mark("dust");
 }
 
 void Renderer::Passes::drawLight(GLuint framebuffer) {

@@ -18,10 +18,17 @@ enum class StreamId : uint32_t {
     kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
     kExteriorChunks,    ///< u32 per 64 exterior vertices: which were written last; nothing here reads it
     kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
+    kGrains,            ///< 32 B: position 3f, size, quaternion 4 x snorm16 (of a spark: velocity 3 x half),
+                        ///< seed u32, heat
+    kPuffs,             ///< 32 B: position 3f, radius, optical depth, age, seed u32, heat
+    kEffectCommands,    ///< 48 B: three DrawArraysIndirectCommand: grains, puffs, sparks
     kCount
 };
 /// Places of the commands in that stream.
 inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
 inline constexpr size_t kDrawCommandBytes = 20;
+/// The same of the effects.
+inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1, kSparkCommand = 2;
+inline constexpr size_t kEffectCommandBytes = 16, kEffectCommandCount = 3;
 
 }  // namespace demolish::engine

@@ -37,6 +37,7 @@ struct FrameView {
     ColourMap colour_map = ColourMap::kFragment;
     bool show_cracks = true;
     bool show_floor = true;
+    bool show_effects = true;   ///< grit and dust, of the surface view
     int width = 0, height = 0;  ///< px
     int samples = 4;            ///< MSAA, 1, 2 or 4; capped by what the driver offers
     RenderQuality quality = RenderQuality::kFull;

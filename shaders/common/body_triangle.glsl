@@ -7,8 +7,9 @@ layout(std430, binding = 3) readonly buffer InteriorIndices { uint interior_indi
 layout(std430, binding = 4) readonly buffer ExteriorVertices { uvec2 exterior_words[]; };  // 3 pairs of words a vertex
 layout(std430, binding = 5) readonly buffer InteriorVertices { uvec2 interior_words[]; };
 
-// Names of what a sample shows: 0 nothing; triangles from 1 on, those of broken faces with the bit; projectiles with both.
-const uint kInteriorBit = 0x80000000u, kSphereBits = 0xc0000000u;
+// Names of what a sample shows: 0 nothing; triangles from 1 on, those of broken faces with the bit; projectiles with both;
+// grains with three: slot and face (common/grain.glsl).
+const uint kInteriorBit = 0x80000000u, kSphereBits = 0xc0000000u, kGrainBits = 0xe0000000u;
 
 uint triangleCount() { return commands[kExteriorCommand].count / 3u + commands[kInteriorCommand].count / 3u; }
 

@@ -8,6 +8,8 @@
 #include "common/crack_colour.glsl"
 #define BODY_MATERIAL 8
 #include "common/body_material.glsl"
+#define GRAIN_BINDING 12
+#include "common/grain.glsl"
 
 const bool kShowsBodies = true;
 
@@ -75,12 +77,23 @@ void makeBall(ivec2 pixel, uint name, inout Surface s) {
     s.metalness = 1.0;
 }
 
+void makeGrain(uint name, inout Surface s) {
+    uint slot = (name & ~kGrainBits) / kGrainFaces;
+    int face = int(name % kGrainFaces);
+    GrainFace f = grainFace(grains[slot], face);
+    s.geometric_normal = f.normal;
+    s.normal = f.normal;
+    s.metalness = 0.0;
+    grainMaterial(s, grains[slot].seed, face);
+}
+
 // `position`: of the sample, m.
 Surface surfaceAt(ivec2 pixel, int i, vec3 position) {
     uint name = nameAt(pixel, i), steps = crackStepsAt(pixel, i);
     Surface s;
     s.position = position;
-    if ((name & kSphereBits) == kSphereBits) makeBall(pixel, name, s);
+    if ((name & kGrainBits) == kGrainBits) makeGrain(name, s);
+    else if ((name & kSphereBits) == kSphereBits) makeBall(pixel, name, s);
     else makeBody(pixel, name, s);
     if (steps == 0u) return s;
     float left = exp2(-float(steps) / kCrackSteps);

@@ -123,11 +123,18 @@ float litShare(Region region, vec3 p, vec2 slope, float angle) {
 }
 #endif
 
+#ifdef SHADOW_DRAFT
+float throughDust(vec3 p) { return 1.0; }
+#else
+#include "common/dust_shadow.glsl"
+#endif
+
 // 1 in the sun, 0 in full shadow. `normal` is the geometric one.
 float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
     float facing = dot(normal, frame.to_sun.xyz);
     if (facing <= 0.0) return 0.0;
     vec3 p = (frame.light_matrix[0] * vec4(position, 1.0)).xyz;
+    float clear = throughDust(p);
     bool near = isHeld(p);
     if (!near) p = p * frame.to_far_scale.xyz + frame.to_far_shift.xyz;
     vec4 sizes = near ? frame.shadow[0] : frame.shadow[1];
@@ -141,5 +148,5 @@ float sunVisibility(vec3 position, vec3 normal, vec2 pixel) {
 #else
     float lit = litShare(region, p, receiverSlope(region, across), 6.2831853 * pixelNoise(pixel));
 #endif
-    return near || isHeld(p) ? lit : 1.0;
+    return clear * (near || isHeld(p) ? lit : 1.0);
 }

@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim_cuda/api/effects.h"
 #include "sim_cuda/api/vectors.h"
 
 namespace demolish {
@@ -41,6 +42,7 @@ struct Material {
     double shear_ratio = 0.3;    ///< a = k_T / k_N of the beam law, 0..1
     double bond_ratio = 0.5;     ///< a* of BondLaw::kSpheres, 0.1..0.9
     double fracture_energy = 0;  ///< Gamma, J/m^2: every bond as strong as (13) says; 0: as beta and v_c say
+    Debris debris;
 
     bool operator==(const Material&) const = default;
 };
@@ -95,6 +97,7 @@ struct SolverParams {
     bool ledger = true;      ///< book damping and friction work every substep
     bool hand_over = false;  ///< fragments that no longer vibrate move as rigid bodies (16)-(18)
     bool sleeping = false;   ///< what rests costs nothing until something comes near
+    EffectsSettings effects;
 };
 
 }  // namespace demolish

@@ -14,9 +14,13 @@ namespace demolish {
 struct FragmentTransform {
     Float4 rotation{0, 0, 0, 1};  ///< unit quaternion x y z w
     Float3 translation;           ///< m
-    uint32_t age = 0;             ///< frames since the fragment came into being; 0 while it is the whole body
+    uint32_t age : 24 = 0;        ///< frames since the fragment came into being; 0 while it is the whole body
+    uint32_t shrink : 8 = 0;      ///< steps by which it is drawn smaller; p is scaled before it is turned
 };
 static_assert(sizeof(FragmentTransform) == 32);
+
+/// Of FragmentTransform: the scale is 1 less so much for each step (shaders/common/body.glsl knows it, too).
+inline constexpr float kShrinkStep = 1.0f / 256;
 
 /// One sphere of the particle view, 32 bytes.
 struct ParticleInstance {
@@ -41,6 +45,43 @@ struct DrawCommands {
     DrawElementsCommand cracks;    ///< ribbons: count = 6 corner indices, instance_count = lines shown
     DrawElementsCommand exterior;  ///< the outside: count = indices
 };
+
+/// One grain of grit or one spark, 32 bytes.
+struct GrainInstance {
+    Float3 position;   ///< m
+    float size;        ///< m, across; 0: none
+    uint32_t turn[2];  ///< grit: quaternion x y z w, 4 x snorm16, x in the low half; spark: velocity in m/s,
+                       ///< 3 x float16, and s of its streak
+    uint32_t seed;     ///< of its shape
+    float heat;        ///< 0: grit; a spark 1 as it is born, then less
+};
+static_assert(sizeof(GrainInstance) == 32);
+
+/// One puff of dust or smoke, 32 bytes.
+struct PuffInstance {
+    Float3 position;  ///< m
+    float radius;     ///< m; 0: none
+    float depth;      ///< optical depth through its middle
+    float age;        ///< s
+    uint32_t seed;
+    float heat;  ///< 0: dust of the material, 1: smoke
+};
+static_assert(sizeof(PuffInstance) == 32);
+
+/// As GL's DrawArraysIndirectCommand.
+struct DrawArraysCommand {
+    uint32_t count, instance_count, first, base_instance;
+};
+
+/// Slots in use of the effects' streams; slots that hold nothing are drawn as nothing.
+struct EffectCommands {
+    DrawArraysCommand grains;  ///< 24 vertices each, eight faces
+    DrawArraysCommand puffs;   ///< 4 each, a strip
+    DrawArraysCommand sparks;  ///< the grains once more, 4 each, a strip
+};
+constexpr EffectCommands effectCommands(uint32_t grains, uint32_t puffs) {
+    return {{24, grains, 0, 0}, {4, puffs, 0, 0}, {4, grains, 0, 0}};
+}
 
 enum class ParticleColour : uint32_t { kFragment, kDamage, kStress, kSpeed };
 
@@ -78,6 +119,10 @@ struct RenderStreams {
     Stream<SurfaceVertex> exterior_vertices;
     Stream<uint32_t> exterior_chunks;  ///< per chunk: 1 where this export wrote it
     Stream<DrawCommands> commands;     ///< one
+    /// Written while FrameStats::effects_shown. All of them or none.
+    Stream<GrainInstance> grains;
+    Stream<PuffInstance> puffs;
+    Stream<EffectCommands> effect_commands;  ///< one
     ParticleColour colour = ParticleColour::kFragment;
     ColourStreams colours;  ///< for a recording, whatever `colour` is
 };

@@ -60,6 +60,7 @@ struct Snapshot {
 struct StreamSizes {
     size_t particles = 0, interior_vertices = 0, interior_indices = 0, exterior_vertices = 0,
            exterior_indices = 0, crack_edges = 0;
+    size_t grains = 0, puffs = 0;
 };
 StreamSizes streamSizes(const SceneSetup& setup);
 
@@ -98,6 +99,11 @@ class Solver {
     /// for the start. The state stays the same to the last bit, and a substep that books nothing is cheaper.
     virtual void bookEnergy(bool on) = 0;
     virtual bool booksEnergy() const = 0;
+    /// From now on; how many grains and puffs there is room for stays as it was in the set-up. Off: those
+    /// that fly are gone. The bodies move the same, to the last bit.
+    virtual void setEffects(const EffectsSettings& settings) = 0;
+    /// 64-bit hash of what the effects show: equal for any thread count and device; 0 while there are none.
+    virtual uint64_t effectsHash() const = 0;
     /// 64-bit hash of state, bond and history bits: equal for any thread count, launch shape and device.
     virtual uint64_t stateHash() const = 0;
 

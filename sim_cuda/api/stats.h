@@ -54,6 +54,8 @@ struct FrameStats {
     EnergyLedger energy;
     double max_stress_ratio = 0;    ///< highest bond stress over strength in the last substep
     bool fracture_changed = false;  ///< a bond broke in the last frame
+    bool effects_shown = false;     ///< there may be grit, dust or sparks to draw
+    bool effects_moving = false;    ///< and they may move in the next frame
 };
 
 }  // namespace demolish

@@ -23,7 +23,7 @@ struct WriteTransforms {
         FragmentTransform out;
         out.rotation = {float(q.x), float(q.y), float(q.z), float(q.w)};
         out.translation = {float(shift.x), float(shift.y), float(shift.z)};
-        out.age = age[slot];
+        out.age = age[slot] & 0xffffffu;
         transform[slot] = out;
     }
 };

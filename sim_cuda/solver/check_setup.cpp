@@ -44,6 +44,9 @@ void checkMaterial(const Material& material) {
     demandRange(material.shear_ratio, 0, 1, "Shear ratio" + of);
     demandRange(material.bond_ratio, 0.1, 0.9, "Bond radius ratio" + of);
     demandRange(material.fracture_energy, 0, 1e9, "Fracture energy" + of);
+    demandRange(material.debris.grit_per_m2, 0, 1e6, "Grit (grains above 1 mm a m^2)" + of);
+    demandRange(material.debris.dust_m2_per_m2, 0, 10, "Dust (m^2 a m^2)" + of);
+    demandRange(material.debris.sparks, 0, 1, "Sparks" + of);
 }
 
 void checkBody(const BodyInstance& instance) {
@@ -69,7 +72,16 @@ void checkShape(const Box& box) {
     demandUnit(box.rotation, "a box's rotation");
 }
 
+void checkEffects(const EffectsSettings& effects) {
+    for (const double amount : {effects.grit, effects.dust, effects.sparks})
+        demandRange(amount, 0, 10, "An amount of grit, dust or sparks");
+    demandRange(effects.finest, 0.01, 0.3, "The smallest grain (spacings)");
+    demandRange(effects.grains, 1, kMaxGrains, "The number of grains");
+    demandRange(effects.puffs, 1, kMaxPuffs, "The number of puffs");
+}
+
 void checkParams(const SolverParams& params) {
+    checkEffects(params.effects);
     demandRange(params.frame_time, 1e-9, 10, "Frame time (s)");
     demandRange(params.substeps, 1, 1e7, "Substeps");
     demandRange(params.step_safety, 1e-4, 1, "Step safety");

@@ -168,6 +168,8 @@ std::vector<uint32_t> drawnExterior(const SceneSetup& setup, std::span<const uin
 StreamSizes streamSizes(const SceneSetup& setup) {
     StreamSizes sizes;
     sizes.particles = kMaxProjectiles;
+    sizes.grains = setup.params.effects.grains;
+    sizes.puffs = setup.params.effects.puffs;
     for (const BodyInstance& instance : setup.bodies) {
         const FractureGeometry& geometry = instance.body->geometry;
         sizes.particles += instance.body->particles.size();

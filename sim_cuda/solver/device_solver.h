@@ -5,7 +5,7 @@
 //   projectiles.h     balls: slots, starts            frame_loop.h      the order of the work in a frame
 //   frame_books.h     what is reported                energy_measure.h  energies of the moment
 //   frame_exporter.h  a frame for drawing             scene_bytes.h     the state as bytes
-//   settling.h        before the first frame
+//   settling.h        before the first frame          effects/effects.h grit and dust, which only watch
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,6 +13,7 @@
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/solver.h"
+#include "sim_cuda/effects/effects.h"
 #include "sim_cuda/kernels/state_hash.h"
 #include "sim_cuda/solver/energy_measure.h"
 #include "sim_cuda/solver/frame_books.h"
@@ -38,12 +39,16 @@ class DeviceSolver final : public Solver {
     double fire(const Projectile& projectile) override;
     void exportFrame(const RenderStreams& streams, bool streams_fresh) override {
         exporter_.write(scene_, projectiles_, stats().bonds_broken, streams, streams_fresh);
+        effects_.write(finishedFrame(), streams);
+        scene_.backend.synchronize();
     }
     StreamSizes exportSizes() const override { return streamSizes(scene_.setup); }
     const FrameStats& stats() const override { return books_.stats(); }
     void measure() override;
     void bookEnergy(bool on) override;
     bool booksEnergy() const override { return scene_.setup.params.ledger; }
+    void setEffects(const EffectsSettings& settings) override;
+    uint64_t effectsHash() const override { return effects_.hash(); }
     uint64_t stateHash() const override;
     Snapshot save() const override;
     void restore(const Snapshot& snapshot) override;
@@ -55,6 +60,8 @@ class DeviceSolver final : public Solver {
 
   private:
     StepStatus advance(uint32_t n, const FrameWatch& watch);
+    FinishedFrame<Real> finishedFrame() const;
+    void tellOfEffects() { books_.setEffects(effects_.shown(), effects_.moving()); }
     void sumFrame();
     void clearLedger() { scene_.backend.fill(scene_.data.ledger.span(), Vec4<Real>{}); }
     void readState(ByteStream& in);
@@ -66,6 +73,7 @@ class DeviceSolver final : public Solver {
     FrameBooks books_;
     EnergyMeasure<Backend, Real> energy_;
     mutable FrameExporter<Backend, Real> exporter_;
+    mutable Effects<Backend, Real> effects_;
     mutable typename Backend::template Buffer<uint64_t> hash_sum_;
 };
 
@@ -77,6 +85,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       books_(scene_.tables.time_step, scene_.tables.mass_in_bodies, scene_.tables.counts.in_bodies,
              scene_.data.bonds.count),
       exporter_(scene_.backend, setup, scene_.tables),
+      effects_(scene_.backend, scene_.setup),
       hash_sum_(scene_.backend.template allocate<uint64_t>(1)) {
     const bool settles = setup.params.settle_time > 0;
     loop_.stepper().recordAhead(scene_);
@@ -88,6 +97,27 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     scene_.fragments.gather(scene_.data);
     books_.setFragments(scene_.fragments.summary());
     if (settles) scene_.regimes.markRested();
+    setEffects(setup.params.effects);
+}
+
+template <class Backend, class Real>
+FinishedFrame<Real> DeviceSolver<Backend, Real>::finishedFrame() const {
+    const auto& clusters = scene_.fragments.clusters;
+    const auto& data = scene_.data;
+    return {scene_.state(),
+            clusters.rows(),
+            clusters.fragment(),
+            data.particles.owner.view(),
+            data.bonds.slot_of_bond.view(),
+            data.bonds.link.view(),
+            data.particles.constants.view(),
+            scene_.tables.counts};
+}
+
+template <class Backend, class Real>
+void DeviceSolver<Backend, Real>::setEffects(const EffectsSettings& settings) {
+    effects_.set(settings, finishedFrame());
+    tellOfEffects();
 }
 
 template <class Backend, class Real>
@@ -108,6 +138,9 @@ StepStatus DeviceSolver<Backend, Real>::advance(uint32_t n, const FrameWatch& wa
         scene_.fragments.advanceAges();
     else
         sumFrame();
+    effects_.advance(finishedFrame(), frame.substeps * scene_.tables.time_step, stats().fracture_changed,
+                     !frame.quiet);
+    tellOfEffects();
     return frame.status;
 }
 
@@ -175,6 +208,7 @@ Snapshot DeviceSolver<Backend, Real>::save() const {
     out.writeVector(projectiles_.all());
     writeScene(out, scene_);
     exporter_.save(out);
+    effects_.saveState().write(out);
     return {out.take()};
 }
 
@@ -202,6 +236,7 @@ void DeviceSolver<Backend, Real>::readState(ByteStream& in) {
     const auto projectiles = in.readVector<Projectile>();
     readScene(in, scene_);
     const auto saved = exporter_.read(in);
+    const auto effects = EffectState::read(in);
     if (!in.atEnd()) throw std::out_of_range("snapshot of another scene");
     loop.quiet = 0;  // regimes have to be decided once more
     projectiles_.resume(projectiles, loop.projectiles);
@@ -209,6 +244,8 @@ void DeviceSolver<Backend, Real>::readState(ByteStream& in) {
     books_.resume(books, projectiles_.work(), scene_.time());
     scene_.fragments.recluster(scene_.data);
     exporter_.restore(scene_, saved);
+    effects_.restoreState(effects, finishedFrame());
+    tellOfEffects();
 }
 
 }  // namespace demolish

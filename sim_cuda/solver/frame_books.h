@@ -34,6 +34,10 @@ class FrameBooks {
     /// external: as above, up to this moment.
     void setMechanical(const MechanicalSums& sums, double external);
     void setFragments(const FragmentSummary& summary);
+    void setEffects(bool shown, bool moving) {
+        stats_.effects_shown = shown;
+        stats_.effects_moving = moving;
+    }
     /// Of the last decision; Regimes: regimes.h.
     template <class Regimes>
     void setAwake(const Regimes& regimes);

@@ -40,7 +40,7 @@ class FrameExporter {
           broken_bonds_(backend.template allocate<uint8_t>(tables.slot_of_bond.size())),
           waiting_(backend.template allocate<Vec4<Real>>(kMaxProjectiles)) {}
 
-    /// As Solver::exportFrame; broken: bonds. Waits.
+    /// As Solver::exportFrame; broken: bonds. Does not wait.
     void write(Scene& scene, const Projectiles& projectiles, uint32_t broken, const RenderStreams& streams,
                bool streams_fresh);
 
@@ -90,7 +90,6 @@ void FrameExporter<Backend, Real>::write(Scene& scene, const Projectiles& projec
     else
         surface_.tellUnchanged(streams);
     if (draws_surface && !streams_fresh) written_of_ = broken;  // fresh streams may be another reader's
-    scene.backend.synchronize();
 }
 
 template <class Backend, class Real>

@@ -176,6 +176,8 @@ FractureMesh BlockBody::makeMesh() const {
     data.interior_vertex_capacity = interior_.size() * face_points;
     data.interior_index_capacity = interior_.size() * face_indices;
     data.crack_capacity = crack_edges_.size();
+    data.grain_capacity = kMostGrains;
+    data.puff_capacity = kMostPuffs;
     return FractureMesh(data);
 }
 

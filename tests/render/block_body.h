@@ -27,6 +27,9 @@ struct Motion {
     glm::vec3 translation{0, 0, 0};
 };
 
+/// Room in a block's mesh.
+inline constexpr size_t kMostGrains = 4096, kMostPuffs = 64;
+
 class BlockBody {
   public:
     explicit BlockBody(const BlockOptions& options);

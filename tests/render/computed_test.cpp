@@ -56,6 +56,23 @@ TEST_F(Computed, PiecesAndProjectilesAreTheSameFromEverySide) {
     }
 }
 
+TEST_F(Computed, GritAndDustAreTheSame) {
+    Scene scene = small("dusty_block");
+    expectSameLook(scene);
+    scene.view.samples = 1;
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, AGrainBeforeTheEyeIsTheSame) {
+    Scene scene = small("whole_block");
+    const glm::vec3 eye = scene.view.camera.eye, ahead = glm::normalize(scene.view.camera.target - eye);
+    writeEffects(*scene.mesh, {{eye + 0.3f * ahead, 0.16f, {0, 0x7fff0000u}, 5}}, {});
+    expectSameLook(scene);
+    const Image with = drawPicture(renderer(), scene);
+    scene.mesh->showEffects(false, false);
+    EXPECT_GT(differingPixels(with, drawPicture(renderer(), scene), 20), 2500u);
+}
+
 TEST_F(Computed, CollidersAndTheirShadowsAreTheSame) {
     Scene scene = small("broken_ball");
     ColliderDraw box;

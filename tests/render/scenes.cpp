@@ -2,6 +2,7 @@
 // Each scene shows one thing that can go wrong.
 #include "tests/render/scenes.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <functional>
 #include <map>
@@ -94,6 +95,26 @@ Scene draft() {
     return scene;
 }
 
+/// Grit all round where it was hit, and a cloud of dust.
+Scene dustyBlock(RenderQuality quality) {
+    Scene scene = brokenBlock();
+    std::vector<GrainDraw> grains;
+    for (uint32_t k = 0; k < 3000; ++k) {
+        const glm::vec3 away = glm::vec3(random(5 * k), random(5 * k + 1), random(5 * k + 2)) - 0.5f;
+        const float size = 0.004f * std::pow(0.002f + 0.998f * random(5 * k + 3), -0.45f);
+        grains.push_back({kHit + 1.1f * away, size, {random(k) < 0.5f ? 0x5a82u : 0u, 0x5a820000u}, 97 * k});
+        grains.back().position.y = std::max(grains.back().position.y, 0.3f * size);
+    }
+    std::vector<PuffDraw> puffs;
+    for (uint32_t k = 0; k < 40; ++k) {
+        const glm::vec3 away = glm::vec3(random(7 * k), random(7 * k + 1), random(7 * k + 2)) - 0.5f;
+        puffs.push_back({kHit + glm::vec3(0.9f, 0.5f, 0.9f) * away, 0.1f + 0.1f * random(k), 0.25f, 0.3f, k});
+    }
+    writeEffects(*scene.mesh, grains, puffs);
+    scene.view.quality = quality;
+    return scene;
+}
+
 Scene emptyFloor() {
     Scene scene;
     scene.view = standardView();
@@ -109,12 +130,25 @@ const std::map<std::string, std::function<Scene()>>& table() {
         {"broken_ball", [] { return ball(ViewMode::kSurface, ColourMap::kFragment); }},
         {"ball_particles_fragment", [] { return ball(ViewMode::kParticles, ColourMap::kFragment); }},
         {"ball_particles_value", [] { return ball(ViewMode::kParticles, ColourMap::kDamage); }},
+        {"dusty_block", [] { return dustyBlock(RenderQuality::kFull); }},
+        {"dusty_block_draft", [] { return dustyBlock(RenderQuality::kDraft); }},
         {"empty_floor", emptyFloor},
     };
     return scenes;
 }
 
 }  // namespace
+
+void writeEffects(FractureMesh& mesh, const std::vector<GrainDraw>& grains,
+                  const std::vector<PuffDraw>& puffs) {
+    static_assert(sizeof(GrainDraw) == 32 && sizeof(PuffDraw) == 32);
+    const auto g = static_cast<uint32_t>(grains.size()), p = static_cast<uint32_t>(puffs.size());
+    const uint32_t commands[12] = {24, g, 0, 0, 4, p, 0, 0, 4, g, 0, 0};
+    mesh.stream(StreamId::kGrains).upload(std::as_bytes(std::span(grains)));
+    mesh.stream(StreamId::kPuffs).upload(std::as_bytes(std::span(puffs)));
+    mesh.stream(StreamId::kEffectCommands).upload(std::as_bytes(std::span(commands)));
+    mesh.showEffects(true, true);
+}
 
 Scene wholeBlock() {
     Scene scene = blockScene({.cells = 4, .jitter = 0.5f});

@@ -31,6 +31,24 @@ size_t differingPixels(const Image& a, const Image& b, int more_than);
 /// Is this id of Renderer::fragmentIds() a piece of the body?
 bool isBody(uint32_t id);
 
+/// A grain and a puff as the streams hold them (FractureMesh).
+struct GrainDraw {
+    glm::vec3 position;
+    float size;
+    uint32_t rotation[2] = {0, 0x7fff0000u};
+    uint32_t seed;
+    float heat = 0;
+};
+struct PuffDraw {
+    glm::vec3 position;
+    float radius, depth, age;
+    uint32_t seed;
+    float heat = 0;
+};
+/// Into a block's mesh, in place of what was there.
+void writeEffects(FractureMesh& mesh, const std::vector<GrainDraw>& grains,
+                  const std::vector<PuffDraw>& puffs);
+
 /// A block in one piece, and the same broken into flying pieces.
 Scene wholeBlock();
 Scene brokenBlock();

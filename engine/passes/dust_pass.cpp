@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+// Optical depths add up, so that puffs need no order: their light is a mean, weighted by depth.
+#include "engine/passes/dust_pass.h"
+
+#include <string>
+
+#include "engine/passes/body_geometry.h"
+#include "engine/passes/spark_pass.h"
+#include "engine/passes/tone_curve.h"
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLint kDust = 0, kPixels = 1, kCurve = 0, kUsed = 1;
+constexpr GLuint kSolidUnit = 4, kSumUnit = 5, kDustShadowUnit = 8;
+/// Of the picture's sides; half size is not told from full.
+constexpr int kFullPart = 2, kDraftPart = 4;
+constexpr int kShadowTexels = 512;
+/// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
+constexpr float kLumpWaves = 22;
+
+void beginSums() {
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+}
+
+void clearSums(const gl::Framebuffer& framebuffer) {
+    const float nothing[4] = {0, 0, 0, 0};
+    glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, nothing);
+    framebuffer.bind();
+}
+
+}  // namespace
+
+DustPass::DustPass(const std::filesystem::path& shaders)
+    : shaders_(shaders),
+      shadows_(shaders, {"dust_shadow.vert", "dust_shadow.frag"}),
+      over_(shaders, {"whole_picture.vert", "dust_over.frag"}),
+      no_shadow_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
+    const float nothing[2] = {0, 0};
+    glClearTexImage(no_shadow_.id(), 0, GL_RG, GL_FLOAT, nothing);
+}
+
+gl::Program& DustPass::puffsFor(const RenderTargets& targets, bool full) {
+    gl::Program& program = puffs_[{targets.samples, full, with_colliders_}];
+    if (program.id() == 0)
+        program =
+            gl::Program(shaders_, {"dust.vert", "dust.frag"}, solidDefines(targets, full, with_colliders_));
+    return program;
+}
+
+void DustPass::fit(int width, int height) {
+    if (sums_ && sums_->texture.width() == width && sums_->texture.height() == height) return;
+    gl::Texture texture = gl::Texture::make2d(GL_RGBA16F, width, height);
+    texture.setFilter(GL_LINEAR, GL_LINEAR);
+    sums_.emplace();
+    sums_->texture = std::move(texture);
+    sums_->framebuffer = gl::Framebuffer({&sums_->texture}, nullptr);
+}
+
+void DustPass::run(const gl::Program& program, const FractureMesh& mesh) {
+    bindStorage(StorageBinding::kParticles, mesh.stream(StreamId::kPuffs));
+    program.use();
+    no_attributes_.bind();
+    mesh.drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
+}
+
+void DustPass::castShadows(const FractureMesh* mesh) {
+    if (mesh == nullptr) return no_shadow_.bind(kDustShadowUnit);
+    if (!shadow_sums_) {
+        shadow_sums_.emplace();
+        shadow_sums_->texture = gl::Texture::make2d(GL_RG16F, kShadowTexels, kShadowTexels);
+        shadow_sums_->texture.setFilter(GL_LINEAR, GL_LINEAR);
+        shadow_sums_->framebuffer = gl::Framebuffer({&shadow_sums_->texture}, nullptr);
+    }
+    beginSums();
+    clearSums(shadow_sums_->framebuffer);
+    glViewport(0, 0, kShadowTexels, kShadowTexels);
+    run(shadows_, *mesh);
+    glDisable(GL_BLEND);
+    shadow_sums_->texture.bind(kDustShadowUnit);
+}
+
+void DustPass::addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Program& program, int part) {
+    const auto& colour = view.look.dust_colour;
+    program.set(kDust, glm::vec4(colour[0], colour[1], colour[2], 1 / (kLumpWaves * view.look.noise_scale)));
+    program.set(kPixels, static_cast<float>(part));
+    clearSums(sums_->framebuffer);
+    glViewport(0, 0, sums_->texture.width(), sums_->texture.height());
+    run(program, mesh);
+}
+
+void DustPass::draw(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets,
+                    const gl::Texture* nearest_depth, GLuint framebuffer) {
+    const bool full = nearest_depth != nullptr;
+    const int part = full ? kFullPart : kDraftPart;
+    fit((targets.width + part - 1) / part, (targets.height + part - 1) / part);
+    beginSums();
+    (full ? *nearest_depth : targets.depth).bind(kSolidUnit);
+    addPuffs(mesh, view, puffsFor(targets, full), part);
+
+    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, targets.width, targets.height);
+    sums_->texture.bind(kSumUnit);
+    over_.set(kCurve, toneCurve());
+    const auto size = static_cast<float>(part);
+    over_.set(
+        kUsed,
+        glm::vec2(static_cast<float>(targets.width) / (size * static_cast<float>(sums_->texture.width())),
+                  static_cast<float>(targets.height) / (size * static_cast<float>(sums_->texture.height()))));
+    over_.use();
+    no_attributes_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glDisable(GL_BLEND);
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 450 core
+// Grains of grit into the pictures of a frame (common/raster.glsl); one lane a face.
+layout(local_size_x = 128) in;
+#include "common/raster.glsl"
+#include "common/near_plane.glsl"
+#include "common/fill_lane.glsl"
+#define GRAIN_BINDING 12
+#include "common/grain.glsl"
+layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
+const float kLeastTexels = 0.7;  // as grit_shadow.vert
+
+// A face close to the eye is larger than the edges of fill_lane.glsl are exact for.
+void fillFar(Flat f, uint name) {
+    ivec2 box = boxOf(f);
+    Edges e = edgesFrom(f, f.low);
+    for (int k = 0; k < box.x * box.y; ++k) {
+        ivec2 away = ivec2(k % box.x, k / box.x);
+        uint covered = 0u;
+        for (int i = 0; i < SAMPLES; ++i) {
+            if (covers(e, kGrid * away + sample_at[i])) covered |= 1u << i;
+        }
+        if (covered != 0u) putCamera(f, f.low + away, covered, name);
+    }
+}
+
+void seeFromCamera(Grain g, GrainFace face, uint name) {
+    float grow = grainGrowth(g);
+    if (grow == 0.0) return;
+    vec4 clip[3];
+    for (int k = 0; k < 3; ++k)
+        clip[k] = frame.view_projection * vec4(g.position_size.xyz + grow * g.position_size.w * face.corner[k], 1.0);
+    if (isCut(clip)) return;
+    Flat f = cameraFlat(clip[0], clip[1], clip[2]);
+    if (!f.shows) return;
+    if (isNear(f)) fillCamera(f, name);
+    else fillFar(f, name);
+}
+
+void seeFromSun(Grain g, GrainFace face, int region) {
+    if (g.position_size.w < kLeastTexels * frame.shadow[region].x) return;
+    vec3 p[3];
+    for (int k = 0; k < 3; ++k) p[k] = g.position_size.xyz + g.position_size.w * face.corner[k];
+    Flat f = shadowFlat(p, region);
+    if (f.shows && isNear(f)) fillShadow(f, region);
+}
+
+void main() {
+    uint faces = kGrainFaces * effect_commands[0].y, lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint k = gl_GlobalInvocationID.x; k < faces; k += lanes) {
+        Grain g = grains[k / kGrainFaces];
+        if (g.position_size.w <= 0.0 || g.heat > 0.0) continue;
+        GrainFace face = grainFace(g, int(k % kGrainFaces));
+        seeFromCamera(g, face, kGrainBits | k);
+        for (int region = 0; region < 2 && naming == 0 && shadow_texels > 0; ++region) seeFromSun(g, face, region);
+    }
+}

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// Facts of grit and dust that hold on every driver.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "tests/render/gl_fixture.h"
+#include "tests/render/scenes.h"
+
+namespace demolish::engine::test {
+namespace {
+
+class EffectsPicture : public GlTest, public testing::WithParamInterface<RenderQuality> {
+  protected:
+    Scene scene() const {
+        Scene whole = wholeBlock();
+        whole.view.quality = GetParam();
+        return whole;
+    }
+    static Image picture(const Scene& scene) { return drawPicture(renderer(), scene); }
+};
+
+/// Before the block, `share` of the way from the eye to it.
+glm::vec3 towardsBlock(const Scene& scene, float share) {
+    return glm::mix(scene.view.camera.eye, scene.view.camera.target, share);
+}
+
+struct Colour {
+    int red, green, blue;
+    int sum() const { return red + green + blue; }
+};
+Colour middleOf(const Image& image) {
+    const uint8_t* pixel = image.at(image.width / 2, image.height / 2);
+    return {pixel[0], pixel[1], pixel[2]};
+}
+
+TEST_P(EffectsPicture, WithoutAnyThePictureIsTheSameToTheLastBit) {
+    Scene with = scene();
+    const Image none = picture(with);
+    writeEffects(*with.mesh, {}, {});
+    EXPECT_EQ(picture(with).pixels, none.pixels);
+    writeEffects(*with.mesh, {{towardsBlock(with, 0.6f), 0.05f, {0, 0x7fff0000u}, 3}},
+                 {{towardsBlock(with, 0.6f), 0.3f, 1, 0.3f, 1}});
+    EXPECT_GT(differingPixels(picture(with), none, 10), 500u);
+    with.view.show_effects = false;
+    EXPECT_EQ(picture(with).pixels, none.pixels);
+}
+
+TEST_P(EffectsPicture, AGrainHasTheBrokenMaterialAndAShadow) {
+    Scene with = scene();
+    with.mesh.reset();
+    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 0.001f});
+    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+    const Image none = picture(with);
+    const float(&inside)[3] = with.view.look.interior_colour;
+    ASSERT_GT(inside[0], 1.5f * inside[2]);  // a warm colour, unlike the floor's
+    // A seed without a coat on any face.
+    writeEffects(*with.mesh, {{{0, 0.42f, 0}, 0.6f, {0, 0x7fff0000u}, 1}}, {});
+    const Image one = picture(with);
+    const Colour middle = middleOf(one);
+    EXPECT_GT(middle.red, middle.blue + 10);
+    size_t darker = 0;  // of the floor: as cool as the sky, and less than it was
+    for (int y = one.height / 2; y < one.height; ++y)
+        for (int x = 0; x < one.width; ++x) {
+            const uint8_t *now = one.at(x, y), *before = none.at(x, y);
+            darker += now[1] + 25 < before[1] && now[2] >= now[0];
+        }
+    EXPECT_GT(darker, 300u);
+}
+
+TEST_P(EffectsPicture, AGrainBehindTheBlockIsNotSeen) {
+    Scene with = scene();
+    const Image none = picture(with);
+    writeEffects(*with.mesh, {{{-0.1f, 0.4f, -0.2f}, 0.1f, {0, 0x7fff0000u}, 3}}, {});
+    EXPECT_LT(differingPixels(picture(with), none, 6), 20u);
+}
+
+TEST_P(EffectsPicture, DustHidesAsMuchAsItsDepthSaysAndNothingBeforeIt) {
+    Scene with = scene();
+    with.view.look.dust_colour[0] = with.view.look.dust_colour[1] = with.view.look.dust_colour[2] = 0.9f;
+    const Image none = picture(with);
+    const glm::vec3 before = towardsBlock(with, 0.65f);
+    const int clear = middleOf(none).sum();
+    int last = clear;
+    for (const float depth : {0.15f, 0.4f, 1.0f}) {  // the block's front is darker than this dust
+        writeEffects(*with.mesh, {}, {{before, 0.25f, depth, 0.2f, 9}});
+        const int now = middleOf(picture(with)).sum();
+        EXPECT_GT(now, last + 5) << depth;
+        last = now;
+    }
+    writeEffects(*with.mesh, {}, {{{-0.3f, 0.4f, -0.4f}, 0.1f, 3, 0.2f, 9}});
+    EXPECT_NEAR(middleOf(picture(with)).sum(), clear, 6);
+}
+
+TEST_P(EffectsPicture, PuffsNeedNoOrder) {
+    Scene with = scene();
+    const glm::vec3 near = towardsBlock(with, 0.55f), far = towardsBlock(with, 0.7f);
+    writeEffects(*with.mesh, {}, {{near, 0.2f, 0.5f, 0.2f, 1}, {far, 0.2f, 0.8f, 0.9f, 2}});
+    const Image one = picture(with);
+    writeEffects(*with.mesh, {}, {{far, 0.2f, 0.8f, 0.9f, 2}, {near, 0.2f, 0.5f, 0.2f, 1}});
+    EXPECT_EQ(differingPixels(one, picture(with), 2), 0u);
+}
+
+TEST_P(EffectsPicture, SmallGrainsAreThinnedOutAndNotLost) {
+    // As many grains, ever smaller, of one colour: what they cover shrinks with their area, down to a share
+    // of a pixel each.
+    Scene with = scene();
+    with.view.show_floor = false;
+    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 0.001f});
+    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+    const Image none = picture(with);
+    const auto covered = [&](float size) {
+        std::vector<GrainDraw> grains;
+        for (uint32_t k = 0; k < 4000; ++k) {
+            const float x = static_cast<float>(k % 64) / 64 - 0.5f,
+                        y = static_cast<float>(k / 64) / 64 - 0.5f;
+            grains.push_back({{1.2f * x, 0.42f + 1.2f * y, 0}, size, {0, 0x7fff0000u}, 31 * k});
+        }
+        writeEffects(*with.mesh, grains, {});
+        const Image now = picture(with);
+        double sum = 0;
+        for (size_t i = 0; i < now.pixels.size(); ++i) sum += std::abs(now.pixels[i] - none.pixels[i]);
+        return sum;
+    };
+    const double large = covered(0.008f), small = covered(0.004f), tiny = covered(0.002f);
+    EXPECT_GT(large / small, 2.2);
+    EXPECT_LT(large / small, 7);
+    EXPECT_GT(small / tiny, 2.2);
+    EXPECT_LT(small / tiny, 7);
+}
+
+INSTANTIATE_TEST_SUITE_P(Qualities, EffectsPicture,
+                         testing::Values(RenderQuality::kFull, RenderQuality::kDraft), [](const auto& param) {
+                             return param.param == RenderQuality::kFull ? "Full" : "Draft";
+                         });
+
+}  // namespace
+}  // namespace demolish::engine::test
