@@ -10,7 +10,7 @@ namespace demolish {
 namespace {
 
 TEST(Bridge, StreamsCountElementsOfTheirOwnSize) {
-    std::array<std::byte, 4096> memory{};
+    std::array<std::byte, 512 * kStreamCount> memory{};
     std::array<void*, kStreamCount> data{};
     std::array<size_t, kStreamCount> bytes{};
     for (size_t i = 0; i < kStreamCount; ++i) {
