@@ -12,6 +12,7 @@ find_package(CLI11 REQUIRED)
 find_package(glfw3 REQUIRED)
 find_package(glm REQUIRED)
 find_package(PNG REQUIRED)
+find_package(OpenEXR REQUIRED)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 find_package(Threads REQUIRED)
 find_program(GLAD_PROGRAM glad HINTS /usr/bin REQUIRED)
@@ -19,11 +20,11 @@ find_program(GLAD_PROGRAM glad HINTS /usr/bin REQUIRED)
 # Dear ImGui: Debian's static library brings the GLFW and OpenGL 3 backends and has no CMake file of its own.
 find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
 find_library(IMGUI_LIBRARY imgui REQUIRED)
-find_library(STB_LIBRARY NAMES libstb.a stb)  # Debian's static imgui leaves its font code to this one
+find_library(STB_LIBRARY NAMES libstb.a stb REQUIRED)  # reads Radiance pictures; Debian's static imgui leaves its font code to it
 add_library(imgui INTERFACE)
 target_include_directories(imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
 find_package(Freetype)
-target_link_libraries(imgui INTERFACE ${IMGUI_LIBRARY} $<$<BOOL:${STB_LIBRARY}>:${STB_LIBRARY}>
+target_link_libraries(imgui INTERFACE ${IMGUI_LIBRARY} ${STB_LIBRARY}
     $<$<TARGET_EXISTS:Freetype::Freetype>:Freetype::Freetype> glfw
     OpenGL::OpenGL ${CMAKE_DL_LIBS})
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // What a puff adds along a ray: its light times its optical depth, and the depth itself. Sums do not hang on the order.
+#include "common/choices.glsl"
 #include "common/frame.glsl"
+#include "common/gbuffer.glsl"
 #include "common/sky.glsl"
 #include "common/solid.glsl"
 layout(location = 0) uniform vec4 dust;      // rgb: colour; w: 1/m, of its lumps

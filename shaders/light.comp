@@ -3,10 +3,10 @@
 // The lit picture, computed from what was drawn (common/lit_pixel.glsl).
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/lit_pixel.glsl"
-layout(rgba8, binding = 0) writeonly uniform image2D result;
+layout(PICTURE_FORMAT, binding = 0) writeonly uniform image2D result;
 
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(result)))) return;
-    imageStore(result, pixel, vec4(pixelColour(pixel), 1.0));
+    imageStore(result, pixel, pixelColour(pixel));
 }

@@ -4,4 +4,4 @@
 #include "common/lit_pixel.glsl"
 layout(location = 0) out vec4 colour;
 
-void main() { colour = vec4(pixelColour(ivec2(gl_FragCoord.xy)), 1.0); }
+void main() { colour = pixelColour(ivec2(gl_FragCoord.xy)); }

@@ -22,5 +22,5 @@ void main() {
         if (gl_LocalInvocationIndex == 0u) tiles[atomicAdd(tile_count, 1u)] = gl_WorkGroupID.x | gl_WorkGroupID.y << 16;
         return;
     }
-    if (in_picture) imageStore(result, pixel, vec4(pixelColour(pixel), 1.0));
+    if (in_picture) imageStore(result, pixel, pixelColour(pixel));
 }

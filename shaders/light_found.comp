@@ -18,7 +18,7 @@ void main() {
     for (uint k = gl_WorkGroupID.x; k < tile_count; k += gl_NumWorkGroups.x) {
         ivec2 pixel = 8 * ivec2(tiles[k] & 0xffffu, tiles[k] >> 16) + ivec2(gl_LocalInvocationID.xy);
         if (any(greaterThanEqual(pixel, imageSize(result)))) continue;
-        imageStore(result, pixel, vec4(pixelColour(pixel), 1.0));
+        imageStore(result, pixel, pixelColour(pixel));
         forget(pixel);
     }
 }

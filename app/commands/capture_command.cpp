@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/commands/frame_exposure.h"
 #include "app/commands/frame_files.h"
 #include "app/commands/headless_stage.h"
 #include "app/commands/help_text.h"
@@ -41,6 +42,8 @@ FrameFilesOptions filesFor(const Capture& capture, const Shot& shot) {
         files.sheet_columns = static_cast<int>(std::min<size_t>(4, capture.moments.size()));
     files.width = capture.size.width;
     files.height = capture.size.height;
+    files.alpha = capture.options.film.transparent;
+    files.note = colourNote(shot, files.alpha);
     files.video_fps = std::min(shot.fps, kLargestVideoRate);
     return files;
 }
@@ -71,6 +74,7 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double
     engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
                                            renderQuality(capture.options.shot, software));
     if (capture.options.view != "surface") view.mode = engine::ViewMode::kParticles;
+    view.transparent = capture.options.film.transparent;
     view.colour_map = static_cast<engine::ColourMap>(colourOf(capture.options.view));
     view.camera.orbit(static_cast<float>(glm::radians(yaw)),
                       static_cast<float>(glm::radians(capture.options.camera_pitch)));
@@ -90,15 +94,18 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     ProgressBar bar;
     TriangleCounter triangles;
     const uint64_t frames = capture.moments.back() + 1;
+    FrameExposure exposure(stage.renderer());
+    const engine::Lens& lens = session.shot().lens;
     size_t drawn = 0;
     for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
         if (frame > 0 && InterruptWatch::asked()) break;
+        if (frame == capture.moments[drawn]) exposure.remember(session, lens);
         if (frame > 0) capture.status = session.advance(watchFrame(bar, frame, frames, kLabel));
         if (capture.status != StepStatus::kOk || session.frameUnderWay()) break;
         if (frame == capture.moments[drawn]) {
             for (size_t camera = 0; camera < views.size(); ++camera) {
-                stage.renderer().draw(session.mesh(), session.spheres(), views[camera], target.framebuffer());
+                exposure.draw(session, views[camera], lens, target.framebuffer());
                 tellRefusal(stage.renderer());
                 target.submit(camera * capture.moments.size() + drawn);
             }
@@ -113,12 +120,15 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
 }
 
 void runCapture(const CaptureOptions& options) {
-    const Shot shot = makeShot(options.shot);
+    Shot shot = makeShot(options.shot);
+    applyFilm(options.film, options.shot.picture.look, shot);
     requireInRange("--frames", options.frames, kFrameRange, "");
     for (const double yaw : options.camera_yaw) requireInRange("--camera-yaw", yaw, kYawRange, "degrees");
     requireInRange("--camera-pitch", options.camera_pitch, kPitchRange, "degrees");
     if (options.out.empty() && options.video.empty() && !options.files.any())
         throw UsageError("nothing to write: give --out DIR, --video FILE or --report FILE.json");
+    if (!options.video.empty() && options.film.transparent)
+        throw UsageError("a film has no alpha: leave out --transparent, or --video");
     if (!options.video.empty() && options.camera_yaw.size() > 1)
         throw UsageError("a film has one camera: give --camera-yaw one angle, or leave out --video");
     const bool on_gpu = choosesCuda(shot);
@@ -168,6 +178,7 @@ void runCapture(const CaptureOptions& options) {
 void addCaptureCommand(CLI::App& app, CaptureOptions& options) {
     auto* command = app.add_subcommand("capture", "Break a model without a window: PNG frames, film, report");
     addShotOptions(*command, options.shot);
+    addFilmOptions(*command, options.film);
     auto* frames = command->add_option("--frames", options.frames, "Frames to draw")
                        ->type_name("N")
                        ->capture_default_str();

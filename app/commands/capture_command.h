@@ -13,6 +13,7 @@ namespace demolish {
 
 struct CaptureOptions {
     ShotOptions shot;
+    FilmOptions film;
     double frames = 150;
     std::vector<double> at;             ///< s: draws these moments only; empty: `frames` frames
     std::vector<double> camera_yaw{0};  ///< degrees, from the shot's camera about its target; one a camera

@@ -59,7 +59,8 @@ void FrameFiles::writeJobs() {
         changed_.notify_all();
         lock.unlock();
         try {
-            engine::writePng(frameName(*options_.folder, job.frame), job.image);
+            engine::writePng(frameName(*options_.folder, job.frame), job.image,
+                             {.alpha = options_.alpha, .note = options_.note});
         } catch (...) {
             lock.lock();
             if (!error_) error_ = std::current_exception();

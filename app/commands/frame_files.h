@@ -23,6 +23,8 @@ struct FrameFilesOptions {
     int sheet_columns = 4;      ///< of the contact sheet
     int width = 0, height = 0;  ///< px
     double video_fps = 60;
+    bool alpha = false;  ///< of the frames' PNG, straight
+    std::string note{};  ///< in the frames' PNG: how light became colour
 };
 
 class FrameFiles {

@@ -187,6 +187,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_flag("--no-sleep", options.no_sleep, "Step what rests, too");
     addEffectOptions(command, options);
     command.add_option("--size", options.size, "Picture size in pixels, such as 1280x720")->type_name("WxH");
+    addPictureOptions(command, options.picture);
     for (CLI::Option* option : command.get_options())
         if (option->nonpositional() && option->get_group() == own_group && option != command.get_help_ptr())
             option->group("What to break, and how");
@@ -211,6 +212,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     if (options.slow_motion)
         shot.time_scale = inRange("--slow-motion", *options.slow_motion, kTimeScaleRange, "");
     shot.device = deviceChoice(options);
+    applyPicture(options.picture, shot);
     return shot;
 }
 
@@ -236,6 +238,8 @@ PictureSize pictureSize(const ShotOptions& options, PictureSize fallback) {
 }
 
 engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer) {
+    if (!options.picture.look.empty())
+        return options.picture.look == "draft" ? engine::RenderQuality::kDraft : engine::RenderQuality::kFull;
     if (options.quality == "draft") return engine::RenderQuality::kDraft;
     if (options.quality == "full") return engine::RenderQuality::kFull;
     return software_renderer ? engine::RenderQuality::kDraft : engine::RenderQuality::kFull;

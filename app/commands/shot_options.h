@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/commands/picture_options.h"
 #include "app/session/shot.h"
 #include "engine/scene/frame_view.h"
 
@@ -26,6 +27,7 @@ struct ShotOptions {
     std::string repair;  ///< "" = the scene's
     std::optional<double> thickness;
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
+    PictureOptions picture;
     bool no_hand_over = false, no_sleep = false;
     std::string effects;  ///< "on" or "off"; "" = the command's own
     std::optional<double> grit, dust, sparks;
@@ -45,7 +47,7 @@ DeviceChoice deviceChoice(const ShotOptions& options);
 /// "1280x720". Throws UsageError; `fallback` if the option was not given.
 PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
 
-/// --quality, or draft for a software rasteriser.
+/// --look, --quality, or draft for a software rasteriser.
 engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer);
 const char* qualityName(engine::RenderQuality quality);
 

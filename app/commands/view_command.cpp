@@ -9,6 +9,7 @@
 #include "app/commands/help_text.h"
 #include "app/commands/picture_target.h"
 #include "app/commands/session_json.h"
+#include "app/commands/still_picture.h"
 #include "app/commands/tell_refusal.h"
 #include "app/commands/timed_loop.h"
 #include "app/commands/view_desk.h"
@@ -83,6 +84,7 @@ struct ViewLoop {
     ViewDesk& desk;
     Gui& gui;
     ScriptDriver* script;
+    StillPicture still{renderer};
     PictureTarget target{};
     TriangleCounter triangles{};
     Pace pace{};
@@ -118,7 +120,8 @@ struct ViewLoop {
 
     void draw() {
         const engine::FrameView view = desk.frameView(session);
-        renderer.draw(session.mesh(), session.spheres(), view, target.framebuffer(view.width, view.height));
+        still.draw(session.mesh(), session.spheres(), view, session.shot().lens, session.playing(),
+                   target.framebuffer(view.width, view.height));
         tellRefusal(renderer);
         target.copyToWindow(desk.picture, window.framebufferHeight());
         gui.endFrame();

@@ -36,6 +36,13 @@ void ViewDesk::adoptBody(const Session& session, bool move_camera) {
 
 std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& model, const Shot& present) {
     try {
+        if (isEnvironmentFile(model)) {
+            Shot lit = present;
+            setEnvironment(lit.environment, model);
+            litBy(lit.environment, lit.lighting);  // a bad file is told here
+            message.clear();
+            return lit;
+        }
         Shot shot;
         if (!scene.empty()) {
             shot = loadScene(scene);
@@ -126,6 +133,8 @@ engine::FrameView ViewDesk::frameView(const Session& session) const {
     Shot shot = session.built().shot;
     shot.look = session.shot().look;
     shot.lighting = session.shot().lighting;
+    shot.environment = session.shot().environment;
+    shot.lens = session.shot().lens;
     engine::FrameView frame =
         makeFrameView(shot, *session.built().body, picture.width, picture.height, view.quality);
     frame.camera = camera;

@@ -41,6 +41,7 @@ void showColumn(PanelContext& context) {
     showMaterialPanel(context);
     showEffectsPanel(context);
     showViewPanel(context);
+    showLightPanel(context);
     showEnergyPanel(context);
     ImGui::Separator();
     checkbox(context, "panel.advanced", "More settings", context.state.advanced,

@@ -67,6 +67,7 @@ void showMaterialPanel(PanelContext& context);
 void showParticlesPanel(PanelContext& context);
 void showEffectsPanel(PanelContext& context);
 void showViewPanel(PanelContext& context);
+void showLightPanel(PanelContext& context);
 void showEnergyPanel(PanelContext& context);
 void showStatisticsPanel(PanelContext& context);
 void showTransportBar(PanelContext& context);

@@ -62,12 +62,6 @@ void showViewPanel(PanelContext& context) {
     ImGui::SameLine();
     if (checkbox(context, "view.fine", "Fine", fine, "Soft shadows and ambient occlusion; costs draw time"))
         view.quality = fine ? engine::RenderQuality::kFull : engine::RenderQuality::kDraft;
-    double exposure = context.shot.lighting.exposure;
-    if (slider(context, {"view.exposure", "Exposure", "%.2f x", "Brightness of the picture."}, exposure,
-               {0.1, 5, true}, context.preset.lighting.exposure)) {
-        context.shot.lighting.exposure = static_cast<float>(exposure);
-        context.changed = true;
-    }
 }
 
 }  // namespace demolish

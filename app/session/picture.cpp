@@ -20,7 +20,7 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
         0.5 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
     engine::FrameView view;
     view.camera = shot.camera ? *shot.camera : framedCamera(box);
-    view.lighting = shot.lighting;
+    view.lighting = litBy(shot.environment, shot.lighting);
     view.look = shot.look;
     view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
     if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
@@ -35,6 +35,14 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     const float(&centre)[3] = view.scene_centre;
     view.colliders = drawnColliders(shot, {{centre[0], centre[1], centre[2]}, view.scene_radius});
     return view;
+}
+
+std::string colourNote(const Shot& shot, bool transparent) {
+    const engine::Lighting& light = shot.lighting;
+    return "linear light with sRGB primaries, surroundings " + environmentName(shot.environment) +
+           ", exposure " + plainNumber(light.exposure) + ", white balance " + plainNumber(light.temperature) +
+           " K, tone curve " + toneNames()[static_cast<size_t>(light.tone)] + "; encoded as sRGB" +
+           (transparent ? ", straight alpha" : "");
 }
 
 }  // namespace demolish

@@ -7,6 +7,7 @@
 #include "app/session/data_folder.h"
 #include "app/session/material_file.h"
 #include "app/session/scene_colliders.h"
+#include "app/session/scene_light.h"
 #include "app/session/scene_parts_file.h"
 #include "app/session/threshold_table.h"
 #include "app/session/toml_reader.h"
@@ -15,10 +16,7 @@
 namespace demolish {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-constexpr double kLeastLength = 1e-3;    ///< of a direction; m between eye and target
 constexpr Range kAngleRange{-100, 100};  // rad
-constexpr Range kColourRange{0, 1000};   // linear; the sun's is above 1
 
 std::string listed(const std::vector<std::string>& names) {
     std::string text;
@@ -79,31 +77,6 @@ void readEffects(TomlReader& reader, EffectsSettings& effects) {
     reader.read("effects.sparks", effects.sparks, kAmountRange);
     reader.read("effects.grains", effects.grains, kGrainRange);
     reader.read("effects.puffs", effects.puffs, kPuffRange);
-}
-
-engine::Camera readCamera(TomlReader& reader) {
-    engine::Camera camera;
-    reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
-    reader.readVector("camera.target_m", camera.target, kPlaceRange);
-    if (glm::distance(camera.eye, camera.target) < kLeastLength)
-        reader.fail("camera.eye_m", "must be apart from camera.target_m, or it looks nowhere");
-    double degrees = camera.field_of_view / kDegree;
-    reader.read("camera.field_of_view_deg", degrees, {5, 120});
-    camera.field_of_view = static_cast<float>(degrees * kDegree);
-    return camera;
-}
-
-void readPicture(TomlReader& reader, Shot& shot) {
-    if (reader.has("camera")) shot.camera = readCamera(reader);
-    reader.readVector("light.sun_direction", shot.lighting.sun_direction, kDirectionRange);
-    if (glm::length(shot.lighting.sun_direction) < kLeastLength)
-        reader.fail("light.sun_direction", "must have a length: it is the way that the light travels");
-    reader.readVector("light.sun_colour", shot.lighting.sun_colour, kColourRange);
-    reader.readVector("light.floor_colour", shot.lighting.floor_colour, {0, 1});
-    double exposure = shot.lighting.exposure;
-    reader.read("light.exposure", exposure, {0.01, 20});
-    shot.lighting.exposure = static_cast<float>(exposure);
-    readLook(reader, "look.", shot.look);
 }
 
 }  // namespace
@@ -172,7 +145,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     shot.phases = readPhases(reader);
     readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
-    readPicture(reader, shot);
+    readPicture(reader, file.parent_path(), shot);
     reader.requireAllRead();
     return shot;
 }

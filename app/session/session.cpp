@@ -170,6 +170,8 @@ void Session::wantWhatIsBuilt() {
     shot.time_scale = live_.time_scale;
     shot.lighting = live_.lighting;
     shot.effects = live_.effects;
+    shot.environment = live_.environment;
+    shot.lens = live_.lens;
     wanted_ = std::move(shot);
 }
 

@@ -76,6 +76,7 @@ class Session {
     /// As of the last whole frame: one that is under way is given up.
     Solver& solver();
     const engine::FractureMesh* mesh() const { return output_ ? &output_->mesh() : nullptr; }
+    engine::FractureMesh* mesh() { return output_ ? &output_->mesh() : nullptr; }
     const std::vector<engine::SphereDraw>& spheres() const { return spheres_; }
     const char* transfer() const;
     SessionStatus status() const;

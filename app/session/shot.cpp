@@ -30,6 +30,8 @@ void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
     to.phases = from.phases;
     to.look = from.look;
     to.lighting = from.lighting;
+    to.environment = from.environment;
+    to.lens = from.lens;
     to.camera = from.camera;
     to.impact.times_threshold = from.impact.times_threshold;
     if (from.impact.kind != ImpactKind::kDrop) to.impact.tilt = from.impact.tilt;

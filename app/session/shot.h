@@ -8,8 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "app/session/environment.h"
 #include "app/session/scene_parts.h"
 #include "engine/scene/camera.h"
+#include "engine/scene/lens.h"
 #include "engine/scene/lighting.h"
 #include "engine/scene/surface_look.h"
 #include "sim_cuda/api/mesh_repair.h"
@@ -84,8 +86,10 @@ struct Shot {
     EffectsSettings effects{.on = true};
 
     engine::SurfaceLook look;
-    engine::Lighting lighting;
+    engine::Lighting lighting;  ///< but for what `environment` says
+    Environment environment;
     std::optional<engine::Camera> camera;  ///< none: framed on the body
+    engine::Lens lens;
 
     bool operator==(const Shot&) const = default;
 };
@@ -102,9 +106,17 @@ inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};
 inline constexpr Range kTimeScaleRange{0.01, 1};
 inline constexpr Range kSubstepRange{1, 20000};
-inline constexpr Range kPlaceRange{-1e4, 1e4};  // m, each coordinate of a point
-inline constexpr Range kAmountRange{0, 10};     // of grit, dust or sparks, times the material's
+inline constexpr Range kAmountRange{0, 10};  // of grit, dust or sparks, times the material's
 inline constexpr Range kGrainRange{1, kMaxGrains}, kPuffRange{1, kMaxPuffs};
+inline constexpr Range kHourRange{5, 19};         // the sun is up
+inline constexpr Range kTurnRange{-360, 360};     // degrees
+inline constexpr Range kExposureRange{0.01, 20};  // times
+inline constexpr Range kTemperatureRange{engine::kLeastTemperature, engine::kMostTemperature};  // K
+inline constexpr Range kApertureRange{0.5, 64};                                                 // F number
+inline constexpr Range kFocusRange{1e-3, 1e4};                                                  // m
+inline constexpr Range kShutterRange{0, 1};                                                     // of a frame
+inline constexpr Range kSamplesRange{1, 1024};      // pictures a frame
+inline constexpr Range kPlaceRange{-1e4, 1e4};      // m, each coordinate of a point
 inline constexpr Range kDirectionRange{-1e6, 1e6};  // each coordinate; only the way counts
 
 /// Whole numbers in all their digits, others in six.

@@ -28,7 +28,7 @@ Framebuffer::Framebuffer(std::initializer_list<const Texture*> colours, const Te
     }
 }
 
-GLuint writableTexture(GLuint framebuffer, int width, int height) {
+GLuint writableTexture(GLuint framebuffer, int width, int height, GLenum format) {
     if (framebuffer == 0) return 0;
     const auto attached = [framebuffer](GLenum what) {
         GLint value = 0;
@@ -43,9 +43,9 @@ GLuint writableTexture(GLuint framebuffer, int width, int height) {
         glGetTextureLevelParameteriv(texture, 0, what, &value);
         return value;
     };
-    const bool fits = property(GL_TEXTURE_INTERNAL_FORMAT) == GL_RGBA8 && property(GL_TEXTURE_SAMPLES) == 0 &&
-                      property(GL_TEXTURE_WIDTH) == width && property(GL_TEXTURE_HEIGHT) == height &&
-                      property(GL_TEXTURE_DEPTH) == 1;
+    const bool fits = property(GL_TEXTURE_INTERNAL_FORMAT) == static_cast<GLint>(format) &&
+                      property(GL_TEXTURE_SAMPLES) == 0 && property(GL_TEXTURE_WIDTH) == width &&
+                      property(GL_TEXTURE_HEIGHT) == height && property(GL_TEXTURE_DEPTH) == 1;
     return fits ? texture : 0;
 }
 

@@ -27,7 +27,7 @@ class Framebuffer {
 };
 
 /// The texture behind a framebuffer's colour when a compute shader can write it in place of drawing:
-/// single-sample RGBA8 of exactly this size, level 0. 0 when it is anything else (the window, say).
-GLuint writableTexture(GLuint framebuffer, int width, int height);
+/// single-sample, of exactly this size and format, level 0. 0 when it is anything else (the window, say).
+GLuint writableTexture(GLuint framebuffer, int width, int height, GLenum format);
 
 }  // namespace demolish::engine::gl

@@ -40,9 +40,9 @@ Texture Texture::viewTarget(const Texture& target, GLenum format, int samples) {
     return view;
 }
 
-Texture Texture::make3d(GLenum format, int size, int levels) {
-    Texture texture(newTexture(GL_TEXTURE_3D), size, size);
-    glTextureStorage3D(texture.id(), levels, format, size, size, size);
+Texture Texture::make3d(GLenum format, int width, int height, int depth, int levels) {
+    Texture texture(newTexture(GL_TEXTURE_3D), width, height);
+    glTextureStorage3D(texture.id(), levels, format, width, height, depth);
     texture.setFilter(levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR, GL_LINEAR);
     texture.setWrap(GL_REPEAT);
     return texture;

@@ -20,7 +20,7 @@ class Texture {
     static Texture makeTarget(GLenum format, int width, int height, int samples);
     /// The texels of a makeTarget() texture, read as another format of the same size. Shares the memory.
     static Texture viewTarget(const Texture& target, GLenum format, int samples);
-    static Texture make3d(GLenum format, int size, int levels);
+    static Texture make3d(GLenum format, int width, int height, int depth, int levels = 1);
 
     void setFilter(GLenum minify, GLenum magnify);
     void setWrap(GLenum wrap);

@@ -31,8 +31,31 @@ void jumpBack(png_structp png, png_const_charp) {
 }
 void ignoreWarning(png_structp, png_const_charp) {}
 
+/// sRGB twice: cICP, which newer programs read first, is unknown to libpng 1.6.
+void sayColourSpace(png_structp png, png_infop info) {
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    constexpr png_byte kBt709Primaries = 1, kSrgbCurve = 13, kRgb = 0, kFullRange = 1;
+    png_byte values[] = {kBt709Primaries, kSrgbCurve, kRgb, kFullRange};
+    png_unknown_chunk chunk{{'c', 'I', 'C', 'P', 0}, values, sizeof values, PNG_HAVE_IHDR};
+    constexpr png_byte kName[] = {'c', 'I', 'C', 'P', 0};
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_ALWAYS, kName, 1);
+    png_set_unknown_chunks(png, info, &chunk, 1);
+}
+
+void sayNote(png_structp png, png_infop info, const std::string& note) {
+    if (note.empty()) return;
+    char key[] = "Description";
+    std::string words = note;
+    png_text text{};
+    text.compression = PNG_TEXT_COMPRESSION_NONE;
+    text.key = key;
+    text.text = words.data();
+    text.text_length = words.size();
+    png_set_text(png, info, &text, 1);
+}
+
 /// False on any libpng or disk error.
-bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha, int compression) {
+bool encode(std::FILE* file, const Image& image, const uint8_t* rows, const PngOptions& options) {
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, jumpBack, ignoreWarning);
     png_infop info = png != nullptr ? png_create_info_struct(png) : nullptr;
     if (info == nullptr || setjmp(png_jmpbuf(png)) != 0) {
@@ -40,13 +63,14 @@ bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha
         return false;
     }
     png_init_io(png, file);
-    png_set_compression_level(png, compression);
+    png_set_compression_level(png, options.compression);
     png_set_IHDR(png, info, static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), 8,
-                 alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+                 options.alpha ? PNG_COLOR_TYPE_RGBA : PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                  PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    sayColourSpace(png, info);
+    sayNote(png, info, options.note);
     png_write_info(png, info);
-    const size_t row = static_cast<size_t>(image.width) * (alpha ? 4 : 3);
+    const size_t row = static_cast<size_t>(image.width) * (options.alpha ? 4 : 3);
     for (int y = 0; y < image.height; ++y) png_write_row(png, rows + row * y);
     png_write_end(png, info);
     png_destroy_write_struct(&png, &info);
@@ -59,14 +83,14 @@ bool encode(std::FILE* file, const Image& image, const uint8_t* rows, bool alpha
 
 }  // namespace
 
-void writePng(const std::filesystem::path& file, const Image& image, bool alpha, int compression) {
+void writePng(const std::filesystem::path& file, const Image& image, const PngOptions& options) {
     if (image.width <= 0 || image.height <= 0)
         throw ImageError("An empty picture cannot be written to " + file.string() + ".");
     try {
         UnfinishedFile unfinished(file.has_parent_path() ? file.parent_path() : ".");
-        const std::vector<uint8_t> rows = packedRows(image, alpha);
+        const std::vector<uint8_t> rows = packedRows(image, options.alpha);
         errno = 0;
-        if (!encode(unfinished.stream(), image, rows.data(), alpha, compression) ||
+        if (!encode(unfinished.stream(), image, rows.data(), options) ||
             std::fflush(unfinished.stream()) != 0)
             failWriting(file, std::string(std::strerror(errno != 0 ? errno : EIO)) + "; is the disk full?");
         unfinished.close();

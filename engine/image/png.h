@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <stdexcept>
+#include <string>
 
 #include "engine/image/image.h"
 
@@ -14,9 +15,15 @@ class ImageError : public std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// RGB (or RGBA with `alpha`), 8 bit. `compression` 0..9: 3 is quick, 9 small. Throws ImageError, also on a
-/// full disk, and leaves no temporary file behind.
-void writePng(const std::filesystem::path& file, const Image& image, bool alpha = false, int compression = 3);
+struct PngOptions {
+    bool alpha = false;     ///< RGBA, straight as PNG has it; else RGB
+    int compression = 3;    ///< 0..9: 3 is quick, 9 small
+    std::string note = {};  ///< what made the picture: its text "Description"; "": none
+};
+
+/// 8 bit; says of itself that it is sRGB, by the chunks sRGB and cICP. Throws ImageError, also on a full
+/// disk, and leaves no temporary file behind.
+void writePng(const std::filesystem::path& file, const Image& image, const PngOptions& options = {});
 
 /// Any PNG, converted to RGBA8. Throws ImageError.
 Image readPng(const std::filesystem::path& file);

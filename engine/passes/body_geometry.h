@@ -28,7 +28,8 @@ enum class StorageBinding : GLuint {
     kLarge = 11,
     kGrains = 12,
     kEffectCommands = 13,
-    kCount = 14,
+    kPuffs = 14,
+    kCount = 15,
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);

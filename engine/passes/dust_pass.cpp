@@ -5,15 +5,13 @@
 #include <string>
 
 #include "engine/passes/body_geometry.h"
-#include "engine/passes/spark_pass.h"
-#include "engine/passes/tone_curve.h"
 
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kDust = 0, kPixels = 1, kCurve = 0, kUsed = 1;
-constexpr GLuint kSolidUnit = 4, kSumUnit = 5, kDustShadowUnit = 8;
-/// Of the picture's sides; half size is not told from full.
+constexpr GLint kDust = 0, kPixels = 1;
+constexpr GLuint kSolidUnit = 4, kSumUnit = 12, kDustShadowUnit = 11;
+/// Of the picture's sides; half size is not told from full. As shaders/common/dust_over.glsl.
 constexpr int kFullPart = 2, kDraftPart = 4;
 constexpr int kShadowTexels = 512;
 /// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
@@ -37,17 +35,18 @@ void clearSums(const gl::Framebuffer& framebuffer) {
 DustPass::DustPass(const std::filesystem::path& shaders)
     : shaders_(shaders),
       shadows_(shaders, {"dust_shadow.vert", "dust_shadow.frag"}),
-      over_(shaders, {"whole_picture.vert", "dust_over.frag"}),
-      no_shadow_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
+      nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
     const float nothing[2] = {0, 0};
-    glClearTexImage(no_shadow_.id(), 0, GL_RG, GL_FLOAT, nothing);
+    glClearTexImage(nothing_.id(), 0, GL_RG, GL_FLOAT, nothing);
 }
 
 gl::Program& DustPass::puffsFor(const RenderTargets& targets, bool full) {
-    gl::Program& program = puffs_[{targets.samples, full, with_colliders_}];
+    PictureKind kind = kind_;
+    kind.samples = targets.samples;
+    gl::Program& program = puffs_[{full, kind}];
     if (program.id() == 0)
         program =
-            gl::Program(shaders_, {"dust.vert", "dust.frag"}, solidDefines(targets, full, with_colliders_));
+            gl::Program(shaders_, {"dust.vert", "dust.frag"}, defines(kind) + (full ? "#define FULL\n" : ""));
     return program;
 }
 
@@ -61,14 +60,14 @@ void DustPass::fit(int width, int height) {
 }
 
 void DustPass::run(const gl::Program& program, const FractureMesh& mesh) {
-    bindStorage(StorageBinding::kParticles, mesh.stream(StreamId::kPuffs));
+    bindStorage(StorageBinding::kPuffs, mesh.stream(StreamId::kPuffs));
     program.use();
     no_attributes_.bind();
     mesh.drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
 }
 
 void DustPass::castShadows(const FractureMesh* mesh) {
-    if (mesh == nullptr) return no_shadow_.bind(kDustShadowUnit);
+    if (mesh == nullptr) return nothing_.bind(kDustShadowUnit);
     if (!shadow_sums_) {
         shadow_sums_.emplace();
         shadow_sums_->texture = gl::Texture::make2d(GL_RG16F, kShadowTexels, kShadowTexels);
@@ -92,29 +91,17 @@ void DustPass::addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Pro
     run(program, mesh);
 }
 
-void DustPass::draw(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets,
-                    const gl::Texture* nearest_depth, GLuint framebuffer) {
+void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const RenderTargets& targets,
+                     const gl::Texture* nearest_depth) {
+    if (mesh == nullptr) return nothing_.bind(kSumUnit);
     const bool full = nearest_depth != nullptr;
     const int part = full ? kFullPart : kDraftPart;
     fit((targets.width + part - 1) / part, (targets.height + part - 1) / part);
     beginSums();
     (full ? *nearest_depth : targets.depth).bind(kSolidUnit);
-    addPuffs(mesh, view, puffsFor(targets, full), part);
-
-    glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glViewport(0, 0, targets.width, targets.height);
-    sums_->texture.bind(kSumUnit);
-    over_.set(kCurve, toneCurve());
-    const auto size = static_cast<float>(part);
-    over_.set(
-        kUsed,
-        glm::vec2(static_cast<float>(targets.width) / (size * static_cast<float>(sums_->texture.width())),
-                  static_cast<float>(targets.height) / (size * static_cast<float>(sums_->texture.height()))));
-    over_.use();
-    no_attributes_.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+    addPuffs(*mesh, view, puffsFor(targets, full), part);
     glDisable(GL_BLEND);
+    sums_->texture.bind(kSumUnit);
 }
 
 }  // namespace demolish::engine

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dust over the finished picture: puffs added up at a part of its size, softened at what they meet, lit and
-// shadowed, then laid over it.
+// Dust before what the picture shows: puffs added up at a part of its size, softened at what they meet, lit
+// and shadowed. The light pass lays the sums over what it lights.
 #pragma once
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <tuple>
+#include <utility>
 
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
+#include "engine/passes/picture_kind.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/render_targets.h"
 #include "engine/scene/frame_view.h"
@@ -19,16 +20,16 @@ namespace demolish::engine {
 class DustPass {
   public:
     explicit DustPass(const std::filesystem::path& shaders);
-    /// As LightPass::showColliders().
-    void showColliders(bool shows) { with_colliders_ = shows; }
+    /// For the frames to come.
+    void prepare(const PictureKind& kind) { kind_ = kind; }
     /// What dust of this frame leaves of the sun, for all that asks the shadow map: of `mesh` (null: none, as
-    /// in drafts). Binds unit 8, as shaders/common/dust_shadow.glsl has it.
+    /// in drafts). Binds unit 11, as shaders/common/dust_shadow.glsl has it.
     void castShadows(const FractureMesh* mesh);
-    /// Over `framebuffer`, which the light pass has filled. The shadow map (unit 1), castShadows() and the
-    /// noise volume are bound. `nearest_depth`: AmbientOcclusionPass::nearestDepth() of this frame; null, of
-    /// drafts: the depth of `targets` counts.
-    void draw(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets,
-              const gl::Texture* nearest_depth, GLuint framebuffer);
+    /// Binds the sums of this frame, as shaders/common/dust_over.glsl has it (`mesh` null: none). The shadow
+    /// map (unit 1), castShadows(), the surroundings and the noise volume are bound. `nearest_depth`:
+    /// AmbientOcclusionPass::nearestDepth() of this frame; null, of drafts: the depth of `targets` counts.
+    void addUp(const FractureMesh* mesh, const FrameView& view, const RenderTargets& targets,
+               const gl::Texture* nearest_depth);
 
   private:
     struct Sums {
@@ -41,12 +42,11 @@ class DustPass {
     void run(const gl::Program& program, const FractureMesh& mesh);
 
     std::filesystem::path shaders_;
-    gl::Program shadows_, over_;
-    gl::Texture no_shadow_;
-    /// By samples, fullness and whether there are colliders; made when first needed.
-    std::map<std::tuple<int, bool, bool>, gl::Program> puffs_;
+    gl::Program shadows_;
+    gl::Texture nothing_;
+    std::map<std::pair<bool, PictureKind>, gl::Program> puffs_;  ///< by fullness; made when first needed
     std::optional<Sums> sums_, shadow_sums_;
-    bool with_colliders_ = false;
+    PictureKind kind_;
     gl::VertexArray no_attributes_;
 };
 

@@ -3,16 +3,13 @@
 // lit once, however many triangles were drawn over it.
 #include "engine/passes/light_pass.h"
 
-#include <cmath>
-#include <string>
-
 #include "engine/passes/surface_pass.h"
-#include "engine/passes/tone_curve.h"
+#include "engine/surroundings/own_surroundings.h"
 
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kCurve = 0, kSamplePosition = 1, kBodyMaterial = 8;
+constexpr GLint kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
 
 constexpr GLbitfield kPictureBarriers = GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
@@ -34,21 +31,27 @@ void bindInputs(const RenderTargets& targets) {
 
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
+void LightPass::prepare(const FrameView& view, const PictureKind& kind) {
+    kind_ = kind;
+    surroundings_.show(view.lighting.surroundings ? view.lighting.surroundings : usualSurroundings());
+    surroundings_.bind();
+}
+
 gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
-    gl::Program& program = programs_[{targets.samples, way, with_colliders_}];
+    PictureKind kind = kind_;
+    kind.samples = targets.samples;
+    gl::Program& program = programs_[{way, kind}];
     if (program.id() != 0) return program;
-    const std::string defines = "#define SAMPLES " + std::to_string(targets.samples) + "\n" +
-                                (with_colliders_ ? "#define COLLIDERS\n" : "");
     if (way == Way::kDrawn)
-        program =
-            gl::Program(shaders_, {"whole_picture.vert", "light.frag"}, defines + "#define SHADOW_DRAFT\n");
+        program = gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
+                              defines(kind) + "#define SHADOW_DRAFT\n");
     else
         program = gl::Program(shaders_,
                               {way == Way::kComputed ? "light.comp"
                                : way == Way::kEmpty  ? "light_empty.comp"
                                                      : "light_found.comp"},
-                              defines);
-    program.set(kCurve, toneCurve());
+                              defines(kind));
+    setTone(program, kind.tone);
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);
     return program;
@@ -56,7 +59,7 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
 
 void LightPass::bindPicture(const gl::Texture& occlusion, GLuint picture) {
     occlusion.bind(kOcclusionUnit);
-    glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
+    glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, kind_.radiance ? GL_RGBA16F : GL_RGBA8);
 }
 
 void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {

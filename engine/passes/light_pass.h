@@ -3,12 +3,14 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
+#include "engine/passes/picture_kind.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/render_targets.h"
+#include "engine/render/surroundings_textures.h"
 #include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
@@ -16,9 +18,10 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
-    /// Whether the frames to come show colliders, which are bound then: without them shaders are shorter.
-    void showColliders(bool shows) { with_colliders_ = shows; }
-    /// The shadow map and the noise volume are bound, here and in all. Writes the RGBA8 texture `picture`.
+    /// For the frames to come. Binds what surrounds them, for all passes.
+    void prepare(const FrameView& view, const PictureKind& kind);
+    /// The shadow map and the noise volume are bound, here and in all. Writes the texture `picture`, of RGBA8
+    /// or, for radiance, RGBA16F.
     void compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
     /// The same from what ComputedRaster found and has bound.
     void computeFound(const RenderTargets& targets, const gl::Texture& occlusion, const SurfaceLook& look,
@@ -35,11 +38,11 @@ class LightPass {
   private:
     enum class Way { kDrawn, kComputed, kEmpty, kFound };
     gl::Program& programFor(const RenderTargets& targets, Way way);
-    static void bindPicture(const gl::Texture& occlusion, GLuint picture);
+    void bindPicture(const gl::Texture& occlusion, GLuint picture);
     std::filesystem::path shaders_;
-    /// By samples, way and whether there are colliders; made when first needed.
-    std::map<std::tuple<int, Way, bool>, gl::Program> programs_;
-    bool with_colliders_ = false;
+    std::map<std::pair<Way, PictureKind>, gl::Program> programs_;  ///< made when first needed
+    PictureKind kind_;                                             ///< of the frames to come
+    SurroundingsTextures surroundings_;
     gl::VertexArray no_attributes_;
 };
 

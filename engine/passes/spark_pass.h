@@ -3,10 +3,11 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
+#include "engine/passes/picture_kind.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/render_targets.h"
 
@@ -15,21 +16,17 @@ namespace demolish::engine {
 class SparkPass {
   public:
     explicit SparkPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
-    /// As LightPass::showColliders().
-    void showColliders(bool shows) { with_colliders_ = shows; }
+    /// For the frames to come.
+    void prepare(const PictureKind& kind) { kind_ = kind; }
     /// Over `framebuffer`. `nearest_depth`: as DustPass::draw().
     void draw(const FractureMesh& mesh, const RenderTargets& targets, const gl::Texture* nearest_depth,
               GLuint framebuffer);
 
   private:
     std::filesystem::path shaders_;
-    /// By samples, fullness and whether there are colliders; made when first needed.
-    std::map<std::tuple<int, bool, bool>, gl::Program> programs_;
-    bool with_colliders_ = false;
+    std::map<std::pair<bool, PictureKind>, gl::Program> programs_;  ///< by fullness; made when first needed
+    PictureKind kind_;
     gl::VertexArray no_attributes_;
 };
-
-/// What shaders/common/solid.glsl asks for.
-std::string solidDefines(const RenderTargets& targets, bool full, bool with_colliders);
 
 }  // namespace demolish::engine

@@ -7,12 +7,10 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/surroundings/own_surroundings.h"
+
 namespace demolish::engine {
 namespace {
-
-// Apparent radius of the light, tangent; larger than the real sun's 0.0047, which would look hard on a
-// metre-sized body.
-constexpr float kSunTangent = 0.035f;
 
 constexpr float kTilesPerSceneRadius = 2.0f;
 
@@ -30,6 +28,27 @@ struct ShadowRegion {
     float radius;  // m, half the width
     float depth;   // m, range along the light, centred
 };
+
+/// From a point of the lens, with the picture moved under its pixels by `shift` (of -1..1).
+struct TakenFrom {
+    glm::vec3 eye;
+    glm::vec2 shift;
+    glm::mat4 view, projection;
+};
+
+TakenFrom takenFrom(const FrameView& view, const glm::mat4& from_middle, float slope, float aspect) {
+    const glm::vec2 offset = view.lens_offset;
+    const glm::vec2 pixel = 2.0f / glm::vec2(view.width, view.height);
+    TakenFrom taken;
+    const glm::mat3 axes(glm::transpose(from_middle));
+    taken.eye = view.camera.eye + offset.x * axes[0] + offset.y * axes[1];
+    taken.view = glm::translate(glm::mat4(1), glm::vec3(-offset, 0)) * from_middle;
+    // What lies at the focus comes back to where the middle of the lens sees it.
+    taken.shift = offset / (view.focus_distance * glm::vec2(slope * aspect, slope)) + view.jitter * pixel;
+    const glm::mat4 moved = glm::translate(glm::mat4(1), glm::vec3(taken.shift, 0));  // times clip.w
+    taken.projection = moved * view.camera.projection(aspect);
+    return taken;
+}
 
 /// Unit; a light without a way to travel falls from the zenith.
 glm::vec3 towardsSun(const Lighting& light) {
@@ -72,7 +91,31 @@ glm::vec4 shadowSizes(const ShadowRegion& region, int texels) {
     return {2 * region.radius / count, 1 / count, 2 * region.radius, region.depth};
 }
 
+/// Light of the sunlit floor seen from below, as a diffuse reflector that what stands on it shades.
+glm::vec3 floorBounce(const Lighting& light, glm::vec3 to_sun) {
+    constexpr float kUnshaded = 0.6f;
+    const glm::vec3 sky = evaluate(surroundingsOf(light).above, {0, 1, 0});
+    return kUnshaded * light.floor_colour * (light.sun_colour * std::max(to_sun.y, 0.0f) + sky);
+}
+
+void putLight(const FrameView& view, glm::vec3 to_sun, FrameUniforms& frame) {
+    const Lighting& light = view.lighting;
+    const Surroundings& around = surroundingsOf(light);
+    const bool has_floor = view.show_floor && light.floor != FloorMaterial::kNone;
+    frame.to_sun = glm::vec4(to_sun, light.sun_tangent);
+    frame.sun_colour = glm::vec4(light.sun_colour, 0);
+    frame.floor_colour = glm::vec4(light.floor_colour, has_floor ? 1.0f : 0.0f);
+    frame.floor_bounce = glm::vec4(has_floor ? floorBounce(light, to_sun) : glm::vec3(0), 0);
+    frame.exposure = glm::vec4(light.exposure * whiteBalance(light.temperature), view.noise_turn);
+    for (size_t k = 0; k < around.above.size(); ++k)
+        frame.harmonics[k] = glm::vec4(around.above[k] + (has_floor ? glm::vec3(0) : around.below[k]), 0);
+}
+
 }  // namespace
+
+const Surroundings& surroundingsOf(const Lighting& light) {
+    return light.surroundings ? *light.surroundings : *usualSurroundings();
+}
 
 FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     const Camera& camera = view.camera;
@@ -83,8 +126,9 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     const float slope = camera.halfHeight(aspect);
 
     FrameUniforms frame;
-    frame.view = camera.view();
-    frame.view_projection = camera.projection(aspect) * frame.view;
+    const TakenFrom taken = takenFrom(view, camera.view(), slope, aspect);
+    frame.view = taken.view;
+    frame.view_projection = taken.projection * frame.view;
     const glm::mat3 sun_axes = sunAxes(to_sun);
     const float near_radius = std::max(view.scene_radius, 1e-4f);
     const ShadowRegion regions[] = {{centre, near_radius, 2 * near_radius},
@@ -99,15 +143,12 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     }
     frame.to_far_shift = frame.light_matrix[1][3] - frame.to_far_scale * frame.light_matrix[0][3];
     const glm::mat4 axes = glm::transpose(frame.view);
-    frame.eye = glm::vec4(camera.eye, tileSize(view.scene_radius));
+    frame.eye = glm::vec4(taken.eye, tileSize(view.scene_radius));
     frame.ray_right = glm::vec4(glm::vec3(axes[0]) * slope * aspect, 0);
     frame.ray_up = glm::vec4(glm::vec3(axes[1]) * slope, 0);
-    frame.ray_forward = glm::vec4(-glm::vec3(axes[2]), 0);
-    frame.to_sun = glm::vec4(to_sun, kSunTangent);
-    frame.sun_colour = glm::vec4(light.sun_colour, light.exposure);
-    frame.sky_zenith = glm::vec4(light.sky_zenith, 0);
-    frame.sky_horizon = glm::vec4(light.sky_horizon, 0);
-    frame.floor_colour = glm::vec4(light.floor_colour, view.show_floor ? 1.0f : 0.0f);
+    frame.ray_forward =
+        glm::vec4(-glm::vec3(axes[2]), 0) - taken.shift.x * frame.ray_right - taken.shift.y * frame.ray_up;
+    putLight(view, to_sun, frame);
     const auto width = static_cast<float>(view.width), height = static_cast<float>(view.height);
     frame.viewport = {width, height, 1.0f / width, 1.0f / height};
     frame.depth_range = {camera.near_plane, camera.far_plane, slope, aspect};

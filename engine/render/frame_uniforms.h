@@ -12,13 +12,17 @@ struct FrameUniforms {
     glm::mat4 view_projection, view;
     glm::mat4 light_matrix[2];  ///< of the near and the far region
     glm::vec4 eye, ray_right, ray_up, ray_forward;
-    glm::vec4 to_sun, sun_colour, sky_zenith, sky_horizon, floor_colour;
+    glm::vec4 to_sun, sun_colour, floor_colour, floor_bounce, exposure;
+    glm::vec4 harmonics[9];
     glm::vec4 viewport;
     glm::vec4 shadow[2];                   ///< of the near and the far region
     glm::vec4 to_far_scale, to_far_shift;  ///< u, v and depth of the far region from those of the near one
     glm::vec4 depth_range, scene;
 };
-static_assert(sizeof(FrameUniforms) == 4 * 64 + 16 * 16);
+static_assert(sizeof(FrameUniforms) == 4 * 64 + 25 * 16);
+
+/// What a view's light says of its surroundings, or what is usual.
+const Surroundings& surroundingsOf(const Lighting& light);
 
 /// `shadow_texels` along each side of a region of the shadow map.
 FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels);

@@ -74,7 +74,7 @@ gl::Texture makeNoiseVolume() {
             }
         }
     }
-    gl::Texture texture = gl::Texture::make3d(GL_RGBA8, kTexels, kLevels);
+    gl::Texture texture = gl::Texture::make3d(GL_RGBA8, kTexels, kTexels, kTexels, kLevels);
     glTextureSubImage3D(texture.id(), 0, 0, 0, 0, kTexels, kTexels, kTexels, GL_RGBA, GL_UNSIGNED_BYTE,
                         texels.data());
     glGenerateTextureMipmap(texture.id());

@@ -76,15 +76,17 @@ struct Renderer::Passes {
         }
     }
 
-    void uploadFrame(const FrameView& view) {
+    void uploadFrame(const FractureMesh* mesh, const FrameView& view) {
         frame = makeFrameUniforms(view, shadowMapSize(view.quality));
+        frame.floor_bounce.w = showsDust(mesh, view) ? 1.0f : 0.0f;
         frame_block.upload(std::as_bytes(std::span(&frame, 1)));
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
         colliders.setColliders(view.colliders);
-        light.showColliders(colliders.count() > 0);
+        const PictureKind kind = pictureKind(view, colliders.count() > 0);
+        light.prepare(view, kind);
+        dust.prepare(kind);
+        sparks.prepare(kind);
         occlusion.showColliders(colliders.count() > 0);
-        dust.showColliders(colliders.count() > 0);
-        sparks.showColliders(colliders.count() > 0);
     }
 
     /// Software renderers fill memory faster than they look through it.
@@ -100,13 +102,18 @@ struct Renderer::Passes {
     void compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer);
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
-    void computeLight(const FrameView& view, GLuint framebuffer, bool found);
-    void drawLight(GLuint framebuffer);
+    void computeLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer, bool found);
+    void drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     static bool showsDust(const FractureMesh* mesh, const FrameView& view) {
         return showsEffects(mesh, view) && mesh->effectsFly();
     }
     void castDustShadows(const FractureMesh* mesh, const FrameView& view);
-    void drawDust(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
+    void addUpDust(const FractureMesh* mesh, const FrameView& view);
+    void drawSparks(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
+    /// Of what is solid, for what is drawn before it; null: the depth of `targets` is.
+    const gl::Texture* nearestDepth(const FrameView& view) const {
+        return view.quality == RenderQuality::kFull ? &occlusion.nearestDepth() : nullptr;
+    }
     IdScene idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles, const FrameView& view);
 
     std::filesystem::path shader_folder;
@@ -210,17 +217,22 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("cracks");
 }
 
-void Renderer::Passes::computeLight(const FrameView& view, GLuint framebuffer, bool found) {
+void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer,
+                                    bool found) {
     const gl::Texture& visibility = occlusion.run(*targets, view.scene_radius, found);
     clock.mark("occlusion");
-    const GLuint target = gl::writableTexture(framebuffer, view.width, view.height);
+    const GLuint target =
+        gl::writableTexture(framebuffer, view.width, view.height, view.radiance ? GL_RGBA16F : GL_RGBA8);
     const GLuint picture = target != 0 ? target : targets->display.id();
-    if (found) {
+    if (found)
         computed->bindShadowMap();
+    else
+        shadow.bindMap();
+    addUpDust(mesh, view);
+    if (found) {
         light.computeFound(*targets, visibility, view.look, picture);
         computed->leftEmpty();
     } else {
-        shadow.bindMap();
         light.compute(*targets, visibility, picture);
         ShadowPass::unbindMap();
     }
@@ -237,9 +249,8 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
                   clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
     clock.mark("cracks");
-    computeLight(view, framebuffer, true);
-    computed->bindShadowMap();
-    drawDust(&mesh, view, framebuffer);
+    computeLight(&mesh, view, framebuffer, true);
+    drawSparks(&mesh, view, framebuffer);
 }
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
@@ -256,15 +267,13 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
     if (view.quality == RenderQuality::kDraft) {
-        drawLight(framebuffer);
+        drawLight(mesh, view, framebuffer);
     } else {
         eraser.remember(targets->depth, targets->samples);
         clock.mark("touched");
-        computeLight(view, framebuffer, false);
+        computeLight(mesh, view, framebuffer, false);
     }
-    shadow.bindMap();
-    drawDust(mesh, view, framebuffer);
-    ShadowPass::unbindMap();
+    drawSparks(mesh, view, framebuffer);
 }
 
 void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView& view) {
@@ -272,17 +281,19 @@ void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView
     dust.castShadows(any ? mesh : nullptr);
 }
 
-void Renderer::Passes::drawDust(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
-    if (!showsDust(mesh, view)) return;
-    const bool full = view.quality == RenderQuality::kFull;
-    const gl::Texture* depth = full ? &occlusion.nearestDepth() : nullptr;
-    dust.draw(*mesh, view, *targets, depth, framebuffer);
-    sparks.draw(*mesh, *targets, depth, framebuffer);
+void Renderer::Passes::addUpDust(const FractureMesh* mesh, const FrameView& view) {
+    dust.addUp(showsDust(mesh, view) ? mesh : nullptr, view, *targets, nearestDepth(view));
     clock.mark("dust");
 }
 
-void Renderer::Passes::drawLight(GLuint framebuffer) {
+void Renderer::Passes::drawSparks(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
+    if (showsDust(mesh, view)) sparks.draw(*mesh, *targets, nearestDepth(view), framebuffer);
+    clock.mark("sparks");
+}
+
+void Renderer::Passes::drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     shadow.bindMap();
+    addUpDust(mesh, view);
     light.draw(*targets, framebuffer);
     ShadowPass::unbindMap();
     clock.mark("light");
@@ -290,7 +301,7 @@ void Renderer::Passes::drawLight(GLuint framebuffer) {
 
 IdScene Renderer::Passes::idScene(const FractureMesh* mesh, std::span<const SphereDraw> projectiles,
                                   const FrameView& view) {
-    uploadFrame(view);
+    uploadFrame(mesh, view);
     spheres.setSpheres(projectiles);
     return {mesh, body, spheres, colliders, view.show_floor ? &floor : nullptr};
 }
@@ -308,7 +319,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     if (view.width <= 0 || view.height <= 0) return;  // a minimised window
     p.clock.begin();
     p.prepareTargets(view);
-    p.uploadFrame(view);
+    p.uploadFrame(mesh, view);
     p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);

@@ -26,6 +26,7 @@ enum class Rasteriser { kAuto, kDraw, kCompute };
 struct SphereDraw {
     float position[3];
     float radius;
+    bool operator==(const SphereDraw&) const = default;
 };
 
 struct FrameView {
@@ -37,13 +38,22 @@ struct FrameView {
     ColourMap colour_map = ColourMap::kFragment;
     bool show_cracks = true;
     bool show_floor = true;
-    bool show_effects = true;   ///< grit and dust, of the surface view
+    bool show_effects = true;  ///< grit and dust, of the surface view
+    /// Surroundings light and are mirrored, but are not seen: alpha is 0 there. Of views with `radiance`.
+    bool transparent = false;
     int width = 0, height = 0;  ///< px
     int samples = 4;            ///< MSAA, 1, 2 or 4; capped by what the driver offers
     RenderQuality quality = RenderQuality::kFull;
     Rasteriser rasteriser = Rasteriser::kAuto;
+    bool radiance = false;      ///< linear light, times alpha, for a Film; the target holds RGBA16F
+    glm::vec2 jitter{0};        ///< px, that the picture is moved right and up under its pixels, for a Film
+    glm::vec2 lens_offset{0};   ///< m right and up, from the camera's eye to the point of the lens
+    float focus_distance = 1;   ///< m along the view axis: what lies there stays in place for any lens_offset
+    float noise_turn = 0;       ///< 0..1, another for each picture that a Film averages
     float scene_radius = 1.0f;  ///< m, what the shadow map must cover
     float scene_centre[3] = {0, 0.5f, 0};
+
+    bool operator==(const FrameView&) const = default;
 };
 
 /// What was under a pixel.

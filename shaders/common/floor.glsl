@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The floor plane y = 0 without being drawn: where a ray meets it, and its large tiles in two tones with thin joints.
+// The floor plane y = 0 without being drawn: where a ray meets it, and of what it is made there.
 #include "common/gbuffer.glsl"
 #include "common/noise.glsl"
 
@@ -28,32 +28,53 @@ float joint(float x, float h, float w) {
     return clamp((h + 0.5 * blur - distance) / blur, 0.0, 1.0) * min(1.0, 2.0 * h / blur);
 }
 
+// A place on the floor and how much of the floor a pixel shows there.
+struct FloorPlace {
+    vec2 at;          // m
+    vec2 width;       // m along x and z
+    float footprint;  // m, the wider way
+};
+
+#ifdef SHADOW_DRAFT
+const bool kFineGrain = false;  // software renderers pay for the floor in every pixel
+#else
+const bool kFineGrain = true;
+#endif
+
+float floorNoise(FloorPlace place, float size, float seed) {
+    return noiseOver(vec3(place.at / size, seed), place.footprint / size).w;
+}
+
+#if FLOOR == FLOOR_CONCRETE
+#include "common/floor_concrete.glsl"
+#elif FLOOR == FLOOR_PLANKS
+#include "common/floor_planks.glsl"
+#elif FLOOR == FLOOR_GRID
+#include "common/floor_grid.glsl"
+#elif FLOOR == FLOOR_CHECKER
+#include "common/floor_checker.glsl"
+#else
+void floorMaterial(FloorPlace place, inout Surface s) {
+    s.albedo = frame.floor_colour.rgb;
+    s.roughness = 0.9;
+}
+#endif
+
 // `position` on the floor, where `ray` meets it.
 Surface floorSurface(vec3 position, vec3 ray) {
-    float tile_size = frame.eye.w;
-    vec2 tile = position.xz / tile_size;
     // How far one pixel to the right and one up lie on the floor, m.
     vec3 right = 2.0 * frame.viewport.z * frame.ray_right.xyz, up = 2.0 * frame.viewport.w * frame.ray_up.xyz;
     vec2 step_x = frame.eye.y * (ray.xz * right.y - right.xz * ray.y) / (ray.y * ray.y);
     vec2 step_y = frame.eye.y * (ray.xz * up.y - up.xz * ray.y) / (ray.y * ray.y);
-    vec2 width = max((abs(step_x) + abs(step_y)) / tile_size, vec2(1e-4));
-    float footprint = sqrt(max(dot(step_x, step_x), dot(step_y, step_y)));
-    float checker = filteredWave(tile.x, width.x) * filteredWave(tile.y, width.y);
-    float line = max(joint(tile.x, 0.006, width.x), joint(tile.y, 0.006, width.y));
-    float cloud_size = 0.7 * tile_size, grain_size = 0.045 * tile_size;
-    float cloud = noiseOver(vec3(position.xz / cloud_size, 0.3), footprint / cloud_size).w;
-#ifdef SHADOW_DRAFT
-    float grain = 0.0;  // software renderers pay for the floor in every pixel
-#else
-    float grain = noiseOver(vec3(position.xz / grain_size, 1.7), footprint / grain_size).w;
-#endif
-
+    FloorPlace place;
+    place.at = position.xz;
+    place.width = abs(step_x) + abs(step_y);
+    place.footprint = sqrt(max(dot(step_x, step_x), dot(step_y, step_y)));
     Surface s;
     s.position = position;
     s.geometric_normal = vec3(0.0, 1.0, 0.0);
     s.normal = s.geometric_normal;
-    s.albedo = frame.floor_colour.rgb * (1.0 + 0.055 * checker + 0.02 * cloud + 0.02 * grain) * (1.0 - 0.28 * line);
-    s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
     s.metalness = 0.0;
+    floorMaterial(place, s);
     return s;
 }

@@ -9,10 +9,11 @@ layout(std140, binding = 0) uniform Frame {
     vec4 ray_up;
     vec4 ray_forward;
     vec4 to_sun;           // xyz: unit; w: tangent of the sun's apparent radius
-    vec4 sun_colour;       // rgb linear; w: exposure
-    vec4 sky_zenith;
-    vec4 sky_horizon;
+    vec4 sun_colour;       // rgb linear: what a white surface facing the sun shines with
     vec4 floor_colour;     // rgb; w: 1 when the floor is drawn
+    vec4 floor_bounce;     // rgb: light of the floor seen from below; 0 without a floor; w: 1 when dust is seen
+    vec4 exposure;         // rgb: factors, white balance included; w: turn of what differs from pixel to pixel, 0..1
+    vec4 harmonics[9];     // rgb: of the light from above, and without a floor from below (common/sky.glsl)
     vec4 viewport;         // width, height, 1/width, 1/height, px
     vec4 shadow[2];        // of a region; x: m per texel, y: 1/texels, z: width in m, w: depth range in m
     vec4 to_far_scale;     // from near to far region: u, v, depth times scale, plus shift
@@ -37,5 +38,7 @@ vec3 rayThrough(vec2 pixel) {
 }
 
 // A value in 0..1 for each pixel that differs most from its neighbours' (interleaved gradient noise, Jimenez 2014);
-// depends on the pixel alone, so a frame is the same every time.
-float pixelNoise(vec2 pixel) { return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715)))); }
+// depends on the pixel alone, so a frame is the same every time; pictures of which a film takes the mean turn it.
+float pixelNoise(vec2 pixel) {
+    return fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))) + frame.exposure.w);
+}

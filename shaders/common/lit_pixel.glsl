@@ -2,10 +2,14 @@
 // Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel; maps each to display range,
 // averages, encodes sRGB.
 // Mapping before averaging keeps edges between bright and dark smooth.
+// RADIANCE: linear light, times alpha, for a film that averages several pictures before they are mapped. TRANSPARENT, with it
+// alone: surroundings are not seen, alpha is the share of the pixel that something covers.
+#include "common/choices.glsl"
 #include "common/frame.glsl"
 #include "common/shade.glsl"
 #include "common/floor.glsl"
 #include "common/tone.glsl"
+#include "common/dust_over.glsl"
 #ifdef COLLIDERS
 #include "common/collider_surface.glsl"
 #endif
@@ -16,7 +20,6 @@
 #else
 #include "common/drawn_sample.glsl"
 #endif
-layout(location = 0) uniform vec4 curve;
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 
 #ifdef SHADOW_DRAFT
@@ -67,12 +70,21 @@ int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec3 normal) {
     return is_drawn ? kDrawn : is_solid ? kCollider : along == kNoFloor ? kSky : kFloor;
 }
 
-vec3 lit(ivec2 pixel, int i) {
+#ifdef TRANSPARENT
+vec4 nothingSeen(vec3 ray) { return vec4(0.0); }
+vec4 shadowOver(vec3 ray, vec3 left) { return vec4(vec3(0.0), 1.0 - dot(left, vec3(0.2126, 0.7152, 0.0722))); }
+#else
+vec4 nothingSeen(vec3 ray) { return vec4(skyRadiance(normalize(ray)), 1.0); }
+vec4 shadowOver(vec3 ray, vec3 left) { return vec4(left * skyRadiance(normalize(ray)), 1.0); }
+#endif
+
+// Radiance times alpha, and alpha.
+vec4 lit(ivec2 pixel, int i) {
     vec3 ray = rayOf(pixel, i);
     float along;
     vec3 normal;
     int kind = kindOf(pixel, i, ray, along, normal);
-    if (kind == kSky) return skyRadiance(normalize(ray));
+    if (kind == kSky) return nothingSeen(ray);
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
     if (kShowsBodies && kind == kDrawn) {
@@ -83,8 +95,11 @@ vec3 lit(ivec2 pixel, int i) {
 #endif
     } else {
         s = floorSurface(position, ray);
+#if FLOOR == FLOOR_SHADOW
+        return shadowOver(ray, lightLeft(s, visibilityAt(pixel, along), vec2(pixel)));
+#endif
     }
-    return throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position);
+    return vec4(throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position), 1.0);
 }
 
 // Samples that one triangle covers hold the same values, and so do those of the floor, of the sky and of a face of a collider: 4
@@ -117,14 +132,22 @@ uint distinctSamples(ivec2 pixel) {
     return counts;
 }
 
-// sRGB encoded.
-vec3 pixelColour(ivec2 pixel) {
-    vec3 sum = vec3(0.0);
+#if defined(RADIANCE)
+vec4 taken(vec4 light) { return light; }
+vec4 finished(vec4 mean) { return mean; }
+#else
+vec4 taken(vec4 light) { return vec4(toneMap(light.rgb * frame.exposure.rgb), 1.0); }
+vec4 finished(vec4 mean) { return vec4(encodeSrgb(mean.rgb), 1.0); }
+#endif
+
+// sRGB encoded; with RADIANCE as lit() has it.
+vec4 pixelColour(ivec2 pixel) {
+    vec4 sum = vec4(0.0), dust = dustBefore(pixel);
     // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
     for (uint left = distinctSamples(pixel); left != 0u;) {
         int i = findLSB(left) / 4;
-        sum += float((left >> (4 * i)) & 15u) * toneMap(lit(pixel, i), curve);
+        sum += float((left >> (4 * i)) & 15u) * taken(dust + (1.0 - dust.a) * lit(pixel, i));
         left &= ~(15u << (4 * i));
     }
-    return encodeSrgb(sum / float(SAMPLES));
+    return finished(sum / float(SAMPLES));
 }

@@ -7,7 +7,7 @@ struct Puff {
     uint seed;
     float heat;            // 0: dust, 1: smoke
 };
-layout(std430, binding = 2) readonly buffer Puffs { Puff puffs[]; };
+layout(std430, binding = 14) readonly buffer Puffs { Puff puffs[]; };
 
 // Corner of the square about it, -1..1: a strip of four.
 vec2 squareCorner(int vertex) { return vec2(2 * (vertex >> 1) - 1, 2 * (vertex & 1) - 1); }

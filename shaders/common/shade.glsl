@@ -42,7 +42,17 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
         direct = ((1.0 - f) * diffuse / 3.14159265 + mirror) * n_dot_l * visible * frame.sun_colour.rgb * 3.14159265;
     }
     vec3 share = environmentShare(f0, s.roughness, n_dot_v);
-    vec3 mirrored = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness);
-    vec3 ambient = (1.0 - share) * diffuse * ambientRadiance(s.normal) + share * mirrored;
+    vec3 around = ambientRadiance(s.normal);
+    vec3 mirrored_light = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness, around);
+    vec3 ambient = (1.0 - share) * diffuse * around + share * mirrored_light;
     return direct * mix(1.0, visibility, kDirectShare) + ambient * visibility;
 }
+
+#if FLOOR == FLOOR_SHADOW
+// Share of its light that reaches a white floor in spite of what stands on it.
+vec3 lightLeft(Surface s, float visibility, vec2 pixel) {
+    vec3 sun = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0), around = ambientRadiance(s.normal);
+    float lit = sunVisibility(s.position, s.geometric_normal, pixel) * mix(1.0, visibility, kDirectShare);
+    return (sun * lit + around * visibility) / max(sun + around, 1e-4);
+}
+#endif

@@ -1,48 +1,84 @@
 // SPDX-License-Identifier: Apache-2.0
-// The sky: its radiance in a direction, and the light it sends onto a surface together with the floor.
-vec3 skyGradient(vec3 direction) {
-    float height = max(direction.y, 0.0);
-    return mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, 1.0 - exp(-4.5 * height));
+// The surroundings: their radiance in a direction, the light they send onto a surface together with the
+// floor, and what rough surfaces mirror of them. The C++ side is engine/surroundings/surroundings.h.
+layout(binding = 8) uniform sampler2D backdrop;  // octahedral
+layout(binding = 9) uniform sampler3D mirrored;  // octahedral, roughness along w
+layout(binding = 10) uniform sampler2D horizon;
+
+// Place in an octahedral map with a border of a texel.
+vec2 octahedralPlace(vec3 direction, float side) { return 0.5 + 0.5 * (side - 2.0) / side * encodeOctahedral(direction); }
+
+vec3 backdropRadiance(vec3 direction) {
+    return textureLod(backdrop, octahedralPlace(direction, float(textureSize(backdrop, 0).x)), 0.0).rgb;
 }
 
-// Round the sun: the 6th and the 60th power of the cosine, by products.
-vec3 sunGlow(vec3 direction) {
-    float c = clamp(dot(direction, frame.to_sun.xyz), 0.0, 1.0);
-    float c2 = c * c, c4 = c2 * c2, c6 = c4 * c2, c12 = c6 * c6, c24 = c12 * c12;
-    return (0.056 * c6 + 0.1225 * c24 * c24 * c12) * frame.sun_colour.rgb;
+// Mean radiance over the hemisphere about `n` (irradiance / pi).
+vec3 harmonicsAt(vec3 n) {
+    return frame.harmonics[0].rgb + frame.harmonics[1].rgb * n.y + frame.harmonics[2].rgb * n.z +
+           frame.harmonics[3].rgb * n.x + frame.harmonics[4].rgb * (n.x * n.y) +
+           frame.harmonics[5].rgb * (n.y * n.z) + frame.harmonics[6].rgb * (3.0 * n.z * n.z - 1.0) +
+           frame.harmonics[7].rgb * (n.x * n.z) + frame.harmonics[8].rgb * (n.x * n.x - n.y * n.y);
 }
 
-vec3 skyRadiance(vec3 direction) { return skyGradient(direction) + sunGlow(direction); }
-
-// Light of the sunlit floor seen from below, as a diffuse reflector.
-vec3 floorBounce() {
-    vec3 received = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0) + 0.8 * frame.sky_horizon.rgb;
-    return mix(frame.sky_horizon.rgb * 0.5, frame.floor_colour.rgb * received, frame.floor_colour.w) * 0.6;
+vec3 ambientRadiance(vec3 n) {
+    return max(harmonicsAt(n), 0.0) + frame.floor_bounce.rgb * (0.5 - 0.5 * n.y);
 }
 
-// Mean radiance over the hemisphere about `normal` (irradiance / pi): zenith, horizon and floor by their solid angles.
-vec3 ambientRadiance(vec3 normal) {
-    vec3 up = mix(frame.sky_horizon.rgb, frame.sky_zenith.rgb, 0.62);
-    vec3 side = 0.5 * (frame.sky_horizon.rgb + floorBounce());
-    float y = normal.y;
-    vec3 ambient = y > 0.0 ? mix(side, up, y) : mix(side, floorBounce(), -y);
-    // The sky is brighter round the sun.
-    float towards_sun = 0.5 + 0.5 * dot(normal, frame.to_sun.xyz);
-    return ambient + 0.06 * towards_sun * towards_sun * frame.sun_colour.rgb;
+vec3 mirroredLayer(vec3 direction, float roughness) {
+    vec3 size = vec3(textureSize(mirrored, 0));
+    float layer = (roughness * (size.z - 1.0) + 0.5) / size.z;
+    return textureLod(mirrored, vec3(octahedralPlace(direction, size.x), layer), 0.0).rgb;
 }
 
-// What a surface of the given roughness mirrors: the sky above, the floor below, blurred towards their mean.
-vec3 reflectedRadiance(vec3 direction, float roughness) {
+const float kRoughest = 0.6;
+
+// What a surface of the given roughness mirrors: the surroundings, and the floor where there is one. `ambient`: what it
+// scatters, that is ambientRadiance() of its normal.
+vec3 reflectedRadiance(vec3 direction, float roughness, vec3 ambient) {
+    vec3 seen = direction;
+    if (frame.floor_colour.w > 0.0) seen.y = max(seen.y, 0.0);  // the ground of a picture is not the scene's
+#ifdef SHADOW_DRAFT
+    // Rough things mirror hardly more than they scatter. A loop in place of a branch, which software renderers go through
+    // also where no pixel takes it.
+    vec3 mirrored_sky = ambient;
+    for (bool smoother = roughness < kRoughest; smoother; smoother = false) {
+        mirrored_sky = mix(mirroredLayer(seen, roughness), ambient, smoothstep(kRoughest - 0.1, kRoughest, roughness));
+    }
+#else
+    vec3 mirrored_sky = mirroredLayer(seen, roughness);
+#endif
     float blend = smoothstep(-0.08 - 0.5 * roughness, 0.08 + 0.5 * roughness, direction.y);
-    vec3 sharp = mix(floorBounce(), skyGradient(direction), blend);
-    return mix(sharp, ambientRadiance(direction), roughness);
+    return mix(frame.floor_bounce.rgb, mirrored_sky, mix(1.0, blend, frame.floor_colour.w));
 }
+
+#if FLOOR == FLOOR_SWEEP
+// The paper goes on upwards behind the scene and gets darker there.
+vec3 sweepRadiance(vec3 direction) {
+    vec3 light = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0) + ambientRadiance(vec3(0.0, 1.0, 0.0));
+    return frame.floor_colour.rgb * light * mix(1.0, 0.45, smoothstep(-0.15, 0.7, direction.y));
+}
+vec3 skyRadiance(vec3 direction) {
+    return sweepRadiance(direction);
+}
+vec3 horizonRadiance(vec3 ray) {
+    return sweepRadiance(normalize(ray));
+}
+const float kHazeReach = 3.0;  // of the scene's radius
+#else
+vec3 skyRadiance(vec3 direction) {
+    return backdropRadiance(direction);
+}
+vec3 horizonRadiance(vec3 ray) {
+    float x = ray.x / max(abs(ray.x) + abs(ray.z), 1e-9);
+    return textureLod(horizon, vec2(0.25 * (ray.z >= 0.0 ? 1.0 - x : 3.0 + x), 0.5), 0.0).rgb;
+}
+const float kHazeReach = 9.0;
+#endif
 
 // Air between the eye and a point: far things fade into the haze of the horizon.
 vec3 throughAir(vec3 colour, vec3 position) {
     vec3 ray = position - frame.eye.xyz;
-    float reach = 9.0 * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
+    float reach = kHazeReach * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
     float haze = 1.0 - exp(-pow(length(ray) / reach, 1.6));
-    vec3 level = normalize(vec3(ray.x + 1e-6, 0.0, ray.z));
-    return mix(colour, frame.sky_horizon.rgb + sunGlow(level), haze);
+    return mix(colour, horizonRadiance(ray), haze);
 }

@@ -34,6 +34,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"engine/platform", {"engine"}},
     {"engine/scene", {"engine"}},
     {"engine/render", {"engine"}},
+    {"engine/surroundings", {"engine"}},
     {"engine/passes", {"engine"}},
     {"engine/image", {"engine"}},
     {"app/bridge", {"engine", "sim_cuda/api"}},
@@ -58,6 +59,7 @@ const std::vector<GuardedHeader> kGuarded = {
     {std::regex(R"(^(GL|EGL|glad|GLFW)/)"), {"engine", "app/bridge", "app/commands", "app/panel"}},
     {std::regex(R"(imgui)"), {"app/panel", "app/commands"}},
     {std::regex(R"(^assimp/)"), {"sim_cuda/authoring"}},
+    {std::regex(R"(^(Imf|stb/))"), {"engine/surroundings"}},
 };
 
 bool startsWith(const std::string& text, const std::string& prefix) {
@@ -105,7 +107,7 @@ struct Unreachable {
 const std::vector<Unreachable> kUnreachable = {
     {std::regex(R"(^(GL|EGL|glad|GLFW)/)"),
      std::regex(
-         R"(^(sim_cuda|assets|engine/scene|engine/image|app/calibrate|app/breakage)/|^app/session/.*\.h$)")},
+         R"(^(sim_cuda|assets|engine/scene|engine/surroundings|engine/image|app/calibrate|app/breakage)/|^app/session/.*\.h$)")},
     {std::regex(R"(^(cuda|cub/|thrust/|cooperative_groups))"),
      std::regex(
          R"(^(sim_cuda/(api|physics|authoring)|engine|assets|app/(session|calibrate|breakage|panel|commands))/)")},

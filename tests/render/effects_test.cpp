@@ -129,6 +129,30 @@ TEST_P(EffectsPicture, SmallGrainsAreThinnedOutAndNotLost) {
     EXPECT_LT(small / tiny, 7);
 }
 
+/// A white puff before nothing is as bright as what is round it says, and as opaque as it is deep.
+TEST_P(EffectsPicture, DustIsLitByWhatSurroundsItAndHasAlpha) {
+    Scene with = scene();
+    with.view.transparent = true;
+    with.view.look.dust_colour[0] = with.view.look.dust_colour[1] = with.view.look.dust_colour[2] = 1;
+    with.mesh.reset();
+    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 1e-4f});
+    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+    for (const float light : {0.2f, 0.4f}) {
+        putIntoFurnace(with.view, glm::vec3(light, light, 2 * light));
+        int last = 0;
+        for (const float depth : {0.2f, 0.8f, 3.0f}) {
+            writeEffects(*with.mesh, {}, {{with.view.camera.target, 0.3f, depth, 0.05f, 9}});
+            const Image now = picture(with);
+            const uint8_t* pixel = now.at(now.width / 2, now.height / 2);
+            EXPECT_GT(pixel[3], last + 15) << depth;
+            last = pixel[3];
+            EXPECT_NEAR(decoded(pixel[0]), light, 0.2f * light) << depth;
+            EXPECT_NEAR(decoded(pixel[2]), 2 * light, 0.4f * light) << depth;
+        }
+        EXPECT_EQ(picture(with).at(5, 5)[3], 0);
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(Qualities, EffectsPicture,
                          testing::Values(RenderQuality::kFull, RenderQuality::kDraft), [](const auto& param) {
                              return param.param == RenderQuality::kFull ? "Full" : "Draft";

@@ -48,7 +48,7 @@ void report(const std::string& name, const Image& picture, const Image& referenc
 
 void expectLooksAsStored(const std::string& name, const Image& picture) {
     if (update_goldens) {
-        writePng(goldenFile(name), picture, false, 9);
+        writePng(goldenFile(name), picture, {.compression = 9});
         ASSERT_LT(std::filesystem::file_size(goldenFile(name)), kLargestGolden);
         return;
     }

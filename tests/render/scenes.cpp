@@ -8,7 +8,11 @@
 #include <map>
 #include <stdexcept>
 
+#include "engine/render/film.h"
 #include "engine/render/frame_capture.h"
+#include "engine/scene/lens.h"
+#include "engine/surroundings/surroundings.h"
+#include "tests/render/gl_fixture.h"
 
 namespace demolish::engine::test {
 namespace {
@@ -209,11 +213,32 @@ bool isBody(uint32_t id) {
     return id < kColliderId;
 }
 
+float decoded(uint8_t value) {
+    const float v = static_cast<float>(value) / 255;
+    return v <= 0.04045f ? v / 12.92f : std::pow((v + 0.055f) / 1.055f, 2.4f);
+}
+
+void putIntoFurnace(FrameView& view, glm::vec3 radiance) {
+    view.lighting.surroundings = makeSurroundings(RadiancePicture(32, 16, radiance), std::nullopt);
+    view.lighting.sun_colour = glm::vec3(0);
+    view.lighting.floor = FloorMaterial::kNone;
+    view.lighting.tone = ToneCurve::kNone;
+    view.lighting.exposure = 1;
+}
+
 Image drawPicture(Renderer& renderer, const Scene& scene) {
     Image picture;
     FrameCapture capture(scene.view.width, scene.view.height,
                          [&](uint64_t, Image image) { picture = std::move(image); });
-    renderer.draw(scene.mesh.get(), scene.spheres, scene.view, capture.framebuffer());
+    if (scene.view.transparent) {
+        Film film(shaderFolder());
+        film.begin(scene.view.width, scene.view.height);
+        renderer.draw(scene.mesh.get(), scene.spheres, pictureView(scene.view, {}, 0, 1), film.framebuffer());
+        film.add();
+        film.develop(scene.view.lighting, capture.framebuffer());
+    } else {
+        renderer.draw(scene.mesh.get(), scene.spheres, scene.view, capture.framebuffer());
+    }
     capture.submit(0);
     capture.finish();
     return picture;

@@ -26,6 +26,11 @@ std::vector<std::string> sceneNames();
 /// Draws one frame into a picture.
 Image drawPicture(Renderer& renderer, const Scene& scene);
 
+/// Linear, of sRGB.
+float decoded(uint8_t value);
+/// Nothing but even light from everywhere, shown as it is.
+void putIntoFurnace(FrameView& view, glm::vec3 radiance);
+
 /// Pixels of which a channel differs by more than `more_than` of 255.
 size_t differingPixels(const Image& a, const Image& b, int more_than);
 /// Is this id of Renderer::fragmentIds() a piece of the body?

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "tests/fuzz/files/binary_fbx.h"
+#include "tests/fuzz/files/picture_seeds.h"
 #include "tests/fuzz/support/child_program.h"
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/mesh/mesh_files.h"
@@ -73,6 +74,14 @@ FileFormat modelFormat(const std::string& name, const std::string& extension, co
         return bench({"--model", file.string()});
     };
     return format;
+}
+
+FileFormat pictureFormat(const std::string& name, const std::vector<std::string>& seeds) {
+    return {name, seeds, [name](const std::string& bytes, const fs::path& at) {
+                const fs::path file = at / ("surroundings." + name);
+                write(file, bytes);
+                return bench({"block", "--environment", file.string()});
+            }};
 }
 
 std::vector<std::string> assetTexts(const std::string& kind) {
@@ -168,6 +177,8 @@ std::vector<FileFormat> fileFormats(const fs::path& folder) {
             modelFormat("glb", "glb", exporter("glb2", folder)),
             modelFormat("fbx", "fbx", exporter("fbxa", folder)),
             modelFormat("fbx_binary", "fbx", binaryFbx),
+            pictureFormat("hdr", hdrSeeds()),
+            pictureFormat("exr", exrSeeds(folder)),
             assetFormat("scene", "scenes", "damaged.toml", {"damaged"}),
             assetFormat("material", "materials", "damaged.toml", {"block", "--material", "damaged"}),
             assetFormat("strength", "strength", "thresholds.toml",

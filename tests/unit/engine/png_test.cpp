@@ -37,7 +37,7 @@ Image noise(int width, int height) {
 
 TEST_F(PngTest, RoundTripKeepsEveryByte) {
     const Image image = noise(61, 37);
-    writePng(folder_ / "a.png", image, true);
+    writePng(folder_ / "a.png", image, {.alpha = true});
     const Image back = readPng(folder_ / "a.png");
     EXPECT_EQ(back.width, 61);
     EXPECT_EQ(back.height, 37);

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the picture of a scene is made of.
+#include "app/session/scene_light.h"
+
+#include <algorithm>
+
+#include "app/session/material_file.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kLeastLength = 1e-3;   ///< of a direction; m between eye and target
+constexpr Range kColourRange{0, 1000};  // linear; the sun's is above 1
+
+engine::Camera readCamera(TomlReader& reader) {
+    engine::Camera camera;
+    reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
+    reader.readVector("camera.target_m", camera.target, kPlaceRange);
+    if (glm::distance(camera.eye, camera.target) < kLeastLength)
+        reader.fail("camera.eye_m", "must be apart from camera.target_m, or it looks nowhere");
+    double degrees = camera.field_of_view / kDegree;
+    reader.read("camera.field_of_view_deg", degrees, {5, 120});
+    camera.field_of_view = static_cast<float>(degrees * kDegree);
+    return camera;
+}
+
+void readFloat(TomlReader& reader, const std::string& path, float& value, const Range& range) {
+    double number = value;
+    reader.read(path, number, range);
+    value = static_cast<float>(number);
+}
+
+/// The place of the word in the list.
+size_t readWord(TomlReader& reader, const std::string& path, const std::vector<std::string>& words,
+                size_t present) {
+    std::string word = words[present];
+    reader.read(path, word);
+    const auto found = std::find(words.begin(), words.end(), word);
+    if (found == words.end()) {
+        std::string all;
+        for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
+        reader.fail(path, "must be one of " + all);
+    }
+    return static_cast<size_t>(found - words.begin());
+}
+
+void readEnvironment(TomlReader& reader, const std::filesystem::path& folder, Environment& environment) {
+    if (reader.has("light.environment")) {
+        std::string name;
+        reader.read("light.environment", name);
+        try {
+            setEnvironment(environment, name);
+        } catch (const UsageError& error) {
+            reader.fail("light.environment", std::string("is wrong: ") + error.what());
+        }
+        if (environment.kind == engine::SurroundingsKind::kFile) environment.file = folder / environment.file;
+    }
+    reader.read("light.environment_turn_deg", environment.turn, kTurnRange);
+    if (reader.has("light.hour")) {
+        environment.hour.emplace(12);
+        reader.read("light.hour", *environment.hour, kHourRange);
+    }
+    if (reader.has("light.sun_colour")) {
+        environment.sun_colour.emplace(0);
+        reader.readVector("light.sun_colour", *environment.sun_colour, kColourRange);
+    }
+}
+
+}  // namespace
+
+void readPicture(TomlReader& reader, const std::filesystem::path& folder, Shot& shot) {
+    if (reader.has("camera")) shot.camera = readCamera(reader);
+    engine::Lighting& light = shot.lighting;
+    readEnvironment(reader, folder, shot.environment);
+    reader.readVector("light.sun_direction", light.sun_direction, kDirectionRange);
+    if (glm::length(light.sun_direction) < kLeastLength)
+        reader.fail("light.sun_direction", "must have a length: it is the way that the light travels");
+    reader.readVector("light.floor_colour", light.floor_colour, {0, 1});
+    light.floor = static_cast<engine::FloorMaterial>(
+        readWord(reader, "light.floor", floorNames(), static_cast<size_t>(light.floor)));
+    readFloat(reader, "light.exposure", light.exposure, kExposureRange);
+    readFloat(reader, "light.white_balance_k", light.temperature, kTemperatureRange);
+    light.tone = static_cast<engine::ToneCurve>(
+        readWord(reader, "light.tone", toneNames(), static_cast<size_t>(light.tone)));
+    readLook(reader, "look.", shot.look);
+}
+
+}  // namespace demolish
