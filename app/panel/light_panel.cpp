@@ -77,7 +77,7 @@ bool showCamera(PanelContext& context) {
 }  // namespace
 
 void showLightPanel(PanelContext& context) {
-    if (!ImGui::CollapsingHeader("Light", ImGuiTreeNodeFlags_DefaultOpen)) return;
+    if (!ImGui::CollapsingHeader("Light")) return;  // the panels below it stay in sight
     context.changed |= showSurroundings(context);
     engine::FloorMaterial& floor = context.shot.lighting.floor;
     const int chosen =
