@@ -87,9 +87,7 @@ class FrameLoop {
     bool staysQuiet(uint32_t n) const;
     void beginFrame(uint32_t n);
     StepStatus runFrame(const FrameWatch& watch);
-    /// The next one: the usual one, or as much of it as the last look allows.
     Stretch stretch() const;
-    Stretch usualStretch() const;
     uint32_t untilNextStart(uint32_t at_most) const;
     void decide(bool frame_starts, uint32_t remaining);
     void decideIfDue(uint32_t remaining);
@@ -196,27 +194,21 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
 template <class Backend, class Real>
 StepStatus FrameLoop<Backend, Real>::runStretch(uint32_t n) {
     freshenLists();
-    const uint32_t first = std::min(n, stretch().first), second = n - first, next = usualStretch().length();
+    const uint32_t first = std::min(n, stretch().first), second = n - first, next = stretch().length();
     runAwake(first);
     look(second + next);
     runAwake(second);
     const auto answer = look_.wait();
     const bool is_good = answer.status == StepStatus::kOk;
-    lists_.lookWithin(answer.look_within);
     if (lists_.judge(answer.left_paths, is_good, next, scene_.lists.horizon())) followStrayed(next);
     return answer.status;
 }
 
 /// Without bonds nothing happens fast but hits by projectiles, which cut it short.
 template <class Backend, class Real>
-Stretch FrameLoop<Backend, Real>::usualStretch() const {
+Stretch FrameLoop<Backend, Real>::stretch() const {
     if (!movesBonds()) return kRigidStretch;
     return scene_.tables.time_step < kShortSubstep ? kShortBondedStretch : kBondedStretch;
-}
-
-template <class Backend, class Real>
-Stretch FrameLoop<Backend, Real>::stretch() const {
-    return cutShort(usualStretch(), lists_.untilLook(), movesRigid() ? kRigidStride : 1);
 }
 
 template <class Backend, class Real>
@@ -275,8 +267,7 @@ void FrameLoop<Backend, Real>::withGoodLists(const Use& use) {
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::look(uint32_t lookahead) {
-    look_.start(scene_, stepper_, lists_.age(), lookahead * scene_.tables.time_step,
-                usualStretch().length() * scene_.tables.time_step);
+    look_.start(scene_, stepper_, lists_.age(), lookahead * scene_.tables.time_step);
 }
 
 /// At the end of a stretch, with lists that hold for another: `next` substeps. Waits.
@@ -299,7 +290,6 @@ void FrameLoop<Backend, Real>::startProjectiles() {
         scene_.place(slot, shot);
         projectiles_.start(slot, shot);
         lists_.demand();
-        lists_.lookWithin(0);
         decisions_.noteShot();
     }
 }

@@ -12,6 +12,9 @@ namespace {
 /// costs a coarser grid and longer rows. Substeps that they shall last at least: two stretches.
 constexpr double kHorizonLives = 2;
 constexpr uint32_t kLeastHorizon = 2 * kRigidStretch.length();
+/// Substeps from a hit, right after a look, until the lists know of it, in the longest stretch.
+constexpr uint32_t kBlindSubsteps =
+    std::max({kBondedStretch.blind(), kShortBondedStretch.blind(), kRigidStretch.blind()});
 
 }  // namespace
 
@@ -20,6 +23,7 @@ NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_st
     if (!projectile_started) state_.life = std::max(state_.age, state_.life / 2);
     const double wanted = kHorizonLives * std::max(state_.life, kLeastHorizon) * time_step_;
     settings.longest_horizon = std::min(settings.longest_horizon, wanted);
+    settings.blind_time = kBlindSubsteps * time_step_;
     settings.set_apart = state_.left_paths == 0;
     return settings;
 }
@@ -27,11 +31,6 @@ NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_st
 void ListSchedule::built() {
     state_.age = 0;
     state_.due = 0;
-}
-
-void ListSchedule::lookWithin(double seconds) {
-    constexpr double kMost = 1e9;
-    state_.until_look = static_cast<uint32_t>(std::min(seconds / time_step_, kMost));
 }
 
 bool ListSchedule::judge(bool left_paths, bool state_is_good, uint32_t next, double horizon) {

@@ -16,7 +16,6 @@ class ListSchedule {
         uint32_t life = 10'000;   ///< substeps that lists have lasted of late
         uint32_t left_paths = 0;  ///< 1: somebody had left his path when they were last looked at
         uint32_t due = 1;         ///< 1: they must be built before the next substep
-        uint32_t until_look = 0;  ///< substeps that may pass until the next look; above a stretch: as usual
     };
 
     /// time_step: s, of a substep.
@@ -34,11 +33,6 @@ class ListSchedule {
     /// that hold as long could be kept if those who have left their paths got new ones. horizon: s after the
     /// build.
     bool judge(bool left_paths, bool state_is_good, uint32_t next, double horizon);
-
-    /// A look has found that the next is wanted within so many seconds.
-    void lookWithin(double seconds);
-    /// Substeps that may pass until the next look; 0 before the first one.
-    uint32_t untilLook() const { return state_.until_look; }
 
     double age() const { return state_.age * time_step_; }  ///< s since the build
     /// s for which the lists still hold, at most so many substeps.

@@ -203,7 +203,8 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state,
         ranges_.span(), counts_.total, VelocityRanges<Real>{},
         StartPaths<Real>{state, constants, enclosures(bonds), contacts_.built_position.span(),
                          contacts_.built_velocity.span(), place_kind_.span(), Real(settings_.skin_share),
-                         Real(settings_.skin_share * largest_radius_), Real(settings_.longest_horizon)},
+                         Real(settings_.skin_share * largest_radius_), Real(settings_.blind_time),
+                         Real(settings_.longest_horizon)},
         WidenRanges<Real>{}, "start paths");
     chooseFrame(state, constants);
 }

@@ -9,6 +9,7 @@ struct NeighbourSettings {
     double travel_share = 1;     ///< largest travel within a horizon over the largest reach of two particles
     double longest_horizon = 1;  ///< s, at rest
     double shot_travel = 4;      ///< largest travel of a projectile over that reach
+    double blind_time = 0;       ///< s, from a hit until the lists know of it
     bool set_apart = true;       ///< the few fast ones, where they would shorten the horizon
 };
 

@@ -15,16 +15,14 @@ class StateLook {
     struct Answer {
         StepStatus status = StepStatus::kOk;
         bool left_paths = false;  ///< somebody is not, or will not be, on the path that contact lists rely on
-        double look_within = 0;   ///< s, until the next look; very large: as usual
     };
 
     explicit StateLook(Backend& backend)
         : words_(backend.template allocate<uint32_t>(kLookWords)), reader_(backend) {}
 
-    /// Looks at the present state, `age` s after the contact lists were built, and as far as `ahead` s on;
-    /// usual: s, of a stretch. Does not wait.
-    void start(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper, double age, double ahead,
-               double usual);
+    /// Looks at the present state, `age` s after the contact lists were built, and as far as `ahead` s on.
+    /// Does not wait.
+    void start(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper, double age, double ahead);
     /// Of the last look. Waits for it, and not for what was started later.
     Answer wait();
 
@@ -35,7 +33,7 @@ class StateLook {
 
 template <class Backend, class Real>
 void StateLook<Backend, Real>::start(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper,
-                                     double age, double ahead, double usual) {
+                                     double age, double ahead) {
     const uint32_t total = scene.tables.counts.total;
     const CheckPaths<Real> paths{scene.pathsNow(age, ahead), words_.span().part(kLookRebuild, 1)};
     const LookAtState<Real> look{paths, scene.data.particles.constants.view(), words_.span(),
@@ -45,20 +43,13 @@ void StateLook<Backend, Real>::start(DeviceScene<Backend, Real>& scene, Stepper<
                               "place rigid and look at the state");
     else
         scene.backend.forEach(total, look, "look at the state");
-    constexpr uint32_t kThreads = Backend::kOnGpu ? 128 : 1;
-    scene.backend.forEach(size_t{kMaxProjectiles} * kThreads,
-                          SeeFastShots<kThreads, Real>{
-                              paths.paths, scene.lists.contacts().in(), scene.data.particles.constants.view(),
-                              scene.params.colliders, words_.span(), static_cast<Real>(usual)},
-                          "see fast shots");
     reader_.take(scene.backend, words_.span());
 }
 
 template <class Backend, class Real>
 typename StateLook<Backend, Real>::Answer StateLook<Backend, Real>::wait() {
     const std::vector<uint32_t>& words = reader_.wait();
-    return {static_cast<StepStatus>(words[kLookStatus]), words[kLookRebuild] != 0,
-            secondsOf(words[kLookAgain])};
+    return {static_cast<StepStatus>(words[kLookStatus]), words[kLookRebuild] != 0};
 }
 
 }  // namespace demolish

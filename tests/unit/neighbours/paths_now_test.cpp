@@ -38,8 +38,9 @@ struct BuiltBlock {
     CloudArrays arrays;
     NeighbourLists<CpuBackend, float> lists;
 
-    explicit BuiltBlock(const Block& block)
-        : arrays(block.cloud), lists(arrays.backend, block.cloud.counts(), block.cloud.largestRadius()) {
+    explicit BuiltBlock(const Block& block, const NeighbourSettings& settings = {})
+        : arrays(block.cloud),
+          lists(arrays.backend, block.cloud.counts(), block.cloud.largestRadius(), settings) {
         setBonds(block);
         lists.setBuried(block.buried());
         lists.build(arrays.state(), arrays.particles.constants.view(), arrays.bonds.in());
@@ -55,16 +56,6 @@ struct BuiltBlock {
         const auto rows = lists.contacts().in();
         return findContact(rows.row_start, rows.neighbour, Block::kMiddle, other) <
                rows.row_start[Block::kMiddle + 1];
-    }
-    /// s, until the next look; `usual` s, of a stretch.
-    double lookWithin(float lookahead, float usual, const ColliderSet<float>& colliders = {}) {
-        auto words = arrays.backend.allocate<uint32_t>(kLookWords);
-        arrays.backend.forEach(
-            kMaxProjectiles * 4,
-            SeeFastShots<4, float>{paths(lookahead), lists.contacts().in(), arrays.particles.constants.view(),
-                                   colliders, words.span(), usual},
-            "see fast shots");
-        return secondsOf(words.span()[kLookAgain]);
     }
 };
 
@@ -96,24 +87,14 @@ TEST(Enclosed, HoldsDeeplyWhileTheBondsAboutItHoldToo) {
     EXPECT_FALSE(enclosures().hold(Block::kMiddle));
 }
 
-TEST(FastShots, AreSeenBeforeTheyHitAndTellHowSoonToLook) {
+/// It flies past at a distance that it would cross within 0.02 s.
+TEST(Projectile, IsListedWithWhatMayBeThrownAtItBeforeTheListsKnow) {
     Block block;
-    block.cloud.items[block.shot] = {{0.1f, 0.1f, 0.4f}, {0, 0, -10}, 0.05f, true};
-    BuiltBlock built{block};
-    const double skin = 0.5 * 0.05, gap = 0.2 - 2 * 0.05, way = gap + kSkinsBetweenLooks * skin;
-    EXPECT_NEAR(built.lookWithin(0.02f, 0.02f), way / 10, 1e-6);
-    EXPECT_GT(built.lookWithin(0.02f, 0.001f), 1) << "a short stretch is short enough";
-    EXPECT_GT(built.lookWithin(0.0001f, 0.02f), 1) << "it is too far away for now";
-}
-
-TEST(FastShots, SeeColliders) {
-    Block block;
-    block.cloud.items[block.shot] = {{5, 0.2f, 0}, {0, -10, 0}, 0.05f, true};
-    BuiltBlock built{block};
-    const auto floor = makeColliderSet<float>({Plane{}});
-    const double way = 0.2 - 0.05 + kSkinsBetweenLooks * 0.5 * 0.05;
-    EXPECT_NEAR(built.lookWithin(0.02f, 0.05f, floor), way / 10, 1e-6);
-    EXPECT_GT(built.lookWithin(0.02f, 0.05f), 1) << "nothing is in its way";
+    block.cloud.items[block.shot] = {{0.25f, 0.1f, 0.4f}, {0, 0, -10}, 0.05f, true};
+    EXPECT_FALSE(BuiltBlock{block}.listsMiddleWith(block.shot));
+    EXPECT_TRUE((BuiltBlock{block, {.blind_time = 0.02}}.listsMiddleWith(block.shot)));
+    block.cloud.items[block.shot].v = {0, 0, -0.1f};
+    EXPECT_FALSE((BuiltBlock{block, {.blind_time = 0.02}}.listsMiddleWith(block.shot))) << "it is slow";
 }
 
 }  // namespace

@@ -96,23 +96,10 @@ TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
     EXPECT_EQ(lists.remaining(kHorizon, 10), 0);
 }
 
-TEST(ListSchedule, TheFirstLookComesAtOnceAndTheNextAsItSays) {
-    ListSchedule lists = fresh();
-    EXPECT_EQ(lists.untilLook(), 0u);
-    lists.lookWithin(7.5 * kStep);
-    EXPECT_EQ(lists.untilLook(), 7u);
-    lists.lookWithin(1e30);
-    EXPECT_GT(lists.untilLook(), 1'000'000u);
-}
-
-TEST(Stretch, IsCutToWholeStepsAndNeverToNone) {
-    const auto halves = [](const Stretch& stretch) { return std::pair(stretch.first, stretch.second); };
-    EXPECT_EQ(halves(cutShort(kBondedStretch, 20, 1)), std::pair(10u, 10u));
-    EXPECT_EQ(halves(cutShort(kBondedStretch, 1000, 1)), std::pair(10u, 10u));
-    EXPECT_EQ(halves(cutShort(kBondedStretch, 7, 1)), std::pair(4u, 3u));
-    EXPECT_EQ(halves(cutShort(kBondedStretch, 0, 1)), std::pair(1u, 0u));
-    EXPECT_EQ(halves(cutShort(kRigidStretch, 39, 10)), std::pair(20u, 10u));
-    EXPECT_EQ(halves(cutShort(kRigidStretch, 3, 10)), std::pair(10u, 0u));
+TEST(ListSchedule, ListsReckonWithTheTimeInWhichAHitIsNotKnown) {
+    EXPECT_GE(fresh().next(false, false).blind_time, kBondedStretch.blind() * kStep);
+    EXPECT_GE(fresh().next(true, false).blind_time, kRigidStretch.blind() * kStep);
+    EXPECT_EQ((Stretch{30, 10}.blind()), 50u) << "a hit after the look, the next one, and its answer";
 }
 
 }  // namespace
