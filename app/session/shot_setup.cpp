@@ -33,17 +33,21 @@ Quaternion fromGlm(const glm::dquat& q) {
     return {q.x, q.y, q.z, q.w};
 }
 
-/// m, from a seed to the lowest point that its cell may have, however the body is turned.
-double reachBelow(const BreakableBody& body, const Particle& particle) {
-    return std::max({body.spacing, particle.depth, particle.seed.y - particle.lowest});
+/// m, height of the lowest corner of the turned body.
+double lowestCorner(const BreakableBody& body, const glm::dquat& rotation) {
+    double lowest = 1e300;
+    for (size_t i = 0; i < body.particles.size(); ++i)
+        for (uint32_t c = body.corners.start[i]; c < body.corners.start[i + 1]; ++c) {
+            const glm::dvec3 corner = toGlm(body.particles[i].seed) + toGlm(body.corners.from_seed[c]);
+            lowest = std::min(lowest, (rotation * corner).y);
+        }
+    return lowest;
 }
 
 /// Turned and lifted so that it meets the floor with the chosen velocity.
 void drop(const Shot& shot, const BreakableBody& body, const Placement& place, BodyInstance& instance) {
     const glm::dquat rotation = turnOf(place) * glm::dquat(toGlm(shot.impact.tilt));
-    double lowest = 1e300;
-    for (const auto& particle : body.particles)
-        lowest = std::min(lowest, (rotation * toGlm(particle.seed)).y - reachBelow(body, particle));
+    const double lowest = lowestCorner(body, rotation);
     // Falls for some hundredths of a second, so that one sees it come.
     const double speed = shot.impact.velocity;
     const double gap = std::min(0.06 * speed, speed * speed / (2 * kGravity));

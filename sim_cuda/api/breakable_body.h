@@ -30,10 +30,29 @@ struct BondGeometry {
     double length = 0;  ///< m, L = |x_j - x_i|
 };
 
+/// Corners of a cell at most: a Voronoi cell has some 30, and these leave out 0.02 h of its hull on the mean.
+inline constexpr uint32_t kMostCorners = 16;
+
+/// What of the cells meets floors and other colliders. Those of cell i: start[i] .. start[i+1]-1.
+struct CellCorners {
+    std::vector<uint32_t> start;     ///< cells + 1; empty: the cells meet colliders as spheres
+    std::vector<Double3> from_seed;  ///< m, body frame
+};
+
+/// The next cell is a box: `low` and `high` in m from its seed.
+inline void appendBoxCorners(CellCorners& corners, const Double3& low, const Double3& high) {
+    if (corners.start.empty()) corners.start.push_back(0);
+    for (const double x : {low.x, high.x})
+        for (const double y : {low.y, high.y})
+            for (const double z : {low.z, high.z}) corners.from_seed.push_back({x, y, z});
+    corners.start.push_back(static_cast<uint32_t>(corners.from_seed.size()));
+}
+
 struct BreakableBody {
     std::string name;
     std::vector<Particle> particles;  ///< index = cell id = particle id within the body
     std::vector<BondGeometry> bonds;  ///< sorted by (i, j); none below 0.02 h^2
+    CellCorners corners;
     FractureGeometry geometry;
     double spacing = 0;              ///< m, h = (V / N)^(1/3)
     double mesh_volume = 0;          ///< m^3

@@ -5,6 +5,7 @@
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/cell_corners.h"
 #include "sim_cuda/authoring/packing.h"
 #include "sim_cuda/authoring/solid_mesh.h"
 
@@ -76,6 +77,7 @@ std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOp
     requireVolumes(info.name, body->particles);
     stages.enter("Bonding cells", 0.72, 0.78);
     body->bonds = makeBonds(complex, spacing);
+    body->corners = cellCorners(complex, spacing);
     stages.enter("Making crack surfaces", 0.78, 1);
     if (options.draw_geometry) body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds);
 

@@ -28,7 +28,7 @@ class Block {
         body.bounds_min = {-0.5, 0, -0.5};
         body.bounds_max = {0.5, 1, 0.5};
         body.particles.reserve(size_t{n_} * n_ * n_);
-        visit([&](uint32_t x, uint32_t y, uint32_t z) { body.particles.push_back(cell(x, y, z)); });
+        visit([&](uint32_t x, uint32_t y, uint32_t z) { add(body, cell(x, y, z)); });
         body.bonds.reserve(6 * body.particles.size());
         visit([&](uint32_t x, uint32_t y, uint32_t z) { bondsOf(body, x, y, z); });
         std::sort(body.bonds.begin(), body.bonds.end(), [](const BondGeometry& a, const BondGeometry& b) {
@@ -46,6 +46,15 @@ class Block {
     }
 
     uint32_t id(uint32_t x, uint32_t y, uint32_t z) const { return (z * n_ + y) * n_ + x; }
+
+    void add(BreakableBody& body, const Particle& p) const {
+        const auto corner = [&](double side) {
+            return Double3{p.centroid.x - p.seed.x + side * h_, p.centroid.y - p.seed.y + side * h_,
+                           p.centroid.z - p.seed.z + side * h_};
+        };
+        body.particles.push_back(p);
+        appendBoxCorners(body.corners, corner(-0.5), corner(0.5));
+    }
 
     Particle cell(uint32_t x, uint32_t y, uint32_t z) const {
         const uint64_t counter = 3 * uint64_t{id(x, y, z)};

@@ -85,6 +85,7 @@ struct ColliderSet {
     ColliderRows<Real> collider[kMaxColliders];
     uint32_t count = 0;
 
+    DEM_FN bool isPlane(uint32_t c) const { return collider[c].shape == ColliderShape::kPlane; }
     DEM_FN TangentPlane<Real> tangent(uint32_t c, const Vec3<Real>& high, const Vec3<Real>& low = {}) const {
         const ColliderRows<Real>& rows = collider[c];
         if (rows.shape == ColliderShape::kBox) return tangentOfBox(rows.row, high, low);

@@ -29,7 +29,7 @@ struct PathsIn {
     Span<const Vec4<Real>> position;  ///< total: (x at the build, m; reachOf)
     Span<const Vec4<Real>> velocity;  ///< total: (v at the build, m/s; skinOf)
 };
-/// m, of a path's position: R_c + skin.
+/// m, of a path's position: R_c + skin; of a projectile more (kernels/start_paths.h).
 template <class Real>
 DEM_FN Real reachOf(const Vec4<Real>& path_position) {
     return path_position.w;

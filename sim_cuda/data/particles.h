@@ -73,7 +73,7 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
     /// its own inverse mass, 1/kg, while inverseMass() is that of its share of the fragment.
     Real inverse_inertia{};
     Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
-    Real floor_radius{};    ///< m, R_w: against colliders (models E.4, sole rule)
+    Real floor_radius{};    ///< m, to the farthest corner of the cell; of a sphere its radius
 
   private:
     Real signed_inverse_mass_{};

@@ -34,12 +34,12 @@ struct BondedWork {
     }
 };
 
-/// What a rigid body leaves to the one that goes on with its fragment, in one word: contacts that each stand
-/// for a part of its mass, and its flight.
+/// What a rigid body leaves to the one that goes on with its fragment, in one word: its contacts, and its
+/// flight.
 DEM_FN uint32_t memoryOf(const RigidBody& body) {
-    return body.contact_share | body.flight.lag << 24 | body.flight.free << 31;
+    return body.contacts | body.flight.lag << 24 | body.flight.free << 31;
 }
-DEM_FN uint32_t rememberedShare(uint32_t memory) {
+DEM_FN uint32_t rememberedContacts(uint32_t memory) {
     return memory & 0xffffffu;
 }
 DEM_FN Flight rememberedFlight(uint32_t memory) {
@@ -51,15 +51,16 @@ inline constexpr uint32_t kShortRigidRow = 64;
 
 /// Fragments that move as rigid bodies, and those of their particles that may touch something.
 struct RigidWork {
-    Span<const uint32_t> fragment;     ///< slots, ascending
-    Span<const uint32_t> first, last;  ///< per entry of `fragment`: its places in `active`
-    Span<const uint32_t> active;       ///< particle ids by (fragment, id)
-    Span<const uint32_t> large;        ///< entries with more than kShortRigidRow places, in any order
-    Span<const uint32_t> counts;       ///< kWorkWords
-    Span<RigidBody> body;              ///< per slot
-    Span<uint32_t> memory;             ///< per slot: memoryOf() its body; 0: none yet
-    Span<const Vec3<double>> arm;      ///< per particle: from the centre at the start, m
-    Span<const uint32_t> label;        ///< per particle: its fragment's slot
+    Span<const uint32_t> fragment;            ///< slots, ascending
+    Span<const uint32_t> first, last;         ///< per entry of `fragment`: its places in `active`
+    Span<const uint32_t> active;              ///< particle ids by (fragment, id)
+    Span<const uint32_t> large;               ///< entries with more than kShortRigidRow places, in any order
+    Span<const uint32_t> counts;              ///< kWorkWords
+    Span<RigidBody> body;                     ///< per slot
+    Span<uint32_t> memory;                    ///< per slot: memoryOf() its body; 0: none yet
+    Span<const Vec3<double>> arm;             ///< per particle: from the centre at the start, m
+    Span<const Quat<double>> start_rotation;  ///< per particle, at the start
+    Span<const uint32_t> label;               ///< per particle: its fragment's slot
     uint32_t active_at_most = 0, fragments_at_most = 0, large_at_most = 0;
 };
 

@@ -51,9 +51,11 @@ struct MeetingsIn {
     /// on by half a skin brings a new decision where one is needed (strayed_paths.h).
     DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const { return mayMeetWithin(i, j, soon); }
     DEM_FN bool mayMeetWithin(uint32_t i, uint32_t j, Real time) const {
-        return mayMeet(withW(positionOf(state, i), reachOf(paths.position[i])), state.velocity[i],
-                       withW(positionOf(state, j), reachOf(paths.position[j])), state.velocity[j], time);
+        return mayMeet(withW(positionOf(state, i), reach(i)), state.velocity[i],
+                       withW(positionOf(state, j), reach(j)), state.velocity[j], time);
     }
+    /// m, with its skin.
+    DEM_FN Real reach(uint32_t i) const { return constants[i].contact_radius + skinOf(paths.velocity[i]); }
     /// m^2/s^2
     DEM_FN Real relativeSpeed2(uint32_t i, uint32_t j) const {
         return length2(xyz(state.velocity[j]) - xyz(state.velocity[i]));

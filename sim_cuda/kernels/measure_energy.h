@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Energies and momenta of one moment, a particle's share at a time, in double. Pairs belong to the lower id.
 #pragma once
-#include "sim_cuda/kernels/own_particle.h"
-#include "sim_cuda/kernels/touch_slots.h"
+#include "sim_cuda/kernels/collider_contact.h"
 
 namespace demolish {
 
@@ -86,7 +85,7 @@ struct MeasureEnergy {
             sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
         }
         forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
-            sum += static_cast<double>(colliderEnergy(own, c, tangent.distance));
+            sum += static_cast<double>(colliderEnergy(own, c, tangent));
         });
         return sum;
     }
@@ -122,15 +121,18 @@ struct MeasureEnergy {
                            params, overlap, xyz(spring));
     }
 
-    /// `height`: m, over the surface of collider c.
-    DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c, Real height) const {
-        const Real overlap = own.constants.floor_radius - height;
+    DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c,
+                               const TangentPlane<Real>& tangent) const {
         const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
-        if (!(overlap > Real(0)) || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
-        return touchEnergy(
-            contactTouchLaw(arrays.wall_laws[own.owner], params, overlap, own.constants.floor_radius,
-                            againstWall(own.constants), softestOf(spring)),
-            params, overlap, xyz(spring));
+        const bool is_far = tangent.distance > own.constants.floor_radius;
+        if (is_far || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
+        const TurnsAlone<Real> alone;
+        const Pressed<Real> at =
+            pressedOn<false>(arrays.corners, params, own, alone.orientation(own), c, tangent);
+        if (!(at.depth > Real(0))) return Real(0);
+        const TouchLaw<Real> law = pressingLaw<StepKind::kSubstep>(arrays.wall_laws[own.owner], params, own,
+                                                                   at, alone(own, at), Real(0), spring);
+        return touchEnergy(law, params, at.depth, xyz(spring));
     }
 };
 

@@ -2,8 +2,8 @@
 // What moves a particle in a substep once the loads of its bonds and contacts are summed: colliders, kick and
 // drift, ledger. The same text on the CPU and in the first of the threads that share a particle on the GPU.
 #pragma once
+#include "sim_cuda/kernels/collider_contact.h"
 #include "sim_cuda/kernels/integrate.h"
-#include "sim_cuda/kernels/touch_slots.h"
 
 namespace demolish {
 
@@ -13,7 +13,8 @@ DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Rea
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
     if (own.constants.isMovedHere())
         forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
-            add(load, colliderContact<kLedger>(arrays, params, own, c, tangent, tally, TurnsAlone<Real>{}));
+            add(load,
+                colliderContact<kLedger>(arrays, params, own, c, tangent, tally, TurnsAlone<Real>{}).wrench);
         });
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);

@@ -4,8 +4,8 @@
 // the fragment's mass.
 #pragma once
 #include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/collider_contact.h"
 #include "sim_cuda/kernels/partial_sums.h"
-#include "sim_cuda/kernels/touch_slots.h"
 
 namespace demolish {
 
@@ -14,6 +14,7 @@ template <class Real>
 struct RigidLoad {
     Wrench<Real> wrench;    ///< about the particle's centre
     uint32_t touching = 0;  ///< contacts that give it
+    uint32_t coming = 0;    ///< contacts with colliders that the next step will bring
     Tally<Real> tally;      ///< filled only for the ledger
 };
 
@@ -86,22 +87,42 @@ inline constexpr double kRollingRadiusShare = 0.5;
 /// fifth): less and a piece that leans beyond what rolling resistance holds creeps for seconds.
 inline constexpr double kRollingGrip = 4;
 
-/// A rigid fragment's contact with a collider turns its share of the fragment, whichever way it rolls: over
-/// those that touched in the step before, and one more.
+/// Contacts that a fragment stands on of which none has been counted yet: the particles of a face of it, or
+/// nearly so.
+DEM_FN double contactsUncounted(const RigidBody& body) {
+    const double root = body.least_share;
+    return root * squareRoot(squareRoot(root));
+}
+
+/// A rigid fragment's contact with a collider: its share of what the whole sets against a push there, over
+/// all contacts, so that it gives back what its restitution says however many touch; and its share of the
+/// turning, whichever way the fragment rolls, over those of the step before and one more.
 template <class Real>
 struct TurnsFragment {
     static constexpr StepKind kStep = StepKind::kContact;
     RigidWork work;
-    DEM_FN Turning<Real> operator()(uint32_t i, const Vec4<Real>& plane) const {
-        const RigidBody& body = work.body[work.label[i]];
+    DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const {
+        const Quat<double> q = multiply(work.body[work.label[own.id]].turned, work.start_rotation[own.id]);
+        return {Real(q.x), Real(q.y), Real(q.z), Real(q.w)};
+    }
+    DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
+        const RigidBody& body = work.body[work.label[own.id]];
         const Sym3& j = body.inverse_inertia;
+        const Vec3<double> arm = asDouble(xyz(own.state.position) + at.arm) - body.centre,
+                           normal = asDouble(at.normal),
+                           lever = rotate(conjugate(body.turned), cross(arm, normal));
+        const double contacts = body.contacts > 0 ? body.contacts : contactsUncounted(body);
         const double diagonal = j.xx * j.xx + j.yy * j.yy + j.zz * j.zz;
         // At least the greatest principal value; of a ball the trace is 7.5 / (m R^2).
         const double norm = squareRoot(diagonal + 2 * (j.xy * j.xy + j.yz * j.yz + j.zx * j.zx));
         const double ball = 7.5 * body.inverse_mass / (j.xx + j.yy + j.zz);
-        const double height = dot(asDouble(xyz(plane)), body.centre) - double(offsetOf(plane));
+        const double height = dot(arm, normal);
+        const double far = squareRoot(length2(arm)) + double(own.constants.floor_radius);
         const double lies = height * height > ball ? ball / (height * height) : 1.0;
-        return {Real(kRollingGrip / ((1.0 + body.touching) * norm)),
+        return {Real(contacts * (body.inverse_mass + dot(lever, multiply(j, lever)))),
+                own.constants.inverseMass(),
+                Real(contacts * (body.inverse_mass + 0.5 * far * far * (j.xx + j.yy + j.zz))),
+                Real(kRollingGrip / ((1.0 + body.contacts) * norm)),
                 Real(kRollingRadiusShare * lies * squareRoot(ball))};
     }
 };
@@ -110,9 +131,10 @@ template <bool kLedger, class Real>
 DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
     forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
-        add(load.wrench, counted(colliderContact<kLedger>(arrays, params, own, c, tangent, load.tally,
-                                                          TurnsFragment<Real>{work}),
-                                 load.touching));
+        const ColliderLoad<Real> at =
+            colliderContact<kLedger>(arrays, params, own, c, tangent, load.tally, TurnsFragment<Real>{work});
+        add(load.wrench, counted(at.wrench, load.touching));
+        load.coming += at.comes ? 1 : 0;
     });
 }
 

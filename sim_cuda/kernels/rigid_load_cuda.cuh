@@ -70,6 +70,7 @@ __global__ void __launch_bounds__(kSubstepBlock, kLedger ? 5 : 6)
     if constexpr (kLedger) load.tally = out.tally;
     load.wrench = out.wrench;
     load.touching = out.touching;
+    load.coming = out.coming;
 }
 
 }  // namespace demolish

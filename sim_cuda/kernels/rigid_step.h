@@ -23,11 +23,13 @@ DEM_FN uint32_t laneCount(uint32_t places) {
 struct RigidSums {
     Vec3<double> force, torque;  ///< N, N m
     uint32_t touching = 0;       ///< contacts that give it
+    uint32_t coming = 0;         ///< contacts that the next step will bring
 };
 DEM_FN void add(RigidSums& into, const RigidSums& other) {
     into.force = into.force + other.force;
     into.torque = into.torque + other.torque;
     into.touching += other.touching;
+    into.coming += other.coming;
 }
 
 /// A state in double as the particles' arrays hold it.
@@ -54,6 +56,13 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
     uint32_t root = kLeastShare;
     while ((root + 1) * (root + 1) <= particles) ++root;
     return root;
+}
+
+/// The mass of the fragment is shared among them from now on.
+DEM_FN void countContacts(RigidBody& body, uint32_t contacts) {
+    const uint32_t wanted = contacts / kContactsPerShare;
+    body.contacts = contacts;
+    body.contact_share = wanted > body.least_share ? wanted : body.least_share;
 }
 
 /// Each contact stands for what the fragment sets against it there, over all its contacts of the step before:
@@ -123,11 +132,12 @@ struct StepRigid {
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
             const Wrench<Real> felt = carried(seat.particle), wrench = load[seat.place].wrench;
+            sums.coming += load[seat.place].coming;
             if (isNullWrench(wrench) && isNullWrench(felt)) continue;
             const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(wrench.force));
             const Vec3<double> torque = axpy(carried_share, asDouble(felt.torque), asDouble(wrench.torque));
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            add(sums, {force, torque + cross(arm, force), load[seat.place].touching});
+            add(sums, {force, torque + cross(arm, force), load[seat.place].touching, 0});
         }
         return sums;
     }
@@ -140,9 +150,7 @@ struct StepRigid {
         const double dt = double(params.dt);
         const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride * dt;
         advance(body, push * total.force, push * total.torque, fallen * asDouble(params.gravity), dt);
-        body.touching = total.touching;
-        const uint32_t wanted = total.touching / kContactsPerShare;
-        body.contact_share = wanted > body.least_share ? wanted : body.least_share;
+        countContacts(body, total.touching + total.coming);
     }
     DEM_FN void keep(const RigidBody& body, const RigidRow& row) const {
         work.body[row.slot] = body;

@@ -18,7 +18,8 @@ __device__ __forceinline__ Vec3<double> exchanged(const Vec3<double>& value, uin
 __device__ __forceinline__ RigidSums warpTotal(RigidSums sums, uint32_t lanes) {
     for (uint32_t step = lanes / 2; step > 0; step /= 2)
         add(sums, {exchanged(sums.force, step), exchanged(sums.torque, step),
-                   __shfl_xor_sync(0xffffffffu, sums.touching, step)});
+                   __shfl_xor_sync(0xffffffffu, sums.touching, step),
+                   __shfl_xor_sync(0xffffffffu, sums.coming, step)});
     return sums;
 }
 

@@ -20,7 +20,7 @@ struct StartPaths {
     Span<Vec4<Real>> built_position, built_velocity;
     Span<uint32_t> place_kind;  ///< per particle of a body: kInGrid or kEnclosed
     Real skin_share{};          ///< skin of a body's particle over its R_c
-    Real largest_skin{};        ///< m, no skin of a slow projectile is wider
+    Real largest_skin{};        ///< m, no skin is wider (projectiles)
     Real blind_time{};          ///< s, from a hit until the lists know of it
     Real longest_horizon{};     ///< s, that the lists may hold
 
@@ -40,16 +40,18 @@ struct StartPaths {
     }
 
   private:
-    /// A projectile throws what it hits off its path as fast as it flies itself. Its skin is so wide that
-    /// nothing in its way touches it unlisted meanwhile.
     DEM_FN Real skin(uint32_t i) const {
-        const Real share = skin_share * constants[i].contact_radius;
-        if (i < enclosures.in_bodies) return share;
+        return minOf(skin_share * constants[i].contact_radius, largest_skin);
+    }
+    /// A projectile throws what it hits off its path as fast as it flies itself: it is listed with whatever
+    /// may come into its way before the lists know.
+    DEM_FN Real thrown(uint32_t i) const {
+        if (i < enclosures.in_bodies) return Real(0);
         const Vec3<Real> velocity = xyz(state.velocity[i]);
-        return maxOf(minOf(share, largest_skin), blind_time * squareRoot(length2(velocity)));
+        return blind_time * squareRoot(length2(velocity));
     }
     DEM_FN Vec4<Real> pathPosition(uint32_t i) const {
-        return withW(positionOf(state, i), constants[i].contact_radius + skin(i));
+        return withW(positionOf(state, i), constants[i].contact_radius + skin(i) + thrown(i));
     }
     DEM_FN Vec4<Real> pathVelocity(uint32_t i) const {
         return withW(xyz(state.velocity[i]), constants[i].takesPart() ? skin(i) : Real(kNoPath));

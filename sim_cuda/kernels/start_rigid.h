@@ -32,7 +32,9 @@ struct StartBodies {
             if (!(constants[slot].takesPart())) return;
             body[slot] = ofProjectile(slot);
         }
-        if (former[slot] == wordOf(Regime::kRigid)) body[slot].flight = rememberedFlight(memory[slot]);
+        if (former[slot] != wordOf(Regime::kRigid)) return;
+        body[slot].flight = rememberedFlight(memory[slot]);
+        countContacts(body[slot], rememberedContacts(memory[slot]));
     }
 
   private:
@@ -78,7 +80,8 @@ struct SettleRegimes {
     Span<const uint32_t> label, regime, former;
     Span<const RigidBody> body;
     Span<Vec3<double>> arm;
-    Span<Vec4<Real>> start_rotation, ledger;
+    Span<Quat<double>> start_rotation;
+    Span<Vec4<Real>> ledger;
     Vec3<double> gravity;  ///< m/s^2
     double substep = 0;    ///< s
     uint32_t in_bodies = 0;
@@ -99,7 +102,8 @@ struct SettleRegimes {
         const RigidBody fit = body[slot];
         const Vec3<double> from_centre = exactPosition(in, i) - fit.centre;
         arm[i] = from_centre;
-        start_rotation[i] = in.rotation[i];
+        const Vec4<Real> rotation = in.rotation[i];
+        start_rotation[i] = {double(rotation.x), double(rotation.y), double(rotation.z), double(rotation.w)};
         if (regime[slot] == wordOf(Regime::kRigid))
             setMotion(i, former[slot] == wordOf(Regime::kBonded),
                       velocityAt(fit.velocity, fit.spin, from_centre), fit.spin);
@@ -135,7 +139,7 @@ struct PlaceRigid {
     Span<const uint32_t> label, regime;
     Span<const RigidBody> body;
     Span<const Vec3<double>> arm;
-    Span<const Vec4<Real>> start_rotation;
+    Span<const Quat<double>> start_rotation;
     StateOut<Real> state, other;
 
     DEM_FN void operator()(uint32_t i) const {
@@ -147,9 +151,7 @@ struct PlaceRigid {
                            v = velocityAt(moved.velocity, moved.spin, from_centre);
         placeParticle(state, i, x, v, moved.spin);
         placeParticle(other, i, x, v, moved.spin);
-        const Vec4<Real> start = start_rotation[i];
-        const Quat<double> q = normalized(multiply(
-            moved.turned, Quat<double>{double(start.x), double(start.y), double(start.z), double(start.w)}));
+        const Quat<double> q = normalized(multiply(moved.turned, start_rotation[i]));
         state.rotation[i] = other.rotation[i] = {Real(q.x), Real(q.y), Real(q.z), Real(q.w)};
     }
 };

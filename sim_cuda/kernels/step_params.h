@@ -4,6 +4,7 @@
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/colliders.h"
+#include "sim_cuda/data/corners.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/physics/touch_law.h"
@@ -46,9 +47,10 @@ struct SubstepArrays {
     Span<const uint32_t> bond_row, contact_row;
     Span<const Vec4<Real>> rest;
     Span<const uint32_t> neighbour;
-    Span<const BodyLaw<Real>> body_laws;                            ///< per body
-    Span<const PairLaw<Real>> pair_laws;                            ///< owners x owners
-    Span<const PairLaw<Real>> wall_laws;                            ///< per owner, against colliders
+    Span<const BodyLaw<Real>> body_laws;  ///< per body
+    Span<const PairLaw<Real>> pair_laws;  ///< owners x owners
+    Span<const PairLaw<Real>> wall_laws;  ///< per owner, against colliders
+    CornersIn<Real> corners;
     Span<BondLink> link;                                            ///< own slots only
     Span<Vec4<Real>> bond_spring, contact_spring, collider_spring;  ///< own slots only
     Span<Vec4<Real>> ledger;                                        ///< data/ledger.h

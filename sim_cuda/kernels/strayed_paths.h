@@ -95,11 +95,16 @@ struct SeeStrayed {
                         const PathFromHere<Real>& other) const {
         const Vec3<Real> x = xyz(other.position) - xyz(own.position),
                          v = xyz(other.velocity) - xyz(own.velocity);
-        const Real gap = length(x) - (reachOf(own.position) + reachOf(other.position)), speed2 = length2(v);
+        const Real gap = length(x) - (reach(i) + reach(j)), speed2 = length2(v);
         const Real seconds = gap > Real(0) ? minOf(gap * inverseSqrt(speed2), remaining) : Real(0);
         if (!isListed(i, j) && !hasRecord(i, j)) list(i, j);
-        if (label[i] != label[j] && (speed2 > gentle * gentle || !wereToMeet(i, j)))
+        if (label[i] != label[j] && willMeet(i, j, own, other) &&
+            (speed2 > gentle * gentle || !wereToMeet(i, j)))
             tell(kMustDecide, seconds);
+    }
+    /// m, with its skin: what else a projectile is listed with is no matter of decisions.
+    DEM_FN Real reach(uint32_t i) const {
+        return constants[i].contact_radius + skinOf(paths.paths.velocity[i]);
     }
     /// If j strays too, it is asked whom it meets and finds i.
     DEM_FN void list(uint32_t i, uint32_t j) const {
@@ -107,13 +112,17 @@ struct SeeStrayed {
         entries.add(j, i);
         if (!paths.strays(j)) entries.add(i, j);
     }
+    DEM_FN bool willMeet(uint32_t i, uint32_t j, const PathFromHere<Real>& own,
+                         const PathFromHere<Real>& other) const {
+        return demolish::mayMeet(withW(xyz(own.position), reach(i)), own.velocity,
+                                 withW(xyz(other.position), reach(j)), other.velocity, remaining);
+    }
     /// By the paths before, and by so much that the last decision has seen it.
     DEM_FN bool wereToMeet(uint32_t i, uint32_t j) const {
         const PathFromHere<Real> a = paths.former(i), b = paths.former(j);
-        return demolish::mayMeet(withW(xyz(a.position), reachOf(a.position) - Real(0.5) * skinOf(a.velocity)),
-                                 a.velocity,
-                                 withW(xyz(b.position), reachOf(b.position) - Real(0.5) * skinOf(b.velocity)),
-                                 b.velocity, remaining);
+        return demolish::mayMeet(
+            withW(xyz(a.position), reach(i) - Real(0.5) * skinOf(a.velocity)), a.velocity,
+            withW(xyz(b.position), reach(j) - Real(0.5) * skinOf(b.velocity)), b.velocity, remaining);
     }
 
     DEM_FN void seeColliders(uint32_t i) const {

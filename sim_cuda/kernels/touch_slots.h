@@ -28,44 +28,53 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
     return length2(xyz(b) - xyz(a)) > limit * limit;
 }
 
-/// `spring` as it was; writes what it becomes to `kept`, and books; `share` of the pair's energy is this
-/// particle's (1 against a collider).
+/// What the ledger books of a touch; `share` of the pair's energy is this particle's (1 against a collider).
+template <class Real>
+DEM_FN void bookTouch(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
+                      const OverlapChange<Real>& change, const Vec4<Real>& spring, Real share,
+                      Tally<Real>& tally) {
+    const Vec3<Real> held = xyz(spring);
+    tally.contact_loss +=
+        share * (crossingLoss(law.stiffness, change) + softeningLoss(law, softestOf(spring), change, held));
+    add(tally.damping, effect.damping);
+    add(tally.friction, effect.friction);
+    tally.spring_energy += share * (effect.spring_energy - Real(0.5) * law.shear * length2(held));
+}
+template <class Real>
+DEM_FN Vec4<Real> keptAfter(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
+                            const Vec4<Real>& spring) {
+    return keptSpring(effect.spring, law.softens ? law.stiffness : softestOf(spring));
+}
+
+/// `spring` as it was; writes what it becomes to `kept`, and books half of the pair's energy.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
                                const PairMotion<Real>& pair, const Vec4<Real>& spring, Vec4<Real>& kept,
-                               const StepParams<Real>& params, Real share, Tally<Real>& tally) {
-    const Vec3<Real> held = xyz(spring);
-    const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, held, params.dt);
+                               const StepParams<Real>& params, Tally<Real>& tally) {
+    const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, xyz(spring), params.dt);
     if constexpr (kLedger) {
         const Real before = overlapBefore(at.overlap, effect.opening, params.dt);
-        tally.contact_loss += share * (crossingLoss(law.stiffness, at.overlap, before) +
-                                       softeningLoss(law, softestOf(spring), at.overlap, before, held));
-        add(tally.damping, effect.damping);
-        add(tally.friction, effect.friction);
-        const Real energy_before = Real(0.5) * law.shear * length2(held);
-        tally.spring_energy += share * (effect.spring_energy - energy_before);
+        bookTouch(law, effect, overlapChange(at.overlap, before), spring, Real(0.5), tally);
     }
-    kept = keptSpring(effect.spring, law.softens ? law.stiffness : softestOf(spring));
+    kept = keptAfter(law, effect, spring);
     return effect.load;
 }
 
-/// The pair no longer touches: what its tangential spring still held is friction heat. `opening`: m/s.
+/// Nothing touches any more: what the tangential spring still held is friction heat.
 template <bool kLedger, class Real>
-DEM_FN void releaseTouch(const TouchLaw<Real>& law, Real overlap, Real opening, const Vec4<Real>& spring,
-                         Vec4<Real>& kept, const StepParams<Real>& params, Real share, Tally<Real>& tally) {
-    if constexpr (kLedger)
-        tally.contact_loss +=
-            share * crossingLoss(law.stiffness, overlap, overlapBefore(overlap, opening, params.dt));
+DEM_FN void releaseTouch(const TouchLaw<Real>& law, const OverlapChange<Real>& change,
+                         const Vec4<Real>& spring, Vec4<Real>& kept, Real share, Tally<Real>& tally) {
+    if constexpr (kLedger) tally.contact_loss += share * crossingLoss(law.stiffness, change);
     if (holdsNothing(spring)) return;
     kept = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(xyz(spring)));
 }
 
-/// m/s, at which two centres have parted in the step before, on a straight way; `distance` m, dt s.
+/// Of two centres that have parted to `distance` m in the step before, dt s, on a straight way.
 template <class Real>
-DEM_FN Real partingSpeed(const PairMotion<Real>& pair, Real distance, Real dt) {
+DEM_FN OverlapChange<Real> partedChange(const PairMotion<Real>& pair, Real overlap, Real distance, Real dt) {
     const Vec3<Real> before = axpy(-dt, pair.velocity_j - pair.velocity_i, pair.separation);
-    return (distance - length(before)) / dt;
+    return overlapChange(overlap, overlap + (distance - length(before)));
 }
 
 /// Type 1: spheres of radius R_c.
@@ -80,14 +89,14 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                                       reduced(radius, other.contact_radius),
                                                       pairInertia(own.constants, other), softestOf(spring));
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law, overlap, partingSpeed(pair, line.distance, params.dt), spring, kept,
-                              params, Real(0.5), tally);
+        releaseTouch<kLedger>(law, partedChange(pair, overlap, line.distance, params.dt), spring, kept,
+                              Real(0.5), tally);
         return {};
     }
     const Real arm_i = madd(Real(-0.5), overlap, radius),
                arm_j = madd(Real(-0.5), overlap, other.contact_radius);
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair,
-                                      spring, kept, params, Real(0.5), tally);
+                                      spring, kept, params, tally);
 }
 
 /// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
@@ -182,8 +191,8 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
         TouchLaw<Real> faces;
         faces.stiffness = bond.stiffness.normal;
         faces.shear = bond.stiffness.shear;
-        releaseTouch<kLedger>(faces, overlap, partingSpeed(pair, line.distance, params.dt), former.spring,
-                              arrays.bond_spring[former.slot], params, Real(0.5), tally);
+        releaseTouch<kLedger>(faces, partedChange(pair, overlap, line.distance, params.dt), former.spring,
+                              arrays.bond_spring[former.slot], Real(0.5), tally);
         const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
         arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
         return {};
@@ -192,8 +201,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const TouchLaw<Real> law = brokenTouchLaw(bond, body.faces, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
-                                      former.spring, arrays.bond_spring[former.slot], params, Real(0.5),
-                                      tally);
+                                      former.spring, arrays.bond_spring[former.slot], params, tally);
 }
 
 /// Only a broken bond has faces that touch before the spheres do.
@@ -230,67 +238,6 @@ DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const Step
     const FormerBond<Real> former{slot,  end.link,          loadWithoutRotation(arrays.in, position, end.id),
                                   other, arrays.rest[slot], kept};
     return touchingFormerBond<kLedger, kStep>(arrays, params, own, former, tally);
-}
-
-/// What turns with a particle that rolls on a collider.
-template <class Real>
-struct Turning {
-    Real inertia{};  ///< kg m^2
-    Real radius{};   ///< m, that rolls
-};
-/// A particle that substeps move turns alone.
-template <class Real>
-struct TurnsAlone {
-    static constexpr StepKind kStep = StepKind::kSubstep;
-};
-
-/// Calls visit(c, tangent) for every collider, as the particle has it.
-template <class Real, class Visit>
-DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Real>& own,
-                            const Visit& visit) {
-    const LoadedState<Real>& state = own.state;
-    forEachCollider(params.colliders, xyz(state.position),
-                    lowPart(state.position, state.velocity, state.spin), visit);
-}
-
-/// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
-/// the two.
-template <StepKind kStep, class Real>
-DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
-    constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
-    const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
-    return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
-}
-
-/// Collider c: a wall with R* = R_w, nothing moves on its side. `turned_with(i, plane)`: what turns with
-/// particle i at least, where something other than itself does.
-template <bool kLedger, class Real, class TurnedWith>
-DEM_FN Wrench<Real> colliderContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                    const OwnParticle<Real>& own, uint32_t c,
-                                    const TangentPlane<Real>& tangent, Tally<Real>& tally,
-                                    [[maybe_unused]] const TurnedWith& turned_with) {
-    const Vec3<Real> normal = xyz(tangent.plane);
-    const Real height = tangent.distance, overlap = own.constants.floor_radius - height;
-    if (isClearOf<TurnedWith::kStep>(own, -overlap, params.dt)) return {};
-    Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
-    TouchLaw<Real> law = contactTouchLaw<TurnedWith::kStep>(
-        arrays.wall_laws[own.owner], params, maxOf(overlap, Real(0)), own.constants.floor_radius,
-        againstWall(own.constants), softestOf(spring));
-    if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law, overlap, dot(xyz(own.state.velocity), normal), spring, spring, params,
-                              Real(1), tally);
-        return {};
-    }
-    if constexpr (TurnedWith::kStep == StepKind::kContact) {
-        const Turning<Real> turning = turned_with(own.id, tangent.plane);
-        law.inertia = maxOf(law.inertia, turning.inertia);
-        law.radius = maxOf(law.radius, turning.radius);
-    }
-    PairMotion<Real> pair;
-    pair.velocity_i = xyz(own.state.velocity);
-    pair.spin_i = xyz(own.state.spin);
-    return applyTouch<kLedger, TurnedWith::kStep>(TouchGeometry<Real>{-normal, overlap, height, Real(0)}, law,
-                                                  pair, spring, spring, params, Real(1), tally);
 }
 
 }  // namespace demolish

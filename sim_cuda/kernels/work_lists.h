@@ -112,8 +112,7 @@ struct WriteWork {
         in_substeps[k] = own;
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         RigidBody start = body[slot];
-        const uint32_t share = rememberedShare(memory[slot]);
-        start.contact_share = share > start.least_share ? share : start.least_share;
+        countContacts(start, rememberedContacts(memory[slot]));
         constants[k] = sharedConstants(start, arm[k], own);
         in_substeps[k] = carriedConstants(start, constants[k], own);
     }

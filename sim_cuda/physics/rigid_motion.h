@@ -41,7 +41,7 @@ struct RigidBody {
     double inverse_mass = 0;     ///< 1/kg
     uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
     uint32_t least_share = 1;    ///< and how many at least
-    uint32_t touching = 0;       ///< contacts that gave it something in the step before
+    uint32_t contacts = 0;       ///< that gave it something in the step before, or will in the next one
     Flight flight;
 };
 

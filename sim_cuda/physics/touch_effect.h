@@ -82,22 +82,38 @@ DEM_FN T overlapBefore(T overlap, T opening, T dt) {
     return madd(dt, opening, overlap);
 }
 
+/// What an overlap now and one step before leave to the ledger, m^2; of several points the sum.
+template <class T>
+struct OverlapChange {
+    T crossed{};  ///< of one that has begun or ended in between
+    T held{};     ///< of one that goes on
+};
+template <class T>
+DEM_FN OverlapChange<T> overlapChange(T overlap, T before) {
+    const T product = overlap * before;
+    if ((overlap > T(0)) == (before > T(0))) return {T(0), maxOf(overlap, T(0)) * before};
+    return {(overlap > T(0) ? T(-0.5) : T(0.5)) * product, T(0)};
+}
+template <class T>
+DEM_FN void add(OverlapChange<T>& sum, T share, const OverlapChange<T>& term) {
+    sum = {madd(share, term.crossed, sum.crossed), madd(share, term.held, sum.held)};
+}
+
 /// J that a linear contact takes beyond what its spring holds in the step in which it begins, and less than
 /// nothing in the one after its end: a force acts from half a step before its moment to half a step after it,
 /// while only a part of that way presses the two together. 2 % of what the stiffest contacts dissipate.
 template <class T>
-DEM_FN T crossingLoss(T stiffness, T overlap, T before) {
-    if ((overlap > T(0)) == (before > T(0))) return T(0);
-    return (overlap > T(0) ? T(-0.5) : T(0.5)) * stiffness * overlap * before;
+DEM_FN T crossingLoss(T stiffness, const OverlapChange<T>& change) {
+    return stiffness * change.crossed;
 }
 
 /// J that a contact loses when it becomes softer than it was (`kept`, N/m): its overlap was brought about
 /// half at the old stiffness and half at the new one. `spring`: m, the tangential one.
 template <class T>
-DEM_FN T softeningLoss(const TouchLaw<T>& law, T kept, T overlap, T before, const Vec3<T>& spring) {
+DEM_FN T softeningLoss(const TouchLaw<T>& law, T kept, const OverlapChange<T>& change,
+                       const Vec3<T>& spring) {
     if (!(law.softens && kept > law.stiffness && law.stiffness > T(0))) return T(0);
-    const T held = madd(law.shear / law.stiffness, length2(spring), overlap * maxOf(before, T(0)));
-    return T(0.5) * (kept - law.stiffness) * held;
+    return T(0.5) * (kept - law.stiffness) * madd(law.shear / law.stiffness, length2(spring), change.held);
 }
 
 /// J: of the linear spring (1/2 F delta) or Hertz's (2/5 F delta), and of the tangential spring (m).

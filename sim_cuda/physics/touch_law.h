@@ -19,6 +19,7 @@ struct PairLaw {
     T adhesion{};       ///< w, J/m^2
     T modulus{};        ///< Pa, E* (Hertz law)
     T shear_modulus{};  ///< Pa, G* (Hertz law)
+    T gentle{};         ///< m/s, against colliders: no slower landing of bonded cells breaks anything
 };
 /// What the faces of a body's broken bonds have beside the bond's own stiffness and damper.
 template <class T>
@@ -118,6 +119,20 @@ DEM_FN void addResting(TouchLaw<T>& law, T shared, T shear_cap) {
     law.shear_resting = minOf(normal, shear_cap) - law.shear_damping;
 }
 
+/// N/m, of a linear contact that nothing has softened.
+template <class T>
+DEM_FN T fullStiffness(const PairLaw<T>& pair, const TouchStep<T>& step, const PairInertia<T>& against,
+                       T reduced_mass) {
+    return minOf(pair.stiffness, against.stiffness_share * (step.stiffness_cap * reduced_mass));
+}
+
+/// N s/m, of a contact that answers with `mass` kg; `a`: m, of Hertz; `stiffness`: N/m, of the linear law.
+template <class T>
+DEM_FN T contactDamping(const PairLaw<T>& pair, const TouchStep<T>& step, T stiffness, T a, T mass) {
+    return step.hertz != 0 ? hertzDamping(pair.damping, pair.modulus, mass, a)
+                           : linearDamping(pair.damping, stiffness, mass);
+}
+
 /// Contact constants by the law chosen: (1') (2') (3') of Hertz, or linear; R* and overlap in m; `kept` as
 /// above.
 template <StepKind kStep = StepKind::kSubstep, class T>
@@ -125,29 +140,22 @@ DEM_FN TouchLaw<T> contactTouchLaw(const PairLaw<T>& pair, const TouchStep<T>& s
                                    T reduced_radius, const PairInertia<T>& against, T kept = T(0)) {
     const T root = inverseSqrt(against.inverse_mass), reduced_mass = root * root;
     const OwnMass<T> own = ownMass(against, step, reduced_radius, reduced_mass);
+    const T a = step.hertz != 0 ? contactRadius(reduced_radius, overlap) : T(0);
     TouchLaw<T> law;
-    T shared{};
     law.softens = against.softens || step.softening != 0;
     if (step.hertz != 0) {
-        const T a = contactRadius(reduced_radius, overlap);
         law.elastic = hertzForce(pair.modulus, a, overlap);
-        law.normal_damping = hertzDamping(pair.damping, pair.modulus, own.mass, a);
-        if constexpr (kStep == StepKind::kContact)
-            shared = hertzDamping(pair.damping, pair.modulus, reduced_mass, a);
         law.shear = mindlinStiffness(pair.shear_modulus, a);
     } else {
-        const T stiffness = noStifferThan(
-            kept, minOf(pair.stiffness, against.stiffness_share * (step.stiffness_cap * reduced_mass)));
-        law.stiffness = stiffness;
-        law.elastic = stiffness * overlap;
-        law.normal_damping = linearDamping(pair.damping, stiffness, own.mass);
-        if constexpr (kStep == StepKind::kContact)
-            shared = linearDamping(pair.damping, stiffness, reduced_mass);
-        law.shear = T(kContactShearRatio) * stiffness;
+        law.stiffness = noStifferThan(kept, fullStiffness(pair, step, against, reduced_mass));
+        law.elastic = law.stiffness * overlap;
+        law.shear = T(kContactShearRatio) * law.stiffness;
     }
+    law.normal_damping = contactDamping(pair, step, law.stiffness, a, own.mass);
     const T shear_cap = against.damping_share * (T(kShearDampingShare) * reduced_mass / step.dt);
     law.shear_damping = minOf(law.normal_damping, shear_cap);
-    if constexpr (kStep == StepKind::kContact) addResting(law, shared, shear_cap);
+    if constexpr (kStep == StepKind::kContact)
+        addResting(law, contactDamping(pair, step, law.stiffness, a, reduced_mass), shear_cap);
     law.adhesion = adhesionForce(pair.adhesion, reduced_radius, overlap);
     law.friction = pair.friction;
     law.rolling = pair.rolling;

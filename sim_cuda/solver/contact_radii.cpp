@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How large a particle is for contacts: with its like (nearest seed) and with colliders (depth, sole rule).
+// How large a particle is for contacts: with its like (nearest seed) and with colliders (corners).
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -13,6 +13,10 @@ namespace demolish {
 /// Area vectors of a closed surface add up to nothing; faces too small for a bond are missing in the sum.
 constexpr double kClosedShare = 0.1;
 namespace {
+
+double squaredDistance(const Double3& a, const Double3& b) {
+    return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
+}
 
 /// Seeds sorted into cubes of edge h, for the search of the nearest.
 class SeedCubes {
@@ -73,10 +77,6 @@ class SeedCubes {
                         nearest2 = std::min(nearest2, squaredDistance(p, particles_[order_[k]].seed));
             }
     }
-    static double squaredDistance(const Double3& a, const Double3& b) {
-        return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
-    }
-
     const std::vector<Particle>& particles_;
     double edge_;
     Double3 low_;
@@ -102,16 +102,16 @@ std::vector<double> contactRadii(const BreakableBody& body) {
     return radii;
 }
 
-std::vector<double> floorRadii(const BreakableBody& body, bool standing) {
-    double lowest = std::numeric_limits<double>::infinity();
-    for (const Particle& p : body.particles) lowest = std::min(lowest, p.lowest);
+std::vector<double> floorRadii(const BreakableBody& body) {
     std::vector<double> radii(body.particles.size());
+    const CellCorners& corners = body.corners;
     for (size_t i = 0; i < radii.size(); ++i) {
         const Particle& p = body.particles[i];
-        radii[i] = p.contact_radius;
-        if (radii[i] > 0) continue;
-        radii[i] = std::min(p.depth, sphereRadius(p.volume));
-        if (standing && p.lowest <= lowest + 0.2 * body.spacing) radii[i] = p.seed.y - lowest;
+        radii[i] = p.contact_radius > 0 ? p.contact_radius : std::min(p.depth, sphereRadius(p.volume));
+        if (corners.start.empty()) continue;
+        radii[i] = 0;
+        for (uint32_t c = corners.start[i]; c < corners.start[i + 1]; ++c)
+            radii[i] = std::max(radii[i], std::sqrt(squaredDistance(corners.from_seed[c], {})));
     }
     return radii;
 }

@@ -9,11 +9,16 @@
 namespace demolish {
 namespace {
 
+/// A landing this much slower than beta v_c, the speed whose stress breaks bonds, breaks none: a wave doubles
+/// it at most where it comes back.
+constexpr double kGentleShare = 0.6;
+
 /// What one partner brings into a contact. A projectile has the surface of the first body and its own
 /// stiffness factor.
 struct Surface {
     double stiffness = 0, modulus = 0, poisson = 0, friction = 0, restitution = 0, rolling = 0, adhesion = 0;
     double factor = 1;
+    double gentle = 0;  ///< m/s
     bool projectile = false;
 };
 
@@ -31,6 +36,7 @@ Surface surfaceOf(const SceneSetup& setup, const SceneTables& tables,
                     m.rolling_friction,
                     m.adhesion_energy,
                     1,
+                    projectile ? 0 : kGentleShare * m.beta * m.critical_velocity,
                     projectile};
     if (projectile && owner - tables.bodies < projectiles.size())
         surface.factor = projectiles[owner - tables.bodies].stiffness_factor;
@@ -72,6 +78,7 @@ PairLaw<double> wallLaw(const SolverParams& params, const Surface& a) {
     law.friction = params.wall_friction < 0 ? a.friction : params.wall_friction;
     law.rolling = a.rolling;
     law.adhesion = a.projectile ? 0 : a.adhesion;
+    law.gentle = a.gentle;
     law.modulus = params.wall_stiffness * moduli.normal;
     law.shear_modulus = params.wall_stiffness * moduli.tangential;
     setDamping(params, a.restitution, law);

@@ -137,7 +137,7 @@ class Regimes {
     Buffer<CalmClock> clock_;
     Buffer<RigidBody> body_;
     Buffer<Vec3<double>> arm_;
-    Buffer<Vec4<Real>> start_rotation_;
+    Buffer<Quat<double>> start_rotation_;
     Buffer<ParticleConstants<Real>> rigid_constants_, in_substeps_;
     Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
     Buffer<uint32_t> marks_, mark_sums_;          ///< of the lists
@@ -186,7 +186,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     clock_ = backend.template allocate<CalmClock>(total);
     body_ = backend.template allocate<RigidBody>(total);
     arm_ = backend.template allocate<Vec3<double>>(total);
-    start_rotation_ = backend.template allocate<Vec4<Real>>(total);
+    start_rotation_ = backend.template allocate<Quat<double>>(total);
     rigid_constants_ = backend.template allocate<ParticleConstants<Real>>(total);
     in_substeps_ = backend.template allocate<ParticleConstants<Real>>(total);
     carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});

@@ -178,9 +178,19 @@ void Regimes<Backend, Real>::listWork(SolverData<Backend, Real>& data, const Mee
 template <class Backend, class Real>
 void Regimes<Backend, Real>::useLists(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings) {
     bonded_shots_ = !hand_over_;
-    rigid_ = {fragment_.view(),    first_.view(),  last_.view(),          active_.view(),
-              large_.view(),       words_.view(),  body_.span(),          body_memory_.span(),
-              arm_.view(),         meetings.label, counts_[kActiveCount], counts_[kFragmentCount],
+    rigid_ = {fragment_.view(),
+              first_.view(),
+              last_.view(),
+              active_.view(),
+              large_.view(),
+              words_.view(),
+              body_.span(),
+              body_memory_.span(),
+              arm_.view(),
+              start_rotation_.view(),
+              meetings.label,
+              counts_[kActiveCount],
+              counts_[kFragmentCount],
               counts_[kLargeCount]};
     data.work = BondedWork{};
     if (counts_[kBondedCount] != counts_of_.in_bodies) {

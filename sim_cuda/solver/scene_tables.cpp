@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numeric>
 #include <tuple>
@@ -30,16 +31,28 @@ Vec3<double> vec(const Double3& a) {
     return {a.x, a.y, a.z};
 }
 
-bool standsUpright(const BodyInstance& instance) {
-    const Quaternion q = instance.rotation;
-    return 1 - 2 * (q.x * q.x + q.z * q.z) > 0.999;  // y of the turned y axis
+/// Where the corners of each shape begin.
+using CornerStarts = std::map<const BreakableBody*, uint32_t>;
+
+/// `contact`: m, the particles' contact radii.
+void appendCorners(const BreakableBody& body, const double* contact, CornerStarts& starts,
+                   SceneTables& tables) {
+    const CellCorners& corners = body.corners;
+    const auto [known, is_new] = starts.try_emplace(&body, static_cast<uint32_t>(tables.corner.size()));
+    if (is_new)
+        for (const Double3& corner : corners.from_seed) tables.corner.push_back(vec(corner));
+    if (corners.start.empty()) return tables.corner_row.resize(tables.mass.size());
+    const uint32_t first = known->second;
+    for (size_t i = 0; i < body.particles.size(); ++i)
+        tables.corner_row.push_back({first + corners.start[i], first + corners.start[i + 1],
+                                     std::min(body.particles[i].depth, contact[i])});
 }
 
 void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables& tables) {
     const BreakableBody& body = *instance.body;
     const Quat<double> q = normalized(
         Quat<double>{instance.rotation.x, instance.rotation.y, instance.rotation.z, instance.rotation.w});
-    const std::vector<double> contact = contactRadii(body), floor = floorRadii(body, standsUpright(instance));
+    const std::vector<double> contact = contactRadii(body), floor = floorRadii(body);
     const std::vector<uint32_t> buried = buriedParticles(body);
     tables.buried.insert(tables.buried.end(), buried.begin(), buried.end());
     double mass = 0;
@@ -68,14 +81,17 @@ void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables&
     }
 }
 
-/// m, of the bonds' mean area: where (13) is the strength that the report shows; 1 without bonds.
+/// m, of the bonds' mean area: where (13) is the
+/// strength that the report shows; 1 without bonds.
 double meanBondRadius(const BreakableBody& body) {
     double area = 0;
     for (const BondGeometry& bond : body.bonds) area += bond.area;
     return area > 0 ? faceBondRadius(area / static_cast<double>(body.bonds.size())) : 1;
 }
 
-/// Strength factors of a body's bonds: Weibull scatter, 1/sqrt(a_b) of (13), tough cells (models E.3).
+/// Strength factors of a body's bonds: Weibull
+/// scatter, 1/sqrt(a_b) of (13), tough cells
+/// (models E.3).
 std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed) {
     const BreakableBody& body = *instance.body;
     std::vector<double> factors(body.bonds.size());
@@ -115,8 +131,9 @@ double shearRatio(const Material& material) {
     return paperShearRatio(material.poisson_ratio);
 }
 
-/// Rows of one body at the trial modulus; bond (i, j) goes into both ends' rows, each sorted by the other's
-/// id.
+/// Rows of one body at the trial modulus; bond (i,
+/// j) goes into both ends' rows, each sorted by the
+/// other's id.
 void appendBonds(const BodyInstance& instance, uint32_t first, uint64_t seed, SceneTables& tables) {
     const BreakableBody& body = *instance.body;
     const std::vector<double> factors = strengthFactors(instance, seed);
@@ -135,8 +152,9 @@ void appendBonds(const BodyInstance& instance, uint32_t first, uint64_t seed, Sc
     }
     tables.slots.resize(next);
     tables.twin.resize(next);
-    // Bonds sorted by (i, j): first the slots towards lower ids, then those towards higher ones, each
-    // ascending.
+    // Bonds sorted by (i, j): first the slots
+    // towards lower ids, then those towards higher
+    // ones, each ascending.
     std::vector<uint32_t> place(body.bonds.size());
     for (size_t b = 0; b < body.bonds.size(); ++b) place[b] = fill[body.bonds[b].j]++;
     for (size_t b = 0; b < body.bonds.size(); ++b) {
@@ -166,15 +184,17 @@ double effectiveModulusOf(const Material& material, double bond_modulus) {
     return kSpheresModulusShare * bond_modulus;
 }
 
-/// Of the strength that holds the critical velocity; in steps of 1/256, the same on every machine, whatever
-/// its pow() gives.
+/// Of the strength that holds the critical
+/// velocity; in steps of 1/256, the same on every
+/// machine, whatever its pow() gives.
 double thinWallShareOf(const BreakableBody& body) {
     if (!(body.mesh_area > 0)) return 1;  // particles without a surface
     return std::round(256 * thinWallShare(cellsThroughWall(body.mesh_volume, body.mesh_area, body.spacing))) /
            256;
 }
 
-/// sigma_c, Pa, of a bond of mean area: (13), or the rule that holds the critical velocity.
+/// sigma_c, Pa, of a bond of mean area: (13), or
+/// the rule that holds the critical velocity.
 double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
     const Material& material = instance.material;
     if (material.fracture_energy > 0)
@@ -184,7 +204,8 @@ double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
            bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
 }
 
-/// Modulus, strength and damping from the step (softened) or from the material.
+/// Modulus, strength and damping from the step
+/// (softened) or from the material.
 BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
                             double dt) {
     const Material& material = instance.material;
@@ -197,7 +218,8 @@ BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& pa
                                   : material.youngs_modulus / effectiveModulusOf(material, 1);
     else if (trial_omega > 0)
         report.bond_modulus = bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
-    else {  // no bonds: c_eff = kappa sf h / dt with the kappa of solid bodies (E.1)
+    else {  // no bonds: c_eff = kappa sf h / dt
+            // with the kappa of solid bodies (E.1)
         const double speed = 0.68 * safety * instance.body->spacing / dt;
         report.bond_modulus = material.density * speed * speed / effectiveModulusOf(material, 1);
     }
@@ -212,7 +234,8 @@ BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& pa
     return constants;
 }
 
-/// Scales a body's slots from the trial modulus to its own and collects what its laws need.
+/// Scales a body's slots from the trial modulus to
+/// its own and collects what its laws need.
 void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double spacing,
                 SceneTables& tables) {
     const double scale = constants.report.bond_modulus / kTrialModulus;
@@ -227,7 +250,8 @@ void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double
     constants.mean_stiffness = end > begin ? sum / (end - begin) : constants.report.bond_modulus * spacing;
 }
 
-/// True when two instances vibrate alike at the trial modulus.
+/// True when two instances vibrate alike at the
+/// trial modulus.
 bool vibrateAlike(const BodyInstance& a, const BodyInstance& b) {
     const auto key = [](const Material& m) {
         return std::tuple(m.density, m.poisson_ratio, m.bond_law, m.shear_ratio, m.bond_ratio);
@@ -235,7 +259,9 @@ bool vibrateAlike(const BodyInstance& a, const BodyInstance& b) {
     return a.body == b.body && key(a.material) == key(b.material);
 }
 
-/// rad/s, at the trial modulus, of the last body of the tables; `known` holds those of the bodies before.
+/// rad/s, at the trial modulus, of the last body of
+/// the tables; `known` holds those of the bodies
+/// before.
 double trialFrequency(const SceneSetup& setup, const SceneTables& tables, uint32_t first,
                       const std::vector<double>& known) {
     const size_t number = known.size();
@@ -253,7 +279,8 @@ double softenedStep(const SolverParams& params) {
     return 1.0 / 60 / params.substeps;
 }
 
-/// s: 1/60 s over the substeps asked for, or what the stiffest body allows.
+/// s: 1/60 s over the substeps asked for, or what
+/// the stiffest body allows.
 double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_omega) {
     const SolverParams& params = setup.params;
     if (params.soften) return softenedStep(params);
@@ -267,8 +294,11 @@ double chooseTimeStep(const SceneSetup& setup, const std::vector<double>& trial_
     return dt;
 }
 
-/// 1/s^2. Bonds of a step safety below the usual one are softer than their step admits; contacts stay as soft
-/// in proportion, or a ball would grow harder by nothing but finer steps. Never more than the step admits.
+/// 1/s^2. Bonds of a step safety below the usual
+/// one are softer than their step admits; contacts
+/// stay as soft in proportion, or a ball would grow
+/// harder by nothing but finer steps. Never more
+/// than the step admits.
 double contactCap(double step_safety, double dt) {
     constexpr double kUsualSafety = SolverParams{}.step_safety;
     const double share = std::min(1.0, step_safety / kUsualSafety);
@@ -288,11 +318,13 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     tables.row_start.push_back(0);
     std::vector<uint32_t> first{0};
     std::vector<double> omega;
+    CornerStarts corner_starts;
     tables.spacing = setup.bodies[0].body->spacing;
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         report(progress, static_cast<double>(b) / tables.bodies, "Finding the stable time step");
         const BodyInstance& instance = setup.bodies[b];
         appendParticles(instance, b, tables);
+        appendCorners(*instance.body, &tables.contact_radius[first[b]], corner_starts, tables);
         appendBonds(instance, first[b], counterHash(setup.params.seed, b), tables);
         first.push_back(static_cast<uint32_t>(tables.mass.size()));
         omega.push_back(trialFrequency(setup, tables, first[b], omega));
@@ -324,7 +356,8 @@ uint32_t substepsOfFrame(const SolverParams& params, double time_scale) {
 double softenedWaveSpeed(const BreakableBody& body, const Material& material, uint32_t substeps,
                          double step_safety) {
     BodyInstance instance;
-    instance.body = std::shared_ptr<const BreakableBody>(std::shared_ptr<void>(), &body);  // owns nothing
+    instance.body = std::shared_ptr<const BreakableBody>(std::shared_ptr<void>(),
+                                                         &body);  // owns nothing
     instance.material = material;
     SceneTables tables;
     tables.row_start.push_back(0);

@@ -39,6 +39,8 @@ struct SceneTables {
     std::vector<uint32_t> owner, buried;
     std::vector<Vec3<double>> position, velocity, spin;  ///< world frame
     std::vector<Quat<double>> rotation;
+    std::vector<CornerRow<double>> corner_row;
+    std::vector<Vec3<double>> corner;  ///< m, from the seed, body frame; once for all bodies of a shape
     // bonds of all bodies
     std::vector<uint32_t> row_start;  ///< total + 1
     std::vector<BondSlot> slots;
@@ -70,9 +72,9 @@ std::vector<double> contactRadii(const BreakableBody& body);
 /// Makes contact radii smaller where particles of different bodies overlap: no two bodies begin pressed into
 /// each other.
 void keepBodiesApart(SceneTables& tables);
-/// Depth of the seed but at most the sphere of equal volume, m; with `standing`, cells of the sole get the
-/// seed's height above the body's lowest point (models E.4).
-std::vector<double> floorRadii(const BreakableBody& body, bool standing);
+/// m, how far a particle reaches towards colliders: to its farthest corner. Without corners the depth of its
+/// seed, but at most the sphere of equal volume.
+std::vector<double> floorRadii(const BreakableBody& body);
 
 /// 1 for a particle whose whole cell lies between bonded neighbours, deeper than the spacing: nothing from
 /// outside can touch it while these bonds hold.

@@ -38,6 +38,8 @@ struct SolverData {
     ParticleArrays<Backend, Real> particles;
     BondArrays<Backend, Real> bonds;
     Buffer<Vec4<Real>> collider_spring, ledger;
+    Buffer<CornerRow<Real>> corner_row;
+    Buffer<Vec4<Real>> corner;
     Buffer<BodyLaw<Real>> body_laws;
     Buffer<PairLaw<Real>> pair_laws, wall_laws;
     uint32_t current = 0;  ///< which of the two states is the present one
@@ -60,12 +62,14 @@ struct SolverData {
   private:
     void uploadParticles(Backend& backend, const SceneTables& tables);
     void uploadBonds(Backend& backend, const SceneTables& tables);
+    void uploadCorners(Backend& backend, const SceneTables& tables);
 };
 
 template <class Backend, class Real>
 SolverData<Backend, Real>::SolverData(Backend& backend, const SceneTables& tables, uint32_t colliders) {
     uploadParticles(backend, tables);
     uploadBonds(backend, tables);
+    uploadCorners(backend, tables);
     const uint32_t total = tables.counts.total;
     collider_spring = backend.template allocate<Vec4<Real>>(std::max<size_t>(1, size_t{colliders} * total));
     ledger = backend.template allocate<Vec4<Real>>(total);
@@ -129,6 +133,21 @@ void SolverData<Backend, Real>::uploadBonds(Backend& backend, const SceneTables&
 }
 
 template <class Backend, class Real>
+void SolverData<Backend, Real>::uploadCorners(Backend& backend, const SceneTables& tables) {
+    std::vector<CornerRow<Real>> rows(tables.counts.total);
+    std::transform(tables.corner_row.begin(), tables.corner_row.end(), rows.begin(),
+                   [](const CornerRow<double>& row) {
+                       return CornerRow<Real>{row.first, row.last, static_cast<Real>(row.inner_radius)};
+                   });
+    std::vector<Vec4<Real>> corners(std::max<size_t>(1, tables.corner.size()));
+    std::transform(tables.corner.begin(), tables.corner.end(), corners.begin(),
+                   [](const Vec3<double>& from_seed) { return withW(toReal<Real>(from_seed), Real(0)); });
+    corner_row = backend.uploaded(rows);
+    corner = backend.uploaded(corners);
+    backend.synchronize();  // the host copies go out of scope
+}
+
+template <class Backend, class Real>
 void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& laws) {
     const auto real = [](double value) { return static_cast<Real>(value); };
     std::vector<BodyLaw<Real>> body;
@@ -142,7 +161,7 @@ void SolverData<Backend, Real>::uploadLaws(Backend& backend, const LawTables& la
         std::vector<PairLaw<Real>> to;
         for (const PairLaw<double>& law : from)
             to.push_back({real(law.stiffness), real(law.damping), real(law.friction), real(law.rolling),
-                          real(law.adhesion), real(law.modulus), real(law.shear_modulus)});
+                          real(law.adhesion), real(law.modulus), real(law.shear_modulus), real(law.gentle)});
         return to;
     };
     backend.synchronize();
@@ -176,6 +195,7 @@ SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Rea
             body_laws.view(),
             pair_laws.view(),
             wall_laws.view(),
+            {corner_row.view(), corner.view()},
             bonds.link.span(),
             bonds.spring.span(),
             contacts.spring.span(),

@@ -179,10 +179,13 @@ TEST(Units, WhatContactsLoseWhenTheyBeginEndAndSoften) {
     const double before = laws::overlapBefore(2e-4, -3.0, 1e-4);
     EXPECT_NEAR(laws::overlapBefore(kMetre * 2e-4, -kVelocity * 3.0, kSecond * 1e-4) / (kMetre * before), 1,
                 1e-12);
-    EXPECT_GT(laws::crossingLoss(5e4, 2e-4, before), 0);
-    EXPECT_NEAR(laws::crossingLoss(kStiffness * 5e4, kMetre * 2e-4, kMetre * before) /
-                    (kEnergy * laws::crossingLoss(5e4, 2e-4, before)),
-                1, 1e-12);
+    const auto begun = laws::overlapChange(2e-4, before),
+               begun_small = laws::overlapChange(kMetre * 2e-4, kMetre * before);
+    EXPECT_GT(laws::crossingLoss(5e4, begun), 0);
+    EXPECT_EQ(begun.held, 0);
+    EXPECT_NEAR(
+        laws::crossingLoss(kStiffness * 5e4, begun_small) / (kEnergy * laws::crossingLoss(5e4, begun)), 1,
+        1e-12);
     TouchLaw<double> law, small_law;
     law.softens = small_law.softens = true;
     law.stiffness = 4e4;
@@ -190,12 +193,14 @@ TEST(Units, WhatContactsLoseWhenTheyBeginEndAndSoften) {
     small_law.stiffness = kStiffness * law.stiffness;
     small_law.shear = kStiffness * law.shear;
     const V spring{1e-5, 0, 2e-5};
-    const double loss = laws::softeningLoss(law, 5e4, 2e-4, 1e-4, spring);
+    const auto held = laws::overlapChange(2e-4, 1e-4),
+               held_small = laws::overlapChange(kMetre * 2e-4, kMetre * 1e-4);
+    EXPECT_EQ(held.crossed, 0);
+    const double loss = laws::softeningLoss(law, 5e4, held, spring);
     EXPECT_GT(loss, 0);
     EXPECT_NEAR(
-        laws::softeningLoss(small_law, kStiffness * 5e4, kMetre * 2e-4, kMetre * 1e-4, kMetre * spring) /
-            (kEnergy * loss),
-        1, 1e-12);
+        laws::softeningLoss(small_law, kStiffness * 5e4, held_small, kMetre * spring) / (kEnergy * loss), 1,
+        1e-12);
 }
 
 TEST(Units, SpeedsAtWhichBondsWakeAndComeToRest) {

@@ -16,6 +16,21 @@ Quat<double> turnAbout(const Vec3<double>& axis, double angle) {
     return {s * axis.x, s * axis.y, s * axis.z, std::cos(angle / 2)};
 }
 
+/// m, height of the turned body's lowest corner.
+double lowestCorner(const BreakableBody& body, const Quat<double>& q) {
+    double lowest = 1e300;
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        const Double3 seed = body.particles[i].seed;
+        for (uint32_t c = body.corners.start[i]; c < body.corners.start[i + 1]; ++c) {
+            const Double3 corner = body.corners.from_seed[c];
+            lowest = std::min(
+                lowest,
+                rotate(q, Vec3<double>{seed.x + corner.x, seed.y + corner.y, seed.z + corner.z}).y);
+        }
+    }
+    return lowest;
+}
+
 }  // namespace
 
 Material sheetMaterial(double critical_velocity, uint32_t cells) {
@@ -39,9 +54,7 @@ SceneSetup dropped(std::shared_ptr<const BreakableBody> body, const Material& ma
                    const Double3& tilt, double speed) {
     const Quat<double> q = multiply(turnAbout({0, 0, 1}, tilt.z),
                                     multiply(turnAbout({0, 1, 0}, tilt.y), turnAbout({1, 0, 0}, tilt.x)));
-    double lowest = 1e300;
-    for (const Particle& p : body->particles)
-        lowest = std::min(lowest, rotate(q, Vec3<double>{p.seed.x, p.seed.y, p.seed.z}).y - p.depth);
+    const double lowest = lowestCorner(*body, q);
     SceneSetup setup = standing(std::move(body), material, substeps);
     setup.bodies[0].rotation = {q.x, q.y, q.z, q.w};
     setup.bodies[0].position = {0, -lowest, 0};

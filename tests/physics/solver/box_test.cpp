@@ -70,7 +70,7 @@ TEST_F(OnABox, WhatStandsOverTheEdgeTopples) {
             advance(*solver, 60);
             return extentOf(*solver, 64).lowest;
         };
-        EXPECT_NEAR(leftAfter(0.17), 0.225, 2e-3) << "three centimetres of the middle's side lie on it";
+        EXPECT_NEAR(leftAfter(0.17), 0.225, 3e-3) << "three centimetres of the middle's side lie on it";
         EXPECT_LT(leftAfter(0.23), 0.2) << hand_over;
     }
 }

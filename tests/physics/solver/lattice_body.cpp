@@ -21,7 +21,7 @@ class Brick {
         body->spacing = h_;
         for (uint32_t z = 0; z < n_[2]; ++z)
             for (uint32_t y = 0; y < n_[1]; ++y)
-                for (uint32_t x = 0; x < n_[0]; ++x) body->particles.push_back(cell(x, y, z));
+                for (uint32_t x = 0; x < n_[0]; ++x) add(*body, cell(x, y, z));
         for (uint32_t z = 0; z < n_[2]; ++z)
             for (uint32_t y = 0; y < n_[1]; ++y)
                 for (uint32_t x = 0; x < n_[0]; ++x) {
@@ -42,6 +42,15 @@ class Brick {
 
   private:
     uint32_t id(uint32_t x, uint32_t y, uint32_t z) const { return (z * n_[1] + y) * n_[0] + x; }
+
+    void add(BreakableBody& body, const Particle& p) const {
+        const auto corner = [&](double side) {
+            return Double3{p.centroid.x - p.seed.x + side * h_, p.centroid.y - p.seed.y + side * h_,
+                           p.centroid.z - p.seed.z + side * h_};
+        };
+        body.particles.push_back(p);
+        appendBoxCorners(body.corners, corner(-0.5), corner(0.5));
+    }
 
     Particle cell(uint32_t x, uint32_t y, uint32_t z) const {
         const uint64_t counter = 3ull * id(x, y, z);

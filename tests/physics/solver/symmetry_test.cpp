@@ -39,6 +39,11 @@ std::shared_ptr<const BreakableBody> renumbered(const BreakableBody& body) {
     auto result = std::make_shared<BreakableBody>(body);
     const auto last = static_cast<uint32_t>(body.particles.size()) - 1;
     std::reverse(result->particles.begin(), result->particles.end());
+    result->corners = {};
+    for (uint32_t i = last + 1; i-- > 0;) {  // boxes: the first and the last of eight are opposite
+        const Double3* corners = &body.corners.from_seed[body.corners.start[i]];
+        appendBoxCorners(result->corners, corners[0], corners[7]);
+    }
     for (BondGeometry& bond : result->bonds) {
         const uint32_t i = bond.i;
         bond.i = last - bond.j;
@@ -127,6 +132,7 @@ std::shared_ptr<const BreakableBody> enlarged(const BreakableBody& body, double 
         bond.centroid = times(length, bond.centroid);
         bond.length *= length;
     }
+    for (Double3& corner : result->corners.from_seed) corner = times(length, corner);
     result->spacing *= length;
     return result;
 }

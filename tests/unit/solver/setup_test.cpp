@@ -43,16 +43,35 @@ TEST(SolverSetup, ContactRadiiNeverOverlapAtRest) {
         }
 }
 
-TEST(SolverSetup, AStandingBodyTouchesTheFloorWithItsWholeSole) {
+TEST(SolverSetup, CellsReachTowardsCollidersAsFarAsTheirCorners) {
     const auto body = latticeBody(4, 3, 4, 0.1, 0.2);
-    const auto standing = floorRadii(*body, true), lying = floorRadii(*body, false);
-    for (size_t i = 0; i < standing.size(); ++i) {
+    const auto radii = floorRadii(*body);
+    for (size_t i = 0; i < radii.size(); ++i) {
         const Particle& p = body->particles[i];
-        if (p.lowest < 0.01) {
-            EXPECT_NEAR(standing[i], p.seed.y, 1e-12);
-        }
-        EXPECT_LE(lying[i], p.depth);
+        const auto farthest = [](double seed, double centroid) { return std::abs(seed - centroid) + 0.05; };
+        EXPECT_NEAR(radii[i],
+                    std::hypot(farthest(p.seed.x, p.centroid.x), farthest(p.seed.y, p.centroid.y),
+                               farthest(p.seed.z, p.centroid.z)),
+                    1e-12);
     }
+    auto spheres = *body;
+    spheres.corners = {};
+    EXPECT_EQ(floorRadii(spheres)[5], std::min(body->particles[5].depth, std::cbrt(0.75e-3 / kPi)));
+}
+
+TEST(SolverSetup, BodiesOfOneShapeShareTheirCorners) {
+    SceneSetup setup = freeBody(latticeBody(2, 2, 2, 0.1));
+    setup.bodies.push_back(setup.bodies[0]);
+    setup.bodies[1].position.x = 1;
+    setup.bodies.push_back(setup.bodies[0]);
+    setup.bodies[2].body = latticeBody(1, 1, 2, 0.1);
+    setup.bodies[2].position.x = 2;
+    const SceneTables tables = buildSceneTables(setup, {});
+    ASSERT_EQ(tables.corner_row.size(), 18u);
+    EXPECT_EQ(tables.corner.size(), 8u * (8 + 2));
+    EXPECT_EQ(tables.corner_row[9].first, tables.corner_row[1].first);
+    EXPECT_EQ(tables.corner_row[16].first, 64u);
+    EXPECT_EQ(tables.corner_row[17].last, 80u);
 }
 
 TEST(SolverSetup, StrengthFollowsTheArtistsNumber) {

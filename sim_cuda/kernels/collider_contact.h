@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a particle gets from a collider, in both kinds of step: the corners of its cell below the surface are
+// springs side by side. What they press with acts at their centre of pressure, and so do friction and damper.
+// A particle without corners is a sphere.
+#pragma once
+#include "sim_cuda/kernels/touch_slots.h"
+
+namespace demolish {
+
+/// Stiffness of a corner over that of a contact: a cell that lies on a face of five corners is as stiff as a
+/// sphere.
+inline constexpr double kCornerShare = 0.2;
+/// Rolling resistance of a cell on its corners over that of a sphere: edges resist by themselves. With 1 a
+/// cube sleeps on its edge, with 0 nothing comes to rest.
+inline constexpr double kCornerRolling = 0.1;
+/// Steps ahead in which a contact is reckoned with that is still to come.
+inline constexpr double kStepsAhead = 1.5;
+
+/// How a particle is pressed on a collider.
+template <class Real>
+struct Pressed {
+    Vec3<Real> normal;  ///< unit, out of the collider
+    Vec3<Real> arm;     ///< m, from the particle's centre to the centre of pressure
+    Real depth{};       ///< m, of the points, each by what it presses with; not above 0: none touches
+    Real springs{1};    ///< springs of this depth that press as hard
+    Real gap{};         ///< m, to the lowest point
+    Real rolling{1};    ///< share of the rolling resistance
+    OverlapChange<Real> change;  ///< for the ledger
+};
+
+/// Depths of points added up, each by what it presses with.
+template <class Real>
+class DepthSums {
+  public:
+    explicit DEM_FN DepthSums(uint32_t hertz) : hertz_(hertz) {}
+    /// `distance`: m, above the surface. Gives the force, in units of the law's constant.
+    DEM_FN Real add(Real distance, const Vec3<Real>& arm) {
+        nearest_ = minOf(nearest_, distance);
+        const Real depth = -distance;
+        if (!(depth > Real(0))) return Real(0);
+        const Real force = forceOf(depth);
+        force_ = force_ + force;
+        energy_ = madd(force, depth, energy_);
+        arm_ = axpy(force, arm, arm_);
+        return force;
+    }
+    /// m, above the surface.
+    DEM_FN Real nearest() const { return nearest_; }
+    DEM_FN bool touches() const { return force_ > Real(0); }
+    DEM_FN Real depth() const { return energy_ / force_; }
+    DEM_FN Real springs() const { return Real(kCornerShare) * force_ / forceOf(depth()); }
+    /// m, in the frame of those that were added.
+    DEM_FN Vec3<Real> arm() const { return (Real(1) / force_) * arm_; }
+
+  private:
+    DEM_FN Real forceOf(Real depth) const { return hertz_ != 0 ? depth * squareRoot(depth) : depth; }
+
+    uint32_t hertz_;
+    Real force_{}, energy_{}, nearest_{Real(1e30)};
+    Vec3<Real> arm_;
+};
+
+/// `tangent`: of the collider from the particle's centre.
+template <class Real>
+DEM_FN Pressed<Real> pressedSphere(const StepParams<Real>& params, const OwnParticle<Real>& own,
+                                   const TangentPlane<Real>& tangent) {
+    Pressed<Real> at;
+    at.normal = xyz(tangent.plane);
+    at.depth = own.constants.floor_radius - tangent.distance;
+    at.gap = -at.depth;
+    at.arm = -tangent.distance * at.normal;
+    const Real opening = dot(xyz(own.state.velocity), at.normal);
+    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, params.dt));
+    return at;
+}
+/// What a point of depth -distance leaves to the ledger; `opening`: m/s.
+template <class Real>
+DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
+    add(at.change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
+}
+
+/// Corners on a plane, whose normal is turned into the cell's frame rather than its corners out of it: a
+/// fifth of the work. `turned`: the particle's orientation.
+template <bool kLedger, class Real>
+DEM_FN void pressOnPlane(const CornersIn<Real>& corners, const StepParams<Real>& params,
+                         const OwnParticle<Real>& own, const Quat<Real>& turned,
+                         const TangentPlane<Real>& tangent, DepthSums<Real>& sums, Pressed<Real>& at) {
+    const CornerRow<Real> row = corners.row[own.id];
+    const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(turned), normal);
+    const Vec3<Real> rising = rotate(conjugate(turned), cross(normal, xyz(own.state.spin)));
+    const Real opening = dot(xyz(own.state.velocity), normal);
+    for (uint32_t k = row.first; k < row.last; ++k) {
+        const Vec3<Real> corner = xyz(corners.from_seed[k]);
+        const Real distance = tangent.distance + dot(up, corner);
+        sums.add(distance, corner);
+        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.dt);
+    }
+    at.normal = normal;
+    at.gap = sums.nearest();
+    if (sums.touches()) at.arm = rotate(turned, sums.arm());
+}
+
+/// Corners on collider c of any shape, and a sphere within the cell, since edges of the collider reach
+/// between corners.
+template <bool kLedger, class Real>
+DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>& params,
+                         const OwnParticle<Real>& own, const Quat<Real>& turned, uint32_t c,
+                         const TangentPlane<Real>& tangent, DepthSums<Real>& sums, Pressed<Real>& at) {
+    const LoadedState<Real>& state = own.state;
+    const Vec3<Real> low = lowPart(state.position, state.velocity, state.spin);
+    const CornerRow<Real> row = corners.row[own.id];
+    Vec3<Real> normal;
+    const auto addPoint = [&](const Vec3<Real>& arm, const Vec3<Real>& out, Real distance) {
+        normal = axpy(sums.add(distance, arm), out, normal);
+        const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
+        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.dt);
+    };
+    for (uint32_t k = row.first; k < row.last; ++k) {
+        const Vec3<Real> arm = rotate(turned, xyz(corners.from_seed[k]));
+        const TangentPlane<Real> below = params.colliders.tangent(c, xyz(state.position), low + arm);
+        addPoint(arm, xyz(below.plane), below.distance);
+    }
+    const Vec3<Real> out = xyz(tangent.plane);
+    addPoint(-tangent.distance * out, out, tangent.distance - row.inner_radius);
+    at.normal = sums.touches() ? inverseSqrt(length2(normal)) * normal : out;
+    at.gap = sums.nearest();
+    if (sums.touches()) at.arm = sums.arm();
+}
+
+template <bool kLedger, class Real>
+DEM_FN Pressed<Real> pressedOn(const CornersIn<Real>& corners, const StepParams<Real>& params,
+                               const OwnParticle<Real>& own, const Quat<Real>& turned, uint32_t c,
+                               const TangentPlane<Real>& tangent) {
+    const CornerRow<Real> row = corners.row[own.id];
+    if (row.first == row.last) return pressedSphere(params, own, tangent);
+    Pressed<Real> at;
+    DepthSums<Real> sums(params.hertz);
+    if (params.colliders.isPlane(c))
+        pressOnPlane<kLedger>(corners, params, own, turned, tangent, sums, at);
+    else
+        pressOnShape<kLedger>(corners, params, own, turned, c, tangent, sums, at);
+    at.rolling = Real(kCornerRolling);
+    if (!sums.touches()) return at;
+    at.depth = sums.depth();
+    at.springs = sums.springs();
+    return at;
+}
+
+/// What is set against a push on a collider.
+template <class Real>
+struct Turning {
+    Real inverse_mass{};  ///< 1/kg, against a push along the normal at the centre of pressure,
+    Real slip_inverse{};  ///< and across it,
+    Real most_inverse{};  ///< and at most at any corner
+    Real inertia{};       ///< kg m^2, that rolls at least
+    Real radius{};        ///< m, likewise
+};
+/// A particle that substeps move turns alone. It rolls away from what acts across, so that half of that is as
+/// good as all for the bound on the tangential damper.
+template <class Real>
+struct TurnsAlone {
+    static constexpr StepKind kStep = StepKind::kSubstep;
+    DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const { return asQuat(own.state.rotation); }
+    DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
+        const Real mass = own.constants.inverseMass(), turn = own.constants.inverse_inertia;
+        return {madd(turn, length2(cross(at.arm, at.normal)), mass),
+                Real(0.5) * madd(turn, length2(at.arm), mass),
+                madd(turn, own.constants.floor_radius * own.constants.floor_radius, mass), Real(0), Real(0)};
+    }
+};
+
+/// Calls visit(c, tangent) for every collider, as the particle has it.
+template <class Real, class Visit>
+DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Real>& own,
+                            const Visit& visit) {
+    const LoadedState<Real>& state = own.state;
+    forEachCollider(params.colliders, xyz(state.position),
+                    lowPart(state.position, state.velocity, state.spin), visit);
+}
+
+/// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
+/// the two.
+template <StepKind kStep, class Real>
+DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
+    constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
+    const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
+    return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
+}
+
+/// A bonded body gives back two thirds of the speed of a landing that breaks nothing: its floor is hard, and
+/// the wave comes back from its top. Landings slower than PairLaw::gentle meet a floor that is soft, with a
+/// damper near the body's own impedance, so that the wave goes out into it. From this share of that speed on
+/// they are landings: what stands must not sink.
+inline constexpr double kLandingShare = 0.08;
+/// Stiffness of such a contact and the share of the full damper.
+inline constexpr double kGentleStiffness = 0.02, kGentleDamping = 0.5;
+
+/// N/m that the law may not exceed: what has been kept since the touch began, or what one that begins now at
+/// `approach` (m/s) makes of `full`.
+template <StepKind kStep, class Real>
+DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& params, Real full, Real approach,
+                        const Vec4<Real>& kept) {
+    const bool lands = kStep == StepKind::kSubstep && params.hertz == 0 && holdsNothing(kept) &&
+                       approach > Real(kLandingShare) * wall.gentle && approach < wall.gentle;
+    return lands ? Real(kGentleStiffness) * full : softestOf(kept);
+}
+
+/// All springs of a contact together never get stiffer than this over dt^2, in terms of what answers at the
+/// corner that gives way most: a flat cell turns easily under its corners.
+inline constexpr double kStableShare = 0.25;
+
+/// The law of what is pressed on: springs and damper of all its points. `approach`: m/s, along the normal.
+template <StepKind kStep, class Real>
+DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Real>& params,
+                                  const OwnParticle<Real>& own, const Pressed<Real>& at,
+                                  const Turning<Real>& turning, Real approach, const Vec4<Real>& kept) {
+    const Real radius = own.constants.contact_radius;
+    const PairInertia<Real> against = againstWall(own.constants);
+    const Real full = fullStiffness(wall, params, against, Real(1) / against.inverse_mass);
+    const Real stable = Real(kStableShare) / (at.springs * turning.most_inverse * (params.dt * params.dt));
+    const Real softest = noStifferThan(softestFrom<kStep>(wall, params, full, approach, kept), stable);
+    const bool gentle = kStep == StepKind::kSubstep && softest > Real(0) &&
+                        !(softest > Real(1.001 * kGentleStiffness) * full);
+    TouchLaw<Real> law =
+        contactTouchLaw<kStep>(wall, params, maxOf(at.depth, Real(0)), radius, against, softest);
+    law.softens = true;
+    law.elastic = at.springs * law.elastic;
+    law.normal_damping =
+        contactDamping(wall, params, gentle ? Real(kGentleDamping * kGentleDamping) * full : law.stiffness,
+                       contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass);
+    law.shear_damping =
+        minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
+    law.resting = law.shear_resting = Real(0);
+    law.rolling = at.rolling * law.rolling;
+    law.inertia = maxOf(law.inertia, turning.inertia);
+    law.radius = maxOf(law.radius, turning.radius);
+    return law;
+}
+
+/// Seen from a centre that is `across` away, m.
+template <class Real>
+DEM_FN Wrench<Real> seenFrom(const Vec3<Real>& across, const Wrench<Real>& wrench) {
+    return {wrench.force, wrench.torque + cross(across, wrench.force)};
+}
+
+template <class Real>
+struct ColliderLoad {
+    Wrench<Real> wrench;
+    bool comes = false;  ///< it does not touch, but the next step will bring it so near
+};
+
+/// Collider c: nothing moves on its side. `turned_with`: what turns with the particle.
+template <bool kLedger, class Real, class TurnedWith>
+DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                          const OwnParticle<Real>& own, uint32_t c,
+                                          const TangentPlane<Real>& tangent, Tally<Real>& tally,
+                                          const TurnedWith& turned_with) {
+    constexpr StepKind kStep = TurnedWith::kStep;
+    if (isClearOf<kStep>(own, tangent.distance - own.constants.floor_radius, params.dt)) return {};
+    const Pressed<Real> at =
+        pressedOn<kLedger>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
+    Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
+    const Vec4<Real> before = spring;
+    const Real down = -dot(at.arm, at.normal);
+    const Vec3<Real> across = axpy(down, at.normal, at.arm);
+    const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
+    const Real approach = -dot(velocity, at.normal);
+    const TouchLaw<Real> law = pressingLaw<kStep>(arrays.wall_laws[own.owner], params, own, at,
+                                                  turned_with(own, at), approach, before);
+    if (!(at.depth > Real(0))) {
+        releaseTouch<kLedger>(law, at.change, before, spring, Real(1), tally);
+        return {{}, at.gap < Real(kStepsAhead) * params.dt * approach};
+    }
+    PairMotion<Real> pair;
+    pair.velocity_i = velocity;
+    pair.spin_i = xyz(own.state.spin);
+    TouchEffect<Real> effect =
+        touchEffect<kStep>({-at.normal, at.depth, down, Real(0)}, law, pair, xyz(before), params.dt);
+    effect.damping = seenFrom(across, effect.damping);
+    effect.friction = seenFrom(across, effect.friction);
+    if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
+    spring = keptAfter(law, effect, before);
+    return {seenFrom(across, effect.load), false};
+}
+
+}  // namespace demolish

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Pieces that have come to rest lie on what is drawn of them, not in the floor (models.md E.4).
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <map>
+
+#include "app/bridge/host_frame.h"
+#include "app/session/session.h"
+#include "tests/physics/scenes/scene_run.h"
+
+namespace demolish::tests {
+namespace {
+
+/// One body of the scene, dropped so that it breaks.
+Shot dropped(const std::string& scene, uint32_t particles, double speed) {
+    Shot shot = smallScene(scene, particles, {0});
+    shot.impact.kind = ImpactKind::kDrop;
+    shot.impact.times_threshold.reset();
+    shot.impact.velocity = speed;
+    return shot;
+}
+
+/// Of each piece that lies on the floor: how far its lowest drawn vertex is below it, in spacings.
+std::vector<double> depthsOnFloor(Session& session) {
+    const BuiltShot& built = session.built();
+    const BreakableBody& body = *built.body;
+    const HostFrame frame = readFrame(session.solver(), FrameParts::kFragments | FrameParts::kTransforms);
+    std::map<uint32_t, double> lowest;
+    const auto see = [&](uint32_t cell, const Float3& p) {
+        const uint32_t slot = frame.particle_fragment[cell];
+        const FragmentTransform& t = frame.transforms[slot];
+        const glm::dquat turn(t.rotation.w, t.rotation.x, t.rotation.y, t.rotation.z);
+        const double y = (turn * glm::dvec3(p.x, p.y, p.z)).y + t.translation.y;
+        const auto [at, is_new] = lowest.try_emplace(slot, y);
+        if (!is_new) at->second = std::min(at->second, y);
+    };
+    const FractureGeometry& drawn = body.geometry;
+    for (const SurfaceVertex& vertex : drawn.exterior) see(vertex.cell, vertex.position);
+    for (const InteriorFace& face : drawn.faces)
+        for (uint32_t k = 0; k < face.vertex_count; ++k) {
+            const Float3& p = drawn.pool[drawn.face_vertices[face.first_vertex + k]];
+            see(face.cell_a, p);
+            see(face.cell_b, p);
+        }
+    std::vector<double> depths;
+    for (const auto& [slot, y] : lowest)
+        if (y < 0.3 * body.spacing) depths.push_back(std::max(0.0, -y) / body.spacing);
+    return depths;
+}
+
+TEST(Lying, WhatIsDrawnOfRestingPiecesLiesOnTheFloor) {
+    struct Row {
+        const char* scene;
+        uint32_t particles;
+        double speed;  ///< m/s
+    };
+    for (const Row& row : {Row{"vase", 600, 8}, Row{"bunny", 400, 8}, Row{"column", 300, 6}}) {
+        Session session(buildShot(dropped(row.scene, row.particles, row.speed), {.draw_geometry = true}, {}),
+                        {.draw = false});
+        while (session.solver().stats().time < 4) ASSERT_EQ(session.advance(), StepStatus::kOk);
+        const std::vector<double> depths = depthsOnFloor(session);
+        double sum = 0;
+        for (const double depth : depths) sum += depth;
+        const double worst = *std::max_element(depths.begin(), depths.end()),
+                     mean = sum / static_cast<double>(depths.size());
+        const FrameStats& stats = session.solver().stats();
+        std::printf("%s: %zu pieces on the floor, %.3f h deep at most, %.4f h on the mean; %u awake\n",
+                    row.scene, depths.size(), worst, mean, stats.awake_particles);
+        EXPECT_GT(depths.size(), 10u);
+        EXPECT_LT(worst, 0.12) << row.scene;
+        EXPECT_LT(mean, 0.02) << row.scene;
+    }
+}
+
+}  // namespace
+}  // namespace demolish::tests
