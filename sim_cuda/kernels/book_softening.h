@@ -59,8 +59,7 @@ struct BookSoftening {
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
         forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& tangent) {
             if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost += bonded.colliderEnergy(before, c, tangent) -
-                        rigid.colliderEnergy(after, c, tangent);
+                lost += bonded.colliderEnergy(before, c, tangent) - rigid.colliderEnergy(after, c, tangent);
         });
         return lost;
     }

@@ -260,13 +260,13 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     const Pressed<Real> at =
         pressedOn<kLedger>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
-    const Vec4<Real> before = spring;
+    const KeptTouch<Real> before{xyz(spring), softestOf(spring)};
     const Real down = -dot(at.arm, at.normal);
     const Vec3<Real> across = axpy(down, at.normal, at.arm);
     const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
     const Real approach = -dot(velocity, at.normal);
     const TouchLaw<Real> law = pressingLaw<kStep>(arrays.wall_laws[own.owner], params, own, at,
-                                                  turned_with(own, at), approach, before);
+                                                  turned_with(own, at), approach, spring);
     if (!(at.depth > Real(0))) {
         releaseTouch<kLedger>(law, at.change, before, spring, Real(1), tally);
         return {{}, at.gap < Real(kStepsAhead) * params.dt * approach};
@@ -275,11 +275,11 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     pair.velocity_i = velocity;
     pair.spin_i = xyz(own.state.spin);
     TouchEffect<Real> effect =
-        touchEffect<kStep>({-at.normal, at.depth, down, Real(0)}, law, pair, xyz(before), params.dt);
+        touchEffect<kStep>({-at.normal, at.depth, down, Real(0)}, law, pair, before.spring, params.dt);
     effect.damping = seenFrom(across, effect.damping);
     effect.friction = seenFrom(across, effect.friction);
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
-    spring = keptAfter(law, effect, before);
+    spring = packed(touchAfter(law, effect, before), at.normal);
     return {seenFrom(across, effect.load), false};
 }
 

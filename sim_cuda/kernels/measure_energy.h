@@ -69,7 +69,7 @@ struct MeasureEnergy {
     }
 
     /// Contact steps have not come to this contact yet: it has taken in nothing, however deep it is.
-    DEM_FN bool isNew(bool rigid, const Vec4<Real>& kept) const { return rigid && !hasBeenSofter(kept); }
+    DEM_FN bool isNew(bool rigid, const Vec4<Real>& kept) const { return rigid && holdsNothing(kept); }
     DEM_FN bool isNew(uint32_t i, uint32_t j, const Vec4<Real>& kept) const {
         return isNew(isMoved(i, Regime::kRigid) || isMoved(j, Regime::kRigid), kept);
     }
@@ -112,13 +112,17 @@ struct MeasureEnergy {
     DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
                               const Vec4<Real>& spring) const {
         const ParticleConstants<Real> other = arrays.constants[j];
-        const Vec3<Real> apart = separation(own.state, loadState(arrays.in, j));
-        const Real overlap = (own.constants.contact_radius + other.contact_radius) - length(apart);
+        const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
+        const CentreLine<Real> line = centreLine(pair.separation);
+        const Real overlap = (own.constants.contact_radius + other.contact_radius) - line.distance;
         if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
+        const KeptTouch<Real> touch = touchOf(spring, line.normal);
+        const Real former = formerOverlap(pair, overlap, line.distance, params.dt),
+                   pressed = overlap - unloadedOverlap(spring, touch, former, overlap);
         const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
-        return touchEnergy(contactTouchLaw(law, params, overlap, radius, pairInertia(own.constants, other),
-                                           softestOf(spring)),
-                           params, overlap, xyz(spring));
+        return touchEnergy(
+            contactTouchLaw(law, params, pressed, radius, pairInertia(own.constants, other), touch.softest),
+            params, pressed, touch.spring);
     }
 
     DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// What particle i gets from one slot that is not a solid bond: a contact of its list, the record of a former
-// bond, a collider. Each thread writes its own slot only; both ends of a pair compute the same.
+// What particle i gets from one slot that is not a solid bond: a contact of its list, or the record of a
+// former bond. Each thread writes its own slot only; both ends of a pair compute the same.
 #pragma once
+#include "sim_cuda/data/kept_spring.h"
 #include "sim_cuda/kernels/own_particle.h"
 #include "sim_cuda/kernels/touch_pair.h"
 
@@ -31,72 +32,83 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
 /// What the ledger books of a touch; `share` of the pair's energy is this particle's (1 against a collider).
 template <class Real>
 DEM_FN void bookTouch(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
-                      const OverlapChange<Real>& change, const Vec4<Real>& spring, Real share,
+                      const OverlapChange<Real>& change, const KeptTouch<Real>& before, Real share,
                       Tally<Real>& tally) {
-    const Vec3<Real> held = xyz(spring);
-    tally.contact_loss +=
-        share * (crossingLoss(law.stiffness, change) + softeningLoss(law, softestOf(spring), change, held));
+    tally.contact_loss += share * (crossingLoss(law.stiffness, change) +
+                                   softeningLoss(law, before.softest, change, before.spring));
     add(tally.damping, effect.damping);
     add(tally.friction, effect.friction);
-    tally.spring_energy += share * (effect.spring_energy - Real(0.5) * law.shear * length2(held));
+    tally.spring_energy += share * (effect.spring_energy - Real(0.5) * law.shear * length2(before.spring));
 }
 template <class Real>
-DEM_FN Vec4<Real> keptAfter(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
-                            const Vec4<Real>& spring) {
-    return keptSpring(effect.spring, law.softens ? law.stiffness : softestOf(spring));
+DEM_FN KeptTouch<Real> touchAfter(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
+                                  const KeptTouch<Real>& before) {
+    return {effect.spring, law.softens ? law.stiffness : before.softest, before.unloaded};
 }
 
-/// `spring` as it was; writes what it becomes to `kept`, and books half of the pair's energy.
+/// `before`: as it was; writes what it becomes to `slot`, and books half of the pair's energy.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
-                               const PairMotion<Real>& pair, const Vec4<Real>& spring, Vec4<Real>& kept,
+                               const PairMotion<Real>& pair, const KeptTouch<Real>& before, Vec4<Real>& slot,
                                const StepParams<Real>& params, Tally<Real>& tally) {
-    const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, xyz(spring), params.dt);
+    const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, before.spring, params.dt);
     if constexpr (kLedger) {
-        const Real before = overlapBefore(at.overlap, effect.opening, params.dt);
-        bookTouch(law, effect, overlapChange(at.overlap, before), spring, Real(0.5), tally);
+        const Real overlap = overlapBefore(at.overlap, effect.opening, params.dt);
+        bookTouch(law, effect, overlapChange(at.overlap, overlap), before, Real(0.5), tally);
     }
-    kept = keptAfter(law, effect, spring);
+    slot = packed(touchAfter(law, effect, before), at.normal);
     return effect.load;
 }
 
 /// Nothing touches any more: what the tangential spring still held is friction heat.
 template <bool kLedger, class Real>
 DEM_FN void releaseTouch(const TouchLaw<Real>& law, const OverlapChange<Real>& change,
-                         const Vec4<Real>& spring, Vec4<Real>& kept, Real share, Tally<Real>& tally) {
+                         const KeptTouch<Real>& before, Vec4<Real>& slot, Real share, Tally<Real>& tally) {
     if constexpr (kLedger) tally.contact_loss += share * crossingLoss(law.stiffness, change);
-    if (holdsNothing(spring)) return;
-    kept = Vec4<Real>{};
-    if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(xyz(spring)));
+    if (holdsNothing(slot)) return;
+    slot = Vec4<Real>{};
+    if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(before.spring));
 }
 
-/// Of two centres that have parted to `distance` m in the step before, dt s, on a straight way.
+/// m, overlap of two spheres one step before, on a straight way; `overlap` and `distance` are those of now.
 template <class Real>
-DEM_FN OverlapChange<Real> partedChange(const PairMotion<Real>& pair, Real overlap, Real distance, Real dt) {
+DEM_FN Real formerOverlap(const PairMotion<Real>& pair, Real overlap, Real distance, Real dt) {
     const Vec3<Real> before = axpy(-dt, pair.velocity_j - pair.velocity_i, pair.separation);
-    return overlapChange(overlap, overlap + (distance - length(before)));
+    return overlap + (distance - length(before));
 }
 
-/// Type 1: spheres of radius R_c.
+/// m, that bears no load: what was found of a touch that has begun unseen, and no more than there is.
+template <class Real>
+DEM_FN Real unloadedOverlap(const Vec4<Real>& slot, const KeptTouch<Real>& before, Real former,
+                            Real overlap) {
+    const Real found = holdsNothing(slot) ? maxOf(former, Real(0)) : before.unloaded;
+    return minOf(found, maxOf(overlap, Real(0)));
+}
+
+/// Type 1: spheres of radius R_c. `slot`: of this end.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
-                                 const PairMotion<Real>& pair, const CentreLine<Real>& line,
-                                 const Vec4<Real>& spring, Vec4<Real>& kept, Tally<Real>& tally) {
+                                 const PairMotion<Real>& pair, const CentreLine<Real>& line, Vec4<Real>& slot,
+                                 Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(overlap, Real(0)),
+    const Vec4<Real> held = slot;
+    KeptTouch<Real> before = touchOf(held, line.normal);
+    const Real former = formerOverlap(pair, overlap, line.distance, params.dt);
+    before.unloaded = unloadedOverlap(held, before, former, overlap);
+    const Real pressed = overlap - before.unloaded;
+    const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)),
                                                       reduced(radius, other.contact_radius),
-                                                      pairInertia(own.constants, other), softestOf(spring));
+                                                      pairInertia(own.constants, other), before.softest);
     if (!(overlap > Real(0))) {
-        releaseTouch<kLedger>(law, partedChange(pair, overlap, line.distance, params.dt), spring, kept,
-                              Real(0.5), tally);
+        releaseTouch<kLedger>(law, overlapChange(overlap, former), before, slot, Real(0.5), tally);
         return {};
     }
     const Real arm_i = madd(Real(-0.5), overlap, radius),
                arm_j = madd(Real(-0.5), overlap, other.contact_radius);
-    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm_i, arm_j}, law, pair,
-                                      spring, kept, params, tally);
+    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, pressed, arm_i, arm_j}, law, pair,
+                                      before, slot, params, tally);
 }
 
 /// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
@@ -152,7 +164,7 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
     return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), spring,
-                                        spring, tally);
+                                        tally);
 }
 
 /// A slot of the bonds as it is, and its other end, which is always the same.
@@ -186,12 +198,14 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const PairInertia<Real> against = pairInertia(own.constants, other);
     const BondConstants<Real> bond = cappedFaces(bondConstants(former.rest, former.link.grade, body), params,
                                                  against, softestOf(former.spring));
+    const KeptTouch<Real> before = touchOf(former.spring, line.normal);
     const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
     if (!(overlap > Real(0))) {
         TouchLaw<Real> faces;
         faces.stiffness = bond.stiffness.normal;
         faces.shear = bond.stiffness.shear;
-        releaseTouch<kLedger>(faces, partedChange(pair, overlap, line.distance, params.dt), former.spring,
+        const Real overlap_before = formerOverlap(pair, overlap, line.distance, params.dt);
+        releaseTouch<kLedger>(faces, overlapChange(overlap, overlap_before), before,
                               arrays.bond_spring[former.slot], Real(0.5), tally);
         const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
         arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
@@ -200,8 +214,8 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
     const TouchLaw<Real> law = brokenTouchLaw(bond, body.faces, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
-    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
-                                      former.spring, arrays.bond_spring[former.slot], params, tally);
+    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, before,
+                                      arrays.bond_spring[former.slot], params, tally);
 }
 
 /// Only a broken bond has faces that touch before the spheres do.
@@ -222,7 +236,7 @@ DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const 
     if (pairState(former.link) == PairState::kBroken)
         return brokenBond<kLedger, kStep>(arrays, params, own, former, pair, line, tally);
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
-    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line, former.spring,
+    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line,
                                         arrays.bond_spring[former.slot], tally);
 }
 /// The record of a bond that is no longer solid: of ends that are apart no more is read than it takes to see
