@@ -33,21 +33,24 @@ Quaternion fromGlm(const glm::dquat& q) {
     return {q.x, q.y, q.z, q.w};
 }
 
-/// m, height of the lowest corner of the turned body.
-double lowestCorner(const BreakableBody& body, const glm::dquat& rotation) {
+/// m, height of the turned body's lowest corner; where cells have none, of the spheres that they are.
+double lowestPoint(const BreakableBody& body, const glm::dquat& rotation) {
     double lowest = 1e300;
-    for (size_t i = 0; i < body.particles.size(); ++i)
-        for (uint32_t c = body.corners.start[i]; c < body.corners.start[i + 1]; ++c) {
-            const glm::dvec3 corner = toGlm(body.particles[i].seed) + toGlm(body.corners.from_seed[c]);
-            lowest = std::min(lowest, (rotation * corner).y);
-        }
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        const glm::dvec3 seed = toGlm(body.particles[i].seed);
+        if (body.corners.start.empty())
+            lowest = std::min(lowest, (rotation * seed).y - body.particles[i].depth);
+        else
+            for (uint32_t c = body.corners.start[i]; c < body.corners.start[i + 1]; ++c)
+                lowest = std::min(lowest, (rotation * (seed + toGlm(body.corners.from_seed[c]))).y);
+    }
     return lowest;
 }
 
 /// Turned and lifted so that it meets the floor with the chosen velocity.
 void drop(const Shot& shot, const BreakableBody& body, const Placement& place, BodyInstance& instance) {
     const glm::dquat rotation = turnOf(place) * glm::dquat(toGlm(shot.impact.tilt));
-    const double lowest = lowestCorner(body, rotation);
+    const double lowest = lowestPoint(body, rotation);
     // Falls for some hundredths of a second, so that one sees it come.
     const double speed = shot.impact.velocity;
     const double gap = std::min(0.06 * speed, speed * speed / (2 * kGravity));

@@ -12,7 +12,7 @@ namespace demolish {
 inline constexpr double kCornerShare = 0.2;
 /// Rolling resistance of a cell on its corners over that of a sphere: edges resist by themselves. With 1 a
 /// cube sleeps on its edge, with 0 nothing comes to rest.
-inline constexpr double kCornerRolling = 0.1;
+inline constexpr double kCornerRolling = 0.3;
 /// Steps ahead in which a contact is reckoned with that is still to come.
 inline constexpr double kStepsAhead = 1.5;
 
@@ -207,7 +207,7 @@ DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& param
 
 /// All springs of a contact together never get stiffer than this over dt^2, in terms of what answers at the
 /// corner that gives way most: a flat cell turns easily under its corners.
-inline constexpr double kStableShare = 0.25;
+inline constexpr double kStableShare = 0.5;
 
 /// The law of what is pressed on: springs and damper of all its points. `approach`: m/s, along the normal.
 template <StepKind kStep, class Real>

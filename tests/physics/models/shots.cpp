@@ -24,8 +24,7 @@ double lowestCorner(const BreakableBody& body, const Quat<double>& q) {
         for (uint32_t c = body.corners.start[i]; c < body.corners.start[i + 1]; ++c) {
             const Double3 corner = body.corners.from_seed[c];
             lowest = std::min(
-                lowest,
-                rotate(q, Vec3<double>{seed.x + corner.x, seed.y + corner.y, seed.z + corner.z}).y);
+                lowest, rotate(q, Vec3<double>{seed.x + corner.x, seed.y + corner.y, seed.z + corner.z}).y);
         }
     }
     return lowest;

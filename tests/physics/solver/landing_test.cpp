@@ -71,7 +71,7 @@ TEST_F(RigidLanding, ABlockThatRocksComesToRest) {
         double turn;   ///< rad
         size_t frame;  ///< at rest from here on
     };
-    for (const Row& row : {Row{0.12, 13}, Row{0.3, 27}}) {
+    for (const Row& row : {Row{0.12, 14}, Row{0.3, 28}}) {
         const std::vector<double> v = speeds(rigidBlock(row.turn, 0.002), 60);
         std::printf("turned %.2f: %.3f m/s at most, %.4f from frame %zu on\n", row.turn, fastestFrom(v, 0),
                     fastestFrom(v, row.frame), row.frame);

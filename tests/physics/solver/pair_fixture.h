@@ -30,6 +30,18 @@ class Pair : public OnTheCpu {
     void setDistance(double distance) {
         for (uint32_t i = 0; i < 2; ++i) now().position[i].x = (i == 0 ? -0.5 : 0.5) * distance;
     }
+    /// Both ends of a touch that goes on: softest N/m, the tangential spring in m; or, with 0 of them, of
+    /// none.
+    void keepTouch(double softest, double spring = 0) {
+        data_.bonds.spring.span()[0] = data_.bonds.spring.span()[1] = {0, spring, 0, softest};
+    }
+    /// N, on the first after a step from rest at this distance.
+    double forceAt(double distance) {
+        setDistance(distance);
+        for (uint32_t i = 0; i < 2; ++i) now().velocity[i] = {};
+        step();
+        return force(0);
+    }
     void step(uint32_t n = 1) { runner_.run(backend_, data_, lists_.contacts(), params_, true, n); }
     double force(uint32_t i) { return length(xyz(now().velocity[i])) * tables_.mass[i] / params_.dt; }
 

@@ -52,18 +52,33 @@ TEST_F(Pair, WhatIsRigidIsLeftOutWhereTheTwoGoApart) {
     data_.carried_tally = tally.span();
     for (const bool apart : {true, false}) {
         params_.leaves_out = apart ? 1 : 0;
+        keepTouch(kNeverSoftened);
         setDistance(0.9 * kSize);
         step();
         EXPECT_EQ(force(0) > 0, !apart);
-        EXPECT_EQ(data_.bonds.spring.view()[0].w > 0, !apart);
+        EXPECT_EQ(hasBeenSofter(data_.bonds.spring.view()[0]), !apart);
     }
+}
+
+/// Nobody has seen the two come so near: no contact has taken in what such an overlap holds. What comes on
+/// top of it does press, and when it grows less, so does what bears nothing.
+TEST_F(Pair, WhatTouchesUnseenBearsNothingAtFirst) {
+    setState(PairState::kContact);
+    EXPECT_LT(forceAt(0.9 * kSize), 1e-6);
+    EXPECT_FALSE(holdsNothing(data_.bonds.spring.view()[0]));
+    const double more = forceAt(0.89 * kSize);
+    EXPECT_GT(more, 0);
+    EXPECT_LT(forceAt(0.95 * kSize), 1e-6);
+    EXPECT_NEAR(forceAt(0.94 * kSize) / more, 1, 1e-9) << "a hundredth again";
+    EXPECT_EQ(forceAt(1.1 * kSize), 0);
+    EXPECT_TRUE(holdsNothing(data_.bonds.spring.view()[0]));
 }
 
 /// However far two part in one substep: the next touch shall not begin with what this one leaves.
 TEST_F(Pair, WhatHasPartedKeepsNoSpring) {
     for (const double distance : {1.005, 1.5, 10.0}) {
         setState(PairState::kContact);
-        data_.bonds.spring.span()[0] = data_.bonds.spring.span()[1] = {0, 1e-5, 0, 7};
+        keepTouch(7, 1e-5);
         setDistance(distance * kSize);
         step();
         for (uint32_t slot = 0; slot < 2; ++slot)
