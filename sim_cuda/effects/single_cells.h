@@ -102,7 +102,7 @@ inline std::vector<DrawnCell> drawnCells(const std::vector<BodyInstance>& bodies
     return cells;
 }
 
-/// What is left of a single cell keeps its centre, or goes down to what it lies on.
+/// What is left of a single cell keeps its centre, or goes down to what it lies on, whose touched point stays.
 struct ShrinkSingleCells {
     FragmentRows rows;
     Span<const uint32_t> owner;
@@ -123,8 +123,8 @@ struct ShrinkSingleCells {
         Vec3<float> moved = lost * arm;
         for (uint32_t c = 0; c < colliders.count; ++c) {
             const TangentPlane<float> tangent = colliders.tangent(c, before + arm);
-            const float near = clampTo(2.0f - tangent.distance / radius, 0.0f, 1.0f);
-            moved = axpy(-lost * radius * near, xyz(tangent.plane), moved);
+            const float near = clampTo(2.5f - tangent.distance / radius, 0.0f, 1.0f);
+            moved = axpy(-lost * maxOf(tangent.distance, 0.0f) * near, xyz(tangent.plane), moved);
         }
         own.translation = {before.x + moved.x, before.y + moved.y, before.z + moved.z};
         transform[i] = own;

