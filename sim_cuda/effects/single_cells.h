@@ -102,7 +102,8 @@ inline std::vector<DrawnCell> drawnCells(const std::vector<BodyInstance>& bodies
     return cells;
 }
 
-/// What is left of a single cell keeps its centre, or goes down to what it lies on, whose touched point stays.
+/// What is left of a single cell keeps its centre, or goes down to what it lies on, whose touched point
+/// stays.
 struct ShrinkSingleCells {
     FragmentRows rows;
     Span<const uint32_t> owner;

@@ -79,6 +79,20 @@ DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
     add(at.change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
 }
 
+/// Calls visit(corner) for each in turn. Some are read at once, since on a GPU the way to each is long.
+template <class Real, class Visit>
+DEM_FN void forEachCorner(const CornersIn<Real>& corners, const CornerRow<Real>& row, const Visit& visit) {
+    constexpr uint32_t kAtOnce = 8;
+    for (uint32_t first = row.first; first < row.last; first += kAtOnce) {
+        const uint32_t count = minOf(row.last - first, kAtOnce);
+        Vec3<Real> corner[kAtOnce];
+        for (uint32_t k = 0; k < kAtOnce; ++k)
+            corner[k] = xyz(corners.from_seed[k < count ? first + k : first]);
+        for (uint32_t k = 0; k < kAtOnce; ++k)
+            if (k < count) visit(corner[k]);
+    }
+}
+
 /// Corners on a plane, whose normal is turned into the cell's frame rather than its corners out of it: a
 /// fifth of the work. `turned`: the particle's orientation.
 template <bool kLedger, class Real>
@@ -89,12 +103,11 @@ DEM_FN void pressOnPlane(const CornersIn<Real>& corners, const StepParams<Real>&
     const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(turned), normal);
     const Vec3<Real> rising = rotate(conjugate(turned), cross(normal, xyz(own.state.spin)));
     const Real opening = dot(xyz(own.state.velocity), normal);
-    for (uint32_t k = row.first; k < row.last; ++k) {
-        const Vec3<Real> corner = xyz(corners.from_seed[k]);
+    forEachCorner(corners, row, [&](const Vec3<Real>& corner) {
         const Real distance = tangent.distance + dot(up, corner);
         sums.add(distance, corner);
         if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.dt);
-    }
+    });
     at.normal = normal;
     at.gap = sums.nearest();
     if (sums.touches()) at.arm = rotate(turned, sums.arm());
@@ -115,11 +128,11 @@ DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>&
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
         if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.dt);
     };
-    for (uint32_t k = row.first; k < row.last; ++k) {
-        const Vec3<Real> arm = rotate(turned, xyz(corners.from_seed[k]));
+    forEachCorner(corners, row, [&](const Vec3<Real>& corner) {
+        const Vec3<Real> arm = rotate(turned, corner);
         const TangentPlane<Real> below = params.colliders.tangent(c, xyz(state.position), low + arm);
         addPoint(arm, xyz(below.plane), below.distance);
-    }
+    });
     const Vec3<Real> out = xyz(tangent.plane);
     addPoint(-tangent.distance * out, out, tangent.distance - row.inner_radius);
     at.normal = sums.touches() ? inverseSqrt(length2(normal)) * normal : out;
@@ -266,12 +279,16 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     const Vec3<Real> across = axpy(down, at.normal, at.arm);
     const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
     const Real approach = -dot(velocity, at.normal);
-    const TouchLaw<Real> law = pressingLaw<kStep>(arrays.wall_laws[own.owner], params, own, at,
-                                                  turned_with(own, at), approach, spring);
+    const auto law_now = [&] {
+        return pressingLaw<kStep>(arrays.wall_laws[own.owner], params, own, at, turned_with(own, at),
+                                  approach, spring);
+    };
     if (!(at.depth > Real(0))) {
-        releaseTouch<kLedger>(law, at.change, before, spring, Real(1), tally);
+        releaseTouch<kLedger>(kLedger ? law_now() : TouchLaw<Real>{}, at.change, before, spring, Real(1),
+                              tally);
         return {{}, at.gap < Real(kStepsAhead) * params.dt * approach};
     }
+    const TouchLaw<Real> law = law_now();
     PairMotion<Real> pair;
     pair.velocity_i = velocity;
     pair.spin_i = xyz(own.state.spin);

@@ -41,8 +41,9 @@ TEST(ShotSetup, ADroppedBodyReachesTheFloorWithTheChosenVelocity) {
         const SceneSetup setup = makeSetup(shot, {body});
         const BodyInstance& instance = setup.bodies.at(0);
         double lowest = 1e9;
-        for (const auto& particle : body->particles) lowest = std::min(lowest, particle.seed.y);
-        const double gap = instance.position.y + lowest - body->spacing;
+        for (const auto& particle : body->particles)
+            lowest = std::min(lowest, particle.seed.y - particle.depth);
+        const double gap = instance.position.y + lowest;
         EXPECT_GE(gap, 0);
         EXPECT_NEAR(std::sqrt(instance.velocity.y * instance.velocity.y + 2 * 9.81 * gap), velocity, 1e-9);
         EXPECT_LE(instance.velocity.y, 0);
