@@ -134,7 +134,8 @@ void addRepairOptions(CLI::App& command, ShotOptions& options) {
 
 void addShotOptions(CLI::App& command, ShotOptions& options) {
     const std::string own_group = command.get_help_ptr()->get_group();
-    command.add_option("scene", options.scene, "Scene to break (default: bunny)")->type_name("NAME");
+    command.add_option("scene", options.scene, "Scene to break, or a scene file of yours (default: bunny)")
+        ->type_name("NAME|FILE.toml");
     command.add_option("--model", options.model, "Mesh file to break instead of a scene")->type_name("FILE");
     command.add_option("--height", options.height, "Scale the model to this height (--model: 1 m)")
         ->type_name("M");
@@ -164,8 +165,9 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         .add_option("--particles", options.particles,
                     "Particles of each body, 2 to 4,000,000 (default: the scene's)")
         ->type_name("N");
-    command.add_option("--material", options.material, "Material preset in place of the scene's")
-        ->type_name("NAME");
+    command
+        .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
+        ->type_name("NAME|FILE.toml");
     command.add_option("--device", options.device, "Where to simulate; auto: on the GPU if there is one")
         ->type_name("auto|cpu|cuda")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))

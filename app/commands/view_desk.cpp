@@ -44,8 +44,9 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
             return lit;
         }
         Shot shot;
-        if (!scene.empty()) {
-            shot = loadScene(scene);
+        const bool is_scene_file = std::filesystem::path(model).extension() == ".toml";
+        if (!scene.empty() || is_scene_file) {
+            shot = loadScene(is_scene_file ? model : scene);
         } else {
             shot.model = model;
             shot.height = present.height;

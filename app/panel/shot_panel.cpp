@@ -20,8 +20,8 @@ void showModelField(PanelContext& context) {
     noteItem(context, "shot.model");
     tooltipOnHover(
         "A mesh in any format that assimp reads (OBJ, PLY, STL, glTF, ...); what is open is closed. It "
-        "stands "
-        "on the floor, scaled to the height below.");
+        "stands on the floor, scaled to the height below. Or a scene of your own, a file that ends in "
+        ".toml.");
     context.state.typed_model = path;
     ImGui::SameLine();
     const bool pressed = button(context, "shot.load", "Load", "Break this file", path[0] != '\0');

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "app/session/data_folder.h"
+#include "app/session/asset_files.h"
 #include "app/session/material_file.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/scene_light.h"
@@ -17,19 +17,6 @@ namespace demolish {
 namespace {
 
 constexpr Range kAngleRange{-100, 100};  // rad
-
-std::string listed(const std::vector<std::string>& names) {
-    std::string text;
-    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
-std::filesystem::path findAsset(const std::string& folder, const std::string& kind, const std::string& name) {
-    const auto names = assetNames(folder);
-    if (std::find(names.begin(), names.end(), name) == names.end())
-        throw UsageError("there is no " + kind + " '" + name + "'; choose one of: " + listed(names));
-    return dataFolder() / "assets" / folder / (name + ".toml");
-}
 
 void readStrengthRow(TomlReader& reader, std::string& row) {
     if (!reader.has("strength_row")) return;
@@ -79,15 +66,12 @@ void readEffects(TomlReader& reader, EffectsSettings& effects) {
     reader.read("effects.puffs", effects.puffs, kPuffRange);
 }
 
-}  // namespace
-
-void applyMaterial(Shot& shot, const std::string& name) {
-    TomlReader reader(findAsset("materials", "material", name));
+void applyMaterialFile(Shot& shot, const std::string& name, const std::filesystem::path& file) {
+    TomlReader reader(file);
+    requireVersion(reader);
     Material material;
-    material.name = name;
+    material.name = file.stem().string();
     std::string title;
-    uint32_t version = kSceneFileVersion;
-    reader.read("version", version, {1, kSceneFileVersion});
     reader.read("name", material.name);
     reader.read("title", title);
     readMaterial(reader, "", material);
@@ -97,32 +81,51 @@ void applyMaterial(Shot& shot, const std::string& name) {
     shot.material_name = name;
 }
 
+/// A name that ships stays as it is, a path becomes one that holds wherever the program was started.
+void readPreset(TomlReader& reader, const std::string& key, Shot& shot) {
+    std::string preset = shot.material_name;
+    reader.read(key, preset);
+    try {
+        const std::filesystem::path file = tomlFileOf(kMaterials, preset, reader.file().parent_path());
+        const bool ships = std::filesystem::path(preset).extension() != ".toml";
+        applyMaterialFile(shot, ships ? preset : file.string(), file);
+    } catch (const UsageError& error) {
+        reader.fail(key, std::string("is wrong: ") + error.what());
+    }
+}
+
+std::filesystem::path readModelPath(TomlReader& reader, const std::string& key) {
+    std::string model;
+    reader.read(key, model);
+    if (model.empty()) reader.fail(key, "is missing; name a mesh file relative to this one, or to assets");
+    const std::filesystem::path file = modelFileOf(reader.file(), model);
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        reader.fail(key,
+                    "is '" + model + "', and there is no such file, neither beside this one nor in assets");
+    return file;
+}
+
+}  // namespace
+
+void applyMaterial(Shot& shot, const std::string& name) {
+    applyMaterialFile(shot, name, tomlFileOf(kMaterials, name));
+}
+
 Shot loadSceneFile(const std::filesystem::path& file) {
     TomlReader reader(file);
     Shot shot;
     shot.scene = file.stem().string();
-    uint32_t version = 0;
-    reader.read("version", version, {1, kSceneFileVersion});
-    if (version == 0) throw InputFileError(file.string() + ": 'version' is missing; write version = 1");
-    std::string title, model, preset = shot.material_name;
+    shot.scene_file = file;
+    requireVersion(reader);
+    std::string title;
     reader.read("title", title);
-    reader.read("model", model);
-    if (model.empty())
-        throw InputFileError(file.string() + ": 'model' is missing; name a mesh file relative to assets");
-    shot.model = dataFolder() / "assets" / model;
-    if (reader.has("paper_model")) {
-        reader.read("paper_model", model);
-        shot.paper_model = dataFolder() / "assets" / model;
-    }
+    shot.model = readModelPath(reader, "model");
+    if (reader.has("paper_model")) shot.paper_model = readModelPath(reader, "paper_model");
     readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);
     readRepair(reader, shot.repair);
-    reader.read("material_preset", preset);
-    try {
-        applyMaterial(shot, preset);
-    } catch (const UsageError& error) {
-        reader.fail("material_preset", std::string("is wrong: ") + error.what());
-    }
+    readPreset(reader, "material_preset", shot);
     readMaterial(reader, "material.", shot.material);
     if (reader.has("break_at_mps")) {
         shot.break_at.emplace();
@@ -151,7 +154,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
 }
 
 Shot loadScene(const std::string& name) {
-    return loadSceneFile(findAsset("scenes", "scene", name));
+    return loadSceneFile(tomlFileOf(kScenes, name));
 }
 
 }  // namespace demolish

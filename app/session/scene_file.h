@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes and materials as people write them: assets/scenes/*.toml, assets/materials/*.toml.
+// Scenes and materials as people write them: those of assets/scenes and assets/materials, and files anywhere.
 #pragma once
+#include <filesystem>
 #include <string>
 
 #include "app/session/shot.h"
 
 namespace demolish {
 
-inline constexpr uint32_t kSceneFileVersion = 1;
-
-/// Throws UsageError that lists the scenes when there is none of this name; InputFileError with file and line
-/// otherwise.
+/// Of a scene that ships, or of any file whose name ends in .toml. Throws UsageError that lists the scenes
+/// when there is none of this name; InputFileError with file, line and key otherwise.
 Shot loadScene(const std::string& name);
-/// The same for one file, for tests and for scenes elsewhere.
+/// Files that the scene names are looked for beside it, models then in assets.
 Shot loadSceneFile(const std::filesystem::path& file);
 
-/// Puts a material preset (and its look, where the file has one) into the shot. Throws as loadScene.
+/// Puts a material (and its look, where the file has one) into the shot: a preset, or a file whose name ends
+/// in .toml. Throws as loadScene.
 void applyMaterial(Shot& shot, const std::string& name);
 
 }  // namespace demolish

@@ -23,6 +23,7 @@ bool sameAim(const Impact& a, const Impact& b) {
 
 void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
     to.scene = from.scene;
+    to.scene_file = from.scene_file;
     to.paper_model = from.paper_model;
     to.material_name = from.material_name;
     to.material.name = from.material.name;
@@ -121,7 +122,7 @@ Change changeBetween(const Shot& before, const Shot& after) {
 }
 
 bool sameSubject(const Shot& a, const Shot& b) {
-    return a.scene == b.scene && a.model == b.model;
+    return a.scene == b.scene && a.scene_file == b.scene_file && a.model == b.model;
 }
 
 }  // namespace demolish

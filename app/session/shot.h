@@ -51,8 +51,9 @@ inline constexpr double kModelTimesThreshold = 2;
 enum class DeviceChoice { kAuto, kCpu, kCuda };
 
 struct Shot {
-    std::string scene = "model";  ///< name of the scene file, "model" for a bare mesh
-    std::filesystem::path model;  ///< mesh file
+    std::string scene = "model";       ///< name of the scene file, "model" for a bare mesh
+    std::filesystem::path scene_file;  ///< empty for a bare mesh
+    std::filesystem::path model;       ///< mesh file
     /// The same model with the paper's number of triangles, where the scene names one: benchmarks take it.
     std::optional<std::filesystem::path> paper_model;
     /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.

@@ -95,6 +95,10 @@ TomlReader::TomlReader(const std::filesystem::path& file) : state_(std::make_uni
 
 TomlReader::~TomlReader() = default;
 
+const std::filesystem::path& TomlReader::file() const {
+    return state_->file;
+}
+
 bool TomlReader::has(std::string_view path) const {
     state_->asked.emplace(path);
     return static_cast<bool>(state_->table.at_path(path));
@@ -114,8 +118,13 @@ size_t TomlReader::count(std::string_view path, double most) const {
 }
 
 void TomlReader::fail(std::string_view path, const std::string& what) const {
-    const auto node = state_->table.at_path(path);
-    throw InputFileError(state_->place(node.node()) + ": " + std::string(path) + " " + what);
+    std::string_view at = path;
+    while (!at.empty() && !state_->table.at_path(at)) {
+        const size_t dot = at.rfind('.');
+        at = at.substr(0, dot == std::string_view::npos ? 0 : dot);
+    }
+    const toml::node* node = at.empty() ? nullptr : state_->table.at_path(at).node();
+    throw InputFileError(state_->place(node) + ": " + std::string(path) + " " + what);
 }
 
 void TomlReader::read(std::string_view path, double& value, const Range& range) {
@@ -175,6 +184,13 @@ void TomlReader::readColour(std::string_view path, float (&colour)[3]) {
 
 void TomlReader::requireAllRead() const {
     state_->requireKnown(state_->table, "");
+}
+
+void requireVersion(TomlReader& reader) {
+    constexpr double kVersion = 1;
+    uint32_t version = 0;
+    if (!reader.has("version")) reader.fail("version", "is missing; write version = 1");
+    reader.read("version", version, {kVersion, kVersion});
 }
 
 }  // namespace demolish

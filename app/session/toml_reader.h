@@ -18,6 +18,7 @@ class TomlReader {
     explicit TomlReader(const std::filesystem::path& file);
     ~TomlReader();
 
+    const std::filesystem::path& file() const;
     bool has(std::string_view path) const;
     /// Elements of a list of tables, 0 if there is none: read them as "path[0].key". Complains above `most`.
     size_t count(std::string_view path, double most) const;
@@ -28,7 +29,7 @@ class TomlReader {
     void readColour(std::string_view path, float (&colour)[3]);            ///< linear, each 0..1
     void readVector(std::string_view path, glm::vec3& value, const Range& range);
 
-    /// A complaint about one value of this file.
+    /// A complaint about one value of this file; of one that is missing the line is that of its table.
     [[noreturn]] void fail(std::string_view path, const std::string& what) const;
     /// Call at the end: complains about keys that no read() asked for.
     void requireAllRead() const;
@@ -37,5 +38,8 @@ class TomlReader {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// The key `version`, which each file says first. Throws InputFileError where it is missing or not 1.
+void requireVersion(TomlReader& reader);
 
 }  // namespace demolish

@@ -194,9 +194,9 @@ TEST(SceneFile, RefusesQuotedKeysWithDotsAtEveryLevel) {
 }
 
 TEST(SceneFile, WantsAVersionAndAModel) {
-    EXPECT_THAT(complaintAbout("model = \"models/block.obj\"\n"), HasSubstr("'version' is missing"));
+    EXPECT_THAT(complaintAbout("model = \"models/block.obj\"\n"), HasSubstr("version is missing"));
     EXPECT_THAT(complaintAbout("version = 2\nmodel = \"a.obj\"\n"), HasSubstr("version"));
-    EXPECT_THAT(complaintAbout("version = 1\n"), HasSubstr("'model' is missing"));
+    EXPECT_THAT(complaintAbout("version = 1\n"), HasSubstr("model is missing"));
 }
 
 TEST(SceneFile, ReadsColliders) {
@@ -295,6 +295,47 @@ TEST(SceneFile, BadCollidersAreRefusedWithASentence) {
     std::string many = kHead;
     for (uint32_t i = 0; i < kMaxColliders; ++i) many += "[[collider]]\nshape = \"plane\"\n";
     EXPECT_THAT(complaintAbout(many), HasSubstr("has 8 entries; at most 7 are possible"));
+}
+
+/// A shot of one's own: files beside the scene, and none of ours but what it asks for.
+TEST(SceneFile, FilesAreLookedForBesideTheScene) {
+    const TemporaryFolder folder;
+    std::filesystem::copy_file(dataFolder() / "assets/models/block.obj", folder.path() / "brick.obj");
+    folder.write("clay.toml",
+                 "version = 1\ndensity_kg_m3 = 1900\n[look]\nexterior_colour = [0.5, 0.2, 0.1]\n");
+    const auto file =
+        folder.write("shot.toml", "version = 1\nmodel = \"brick.obj\"\nmaterial_preset = \"clay.toml\"\n");
+    const Shot shot = loadScene(file.string());
+    EXPECT_EQ(shot.model, folder.path() / "brick.obj");
+    EXPECT_EQ(shot.scene, "shot");
+    EXPECT_EQ(shot.material.name, "clay");
+    EXPECT_EQ(shot.material.density, 1900);
+    EXPECT_FLOAT_EQ(shot.look.exterior_colour[0], 0.5f);
+    Shot again;
+    applyMaterial(again, shot.material_name);
+    EXPECT_EQ(again.material, shot.material) << "its name holds from anywhere";
+}
+
+TEST(SceneFile, FilesThatAreNotThereAreNamedWithLineAndKey) {
+    EXPECT_THAT(complaintAbout("version = 1\nmodel = \"none.obj\"\n"),
+                testing::AllOf(HasSubstr("scene.toml:2: model is 'none.obj'"), HasSubstr("beside")));
+    EXPECT_THAT(complaintAbout(kHead + "material_preset = \"none.toml\"\n"), HasSubstr("none.toml"));
+    EXPECT_THAT(complaintAbout(kHead + "[[collider]]\nsize_m = [1, 1, 1]\n"),
+                HasSubstr("scene.toml:3: collider[0].shape is missing"));
+    const TemporaryFolder folder;
+    EXPECT_THROW(loadScene((folder.path() / "none.toml").string()), InputFileError);
+    Shot shot;
+    EXPECT_THROW(applyMaterial(shot, folder.write("old.toml", "density_kg_m3 = 1900\n").string()),
+                 InputFileError)
+        << "no version";
+}
+
+TEST(SceneFile, ScenesOfOneNameAndModelAreStillTwo) {
+    const TemporaryFolder one, other;
+    const Shot a = loadScene(one.write("shot.toml", kHead).string());
+    const Shot b = loadScene(other.write("shot.toml", kHead).string());
+    EXPECT_FALSE(sameSubject(a, b));
+    EXPECT_TRUE(sameSubject(a, a));
 }
 
 TEST(SceneFile, EveryShippedSceneAndMaterialLoads) {
