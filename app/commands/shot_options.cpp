@@ -118,6 +118,19 @@ void addEffectOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("FACTOR");
 }
 
+void addFinenessOptions(CLI::App& command, ShotOptions& options) {
+    command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
+        ->type_name("N");
+    command
+        .add_option("--particle-size", options.particle_size,
+                    "Mean spacing of the particles, instead of their number")
+        ->type_name("M");
+    command
+        .add_option("--particles", options.particles,
+                    "Particles of each body, 2 to 4,000,000 (default: the scene's)")
+        ->type_name("N");
+}
+
 }  // namespace
 
 void addRepairOptions(CLI::App& command, ShotOptions& options) {
@@ -155,16 +168,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
                     "The scene's smooth mesh, or the one with the paper's number of triangles")
         ->type_name("fine|paper")
         ->check(CLI::IsMember({"fine", "paper"}).description(""));
-    command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
-        ->type_name("N");
-    command
-        .add_option("--particle-size", options.particle_size,
-                    "Mean spacing of the particles, instead of their number")
-        ->type_name("M");
-    command
-        .add_option("--particles", options.particles,
-                    "Particles of each body, 2 to 4,000,000 (default: the scene's)")
-        ->type_name("N");
+    addFinenessOptions(command, options);
     command
         .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
         ->type_name("NAME|FILE.toml");
