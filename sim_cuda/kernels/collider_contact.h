@@ -79,10 +79,9 @@ DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
     add(at.change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
 }
 
-/// Calls visit(corner) for each in turn. Some are read at once, since on a GPU the way to each is long.
-template <class Real, class Visit>
+/// Calls visit(corner) for each in turn; `kAtOnce` are read at once, since on a GPU the way to each is long.
+template <uint32_t kAtOnce, class Real, class Visit>
 DEM_FN void forEachCorner(const CornersIn<Real>& corners, const CornerRow<Real>& row, const Visit& visit) {
-    constexpr uint32_t kAtOnce = 8;
     for (uint32_t first = row.first; first < row.last; first += kAtOnce) {
         const uint32_t count = minOf(row.last - first, kAtOnce);
         Vec3<Real> corner[kAtOnce];
@@ -103,7 +102,7 @@ DEM_FN void pressOnPlane(const CornersIn<Real>& corners, const StepParams<Real>&
     const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(turned), normal);
     const Vec3<Real> rising = rotate(conjugate(turned), cross(normal, xyz(own.state.spin)));
     const Real opening = dot(xyz(own.state.velocity), normal);
-    forEachCorner(corners, row, [&](const Vec3<Real>& corner) {
+    forEachCorner<4>(corners, row, [&](const Vec3<Real>& corner) {
         const Real distance = tangent.distance + dot(up, corner);
         sums.add(distance, corner);
         if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.dt);
@@ -128,7 +127,7 @@ DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>&
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
         if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.dt);
     };
-    forEachCorner(corners, row, [&](const Vec3<Real>& corner) {
+    forEachCorner<1>(corners, row, [&](const Vec3<Real>& corner) {
         const Vec3<Real> arm = rotate(turned, corner);
         const TangentPlane<Real> below = params.colliders.tangent(c, xyz(state.position), low + arm);
         addPoint(arm, xyz(below.plane), below.distance);

@@ -26,11 +26,10 @@ uint32_t gatherBlocks(uint32_t active) {
 inline constexpr uint32_t kFewActive = 8192;
 
 /// T threads a particle. The first block waits for the step before in any case, so that the next one may rely
-/// on it. Left to itself the compiler takes nine registers more, and a multiprocessor gets a
-/// block less.
+/// on it. With six blocks a multiprocessor instead of five, what
+/// a corner needs does not fit into registers.
 template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, kLedger ? 5 : 6)
-    rigidLoadKernel(const RigidGather<Real> gather) {
+__global__ void __launch_bounds__(kSubstepBlock, 5) rigidLoadKernel(const RigidGather<Real> gather) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
     letNextStart();
     const uint32_t block = blockIdx.x;

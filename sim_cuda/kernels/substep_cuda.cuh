@@ -256,7 +256,7 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
 /// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
 /// registers are worth more than blocks.
 constexpr int blocksAtOnce(uint32_t threads) {
-    return threads >= 16 ? 4 : threads >= 8 ? 5 : 7;
+    return threads >= 16 ? 4 : threads >= 8 ? 5 : 6;
 }
 
 /// Places of the work list.
