@@ -24,7 +24,8 @@ void main() {
     s.normal = s.geometric_normal;
     s.metalness = 0.0;
 #ifdef INTERIOR
-    insideMaterial(s, rest, rotation, relief);
+    vec2 deeper = vec2(dFdx(relief.x), dFdy(relief.x));
+    insideMaterial(s, rest, rotation, relief, coatAt(relief.x, dFdx(rest), dFdy(rest), deeper));
 #else
     outsideMaterial(s, rest);
 #endif

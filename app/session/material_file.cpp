@@ -2,8 +2,27 @@
 // Material keys, with units in their names and the ranges of sim_cuda/api/params.h.
 #include "app/session/material_file.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace demolish {
 namespace {
+
+/// As engine::SolidTexture has them.
+const std::vector<std::string> kTextures = {"none",    "veins",  "layers", "crystals",
+                                            "pebbles", "bricks", "grains"};
+
+void readTexture(TomlReader& reader, const std::string& prefix, engine::SurfaceLook& look) {
+    std::string name = kTextures[static_cast<size_t>(look.texture)];
+    reader.read(prefix + "texture", name);
+    const auto found = std::find(kTextures.begin(), kTextures.end(), name);
+    if (found == kTextures.end()) {
+        std::string all;
+        for (const std::string& known : kTextures) all += (all.empty() ? "" : ", ") + known;
+        reader.fail(prefix + "texture", "must be one of " + all);
+    }
+    look.texture = static_cast<engine::SolidTexture>(found - kTextures.begin());
+}
 
 void readFloat(TomlReader& reader, const std::string& path, float& value, const Range& range) {
     double number = value;
@@ -46,6 +65,18 @@ void readLook(TomlReader& reader, const std::string& prefix, engine::SurfaceLook
     readFloat(reader, prefix + "interior_roughness", look.interior_roughness, {0.02, 1});
     readFloat(reader, prefix + "noise_strength", look.noise_strength, {0, 1});
     readFloat(reader, prefix + "crack_width_m", look.crack_width, {0, 0.1});
+    readTexture(reader, prefix, look);
+    readFloat(reader, prefix + "texture_size_m", look.texture_size, {1e-4, 100});
+    reader.readColour(prefix + "texture_colour", look.texture_colour);
+    readFloat(reader, prefix + "texture_outside", look.texture_outside, {0, 1});
+    readFloat(reader, prefix + "coat_m", look.coat, {0, 0.1});
+    readFloat(reader, prefix + "refraction_index", look.refraction_index, {1, 2.5});
+    Double3 absorption{look.absorption[0], look.absorption[1], look.absorption[2]};
+    reader.read(prefix + "absorption_per_m", absorption, {0, 1e4});
+    look.absorption[0] = static_cast<float>(absorption.x);
+    look.absorption[1] = static_cast<float>(absorption.y);
+    look.absorption[2] = static_cast<float>(absorption.z);
+    readFloat(reader, prefix + "frost", look.frost, {0, 1});
 }
 
 }  // namespace demolish

@@ -75,8 +75,10 @@ void applyMaterialFile(Shot& shot, const std::string& name, const std::filesyste
     reader.read("name", material.name);
     reader.read("title", title);
     readMaterial(reader, "", material);
-    readLook(reader, "look.", shot.look);
+    engine::SurfaceLook look;  // nothing of another material stays
+    readLook(reader, "look.", look);
     reader.requireAllRead();
+    shot.look = look;
     shot.material = material;
     shot.material_name = name;
 }

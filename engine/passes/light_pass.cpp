@@ -33,6 +33,7 @@ LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {
 
 void LightPass::prepare(const FrameView& view, const PictureKind& kind) {
     kind_ = kind;
+    texture_ = view.look.texture;
     surroundings_.show(view.lighting.surroundings ? view.lighting.surroundings : usualSurroundings());
     surroundings_.bind();
 }
@@ -40,7 +41,8 @@ void LightPass::prepare(const FrameView& view, const PictureKind& kind) {
 gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
     PictureKind kind = kind_;
     kind.samples = targets.samples;
-    gl::Program& program = programs_[{way, kind}];
+    const SolidTexture texture = way == Way::kFound ? texture_ : SolidTexture::kNone;
+    gl::Program& program = programs_[{way, texture, kind}];
     if (program.id() != 0) return program;
     if (way == Way::kDrawn)
         program = gl::Program(shaders_, {"whole_picture.vert", "light.frag"},
@@ -50,7 +52,7 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
                               {way == Way::kComputed ? "light.comp"
                                : way == Way::kEmpty  ? "light_empty.comp"
                                                      : "light_found.comp"},
-                              defines(kind));
+                              defines(kind) + textureDefine(texture));
     setTone(program, kind.tone);
     for (int i = 0; i < targets.samples; ++i)
         program.set(kSamplePosition + i, targets.sample_position[static_cast<size_t>(i)]);

@@ -3,7 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <map>
-#include <utility>
+#include <tuple>
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
@@ -40,8 +40,9 @@ class LightPass {
     gl::Program& programFor(const RenderTargets& targets, Way way);
     void bindPicture(const gl::Texture& occlusion, GLuint picture);
     std::filesystem::path shaders_;
-    std::map<std::pair<Way, PictureKind>, gl::Program> programs_;  ///< made when first needed
-    PictureKind kind_;                                             ///< of the frames to come
+    std::map<std::tuple<Way, SolidTexture, PictureKind>, gl::Program> programs_;  ///< made when first needed
+    SolidTexture texture_ = SolidTexture::kNone;                                  ///< of the frames to come
+    PictureKind kind_;                                                            ///< of the frames to come
     SurroundingsTextures surroundings_;
     gl::VertexArray no_attributes_;
 };

@@ -28,6 +28,7 @@ std::string defines(const PictureKind& kind) {
                        (kind.radiance ? "rgba16f\n#define RADIANCE\n" : "rgba8\n");
     if (kind.colliders) text += "#define COLLIDERS\n";
     if (kind.transparent) text += "#define TRANSPARENT\n";
+    if (kind.glass) text += "#define GLASS\n";
     return text;
 }
 

@@ -12,6 +12,7 @@ namespace demolish::engine {
 struct PictureKind {
     int samples = 1;
     bool colliders = false, transparent = false, radiance = false;
+    bool glass = false;  ///< transparent bodies tint the sun, and come over the picture
     FloorMaterial floor = FloorMaterial::kChecker;
     ToneCurve tone = ToneCurve::kFilm;
     auto operator<=>(const PictureKind&) const = default;

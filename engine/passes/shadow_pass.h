@@ -21,7 +21,7 @@ inline constexpr float kShadowSlopes = 1.1f, kShadowSteps = 2.0f;
 /// What the map shows: frames that agree in it share the map.
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
-    bool as_particles = false, with_grit = false;
+    bool as_particles = false, with_grit = false, with_body = true;
     std::vector<float> spheres;  ///< position and radius of each
     std::vector<ColliderDraw> colliders;
     glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};

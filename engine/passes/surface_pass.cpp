@@ -7,18 +7,52 @@ namespace {
 
 constexpr GLint kMaterial = 0;  // shaders/common/body_material.glsl
 
+/// How much of a solid has the second colour, as its shader makes it: of grains, which are too small for a
+/// pattern.
+float shareOf(SolidTexture texture) {
+    switch (texture) {
+        case SolidTexture::kNone:
+            return 0;
+        case SolidTexture::kVeins:
+        case SolidTexture::kBricks:
+        case SolidTexture::kGrains:
+            return 0.12f;
+        case SolidTexture::kCrystals:
+            return 0.25f;
+        case SolidTexture::kLayers:
+        case SolidTexture::kPebbles:
+            return 0.45f;
+    }
+    return 0;
+}
+
 }  // namespace
 
-SurfacePass::SurfacePass(const std::filesystem::path& shaders)
-    : exterior_(shaders, {"surface.vert", "surface.frag"}),
-      interior_(shaders, {"surface.vert", "surface.frag"}, "#define INTERIOR\n") {}
+SurfacePass::SurfacePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+
+SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture) {
+    Programs& programs = programs_[texture];
+    if (programs.exterior.id() == 0) {
+        const std::string solid = textureDefine(texture);
+        programs.exterior = gl::Program(shaders_, {"surface.vert", "surface.frag"}, solid);
+        programs.interior =
+            gl::Program(shaders_, {"surface.vert", "surface.frag"}, solid + "#define INTERIOR\n");
+    }
+    return programs;
+}
 
 void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look) {
-    for (gl::Program* program : {&exterior_, &interior_}) setBodyMaterial(*program, kMaterial, look);
-    exterior_.use();
+    Programs& programs = programsFor(look.texture);
+    for (gl::Program* program : {&programs.exterior, &programs.interior})
+        setBodyMaterial(*program, kMaterial, look);
+    programs.exterior.use();
     body.drawExterior(mesh);
-    interior_.use();
+    programs.interior.use();
     body.drawInterior(mesh);
+}
+
+std::string textureDefine(SolidTexture texture) {
+    return "#define TEXTURE " + std::to_string(static_cast<int>(texture)) + "\n";
 }
 
 void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& look) {
@@ -26,6 +60,9 @@ void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& lo
     program.set(location, glm::vec4(outside[0], outside[1], outside[2], look.exterior_roughness));
     program.set(location + 1, glm::vec4(inside[0], inside[1], inside[2], look.interior_roughness));
     program.set(location + 2, glm::vec2(look.noise_scale, look.noise_strength));
+    const auto& other = look.texture_colour;
+    program.set(location + 3, glm::vec4(other[0], other[1], other[2], shareOf(look.texture)));
+    program.set(location + 4, glm::vec4(1 / look.texture_size, look.texture_outside, look.coat, 0));
 }
 
 }  // namespace demolish::engine

@@ -2,6 +2,8 @@
 // Draws the body: outside and broken faces, each with its material.
 #pragma once
 #include <filesystem>
+#include <map>
+#include <string>
 
 #include "engine/gl/program.h"
 #include "engine/passes/body_geometry.h"
@@ -12,6 +14,8 @@ namespace demolish::engine {
 
 /// Sets the uniforms of shaders/common/body_material.glsl, which begin at `location`.
 void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& look);
+/// Which texture such a shader is made for.
+std::string textureDefine(SolidTexture texture);
 
 class SurfacePass {
   public:
@@ -19,7 +23,12 @@ class SurfacePass {
     void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
 
   private:
-    gl::Program exterior_, interior_;
+    struct Programs {
+        gl::Program exterior, interior;
+    };
+    Programs& programsFor(SolidTexture texture);
+    std::filesystem::path shaders_;
+    std::map<SolidTexture, Programs> programs_;  ///< made when first needed
 };
 
 }  // namespace demolish::engine

@@ -153,6 +153,8 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     frame.viewport = {width, height, 1.0f / width, 1.0f / height};
     frame.depth_range = {camera.near_plane, camera.far_plane, slope, aspect};
     frame.scene = glm::vec4(centre, view.scene_radius);
+    const auto& absorption = view.look.absorption;
+    frame.glass = {absorption[0], absorption[1], absorption[2], view.look.refraction_index};
     return frame;
 }
 

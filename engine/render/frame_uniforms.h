@@ -17,9 +17,9 @@ struct FrameUniforms {
     glm::vec4 viewport;
     glm::vec4 shadow[2];                   ///< of the near and the far region
     glm::vec4 to_far_scale, to_far_shift;  ///< u, v and depth of the far region from those of the near one
-    glm::vec4 depth_range, scene;
+    glm::vec4 depth_range, scene, glass;
 };
-static_assert(sizeof(FrameUniforms) == 4 * 64 + 25 * 16);
+static_assert(sizeof(FrameUniforms) == 4 * 64 + 26 * 16);
 
 /// What a view's light says of its surroundings, or what is usual.
 const Surroundings& surroundingsOf(const Lighting& light);

@@ -17,6 +17,7 @@
 #include "engine/passes/depth_eraser.h"
 #include "engine/passes/dust_pass.h"
 #include "engine/passes/floor_pass.h"
+#include "engine/passes/glass_pass.h"
 #include "engine/passes/grit_pass.h"
 #include "engine/passes/id_pass.h"
 #include "engine/passes/light_pass.h"
@@ -25,14 +26,16 @@
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/platform/gl_context.h"
+#include "engine/render/cell_volume.h"
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
+#include "engine/render/shown.h"
 
 namespace demolish::engine {
 namespace {
 
-constexpr GLuint kFrameBlock = 0, kNoiseUnit = 2;
+constexpr GLuint kFrameBlock = 0, kNoiseUnit = 2, kCellUnit = 13;
 constexpr float kEmptyDepth = 0.0f;  // reversed
 
 int shadowMapSize(RenderQuality quality) {
@@ -58,6 +61,7 @@ struct Renderer::Passes {
           grit(shaders),
           dust(shaders),
           sparks(shaders),
+          glass(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
@@ -76,25 +80,31 @@ struct Renderer::Passes {
         }
     }
 
+    /// Bound as shaders/common/solid_texture.glsl has it.
+    void bindSolid(SolidTexture texture) {
+        if (texture < SolidTexture::kCrystals) return;
+        if (!cells) cells = makeCellVolume();
+        cells.bind(kCellUnit);
+    }
+
     void uploadFrame(const FractureMesh* mesh, const FrameView& view) {
         frame = makeFrameUniforms(view, shadowMapSize(view.quality));
         frame.floor_bounce.w = showsDust(mesh, view) ? 1.0f : 0.0f;
         frame_block.upload(std::as_bytes(std::span(&frame, 1)));
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBlock, frame_block.id());
         colliders.setColliders(view.colliders);
-        const PictureKind kind = pictureKind(view, colliders.count() > 0);
-        light.prepare(view, kind);
+        kind = pictureKind(view, colliders.count() > 0);
+        kind.glass = showsGlass(mesh, view);
         dust.prepare(kind);
         sparks.prepare(kind);
+        PictureKind lit = kind;
+        lit.radiance = lit.radiance || kind.glass;  // glass mixes light, and comes after
+        light.prepare(view, lit);
         occlusion.showColliders(colliders.count() > 0);
     }
 
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
-    static bool showsEffects(const FractureMesh* mesh, const FrameView& view) {
-        return mesh != nullptr && mesh->effectsShown() && view.show_effects &&
-               view.mode == ViewMode::kSurface;
-    }
     bool computes(const FractureMesh* mesh, const FrameView& view);
     bool readyToCompute();
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
@@ -103,10 +113,8 @@ struct Renderer::Passes {
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
     void computeLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer, bool found);
+    void drawGlass(const FrameView& view, GLuint framebuffer);
     void drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
-    static bool showsDust(const FractureMesh* mesh, const FrameView& view) {
-        return showsEffects(mesh, view) && mesh->effectsFly();
-    }
     void castDustShadows(const FractureMesh* mesh, const FrameView& view);
     void addUpDust(const FractureMesh* mesh, const FrameView& view);
     void drawSparks(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
@@ -132,14 +140,16 @@ struct Renderer::Passes {
     GritPass grit;
     DustPass dust;
     SparkPass sparks;
+    GlassPass glass;
     std::optional<ComputedRaster> computed;  ///< made when first needed
     std::string refusal;
     DepthEraser eraser;
-    gl::Texture noise;
-    gl::Sampler draft_noise;  ///< half the texels: software renderers feel it in every pixel
+    gl::Texture noise, cells;  ///< the second: made when first needed
+    gl::Sampler draft_noise;   ///< half the texels: software renderers feel it in every pixel
     gl::Buffer frame_block;
     FrameUniforms frame{};
-    std::span<const SphereDraw> sphere_draws;  ///< of the frame being drawn
+    PictureKind kind;  ///< of the frame being drawn, as the next
+    std::span<const SphereDraw> sphere_draws;
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
     int max_samples = 1;
@@ -147,8 +157,7 @@ struct Renderer::Passes {
 
 /// Software renderers compute as slowly as they draw.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
-    if (mesh == nullptr || view.mode != ViewMode::kSurface || view.quality != RenderQuality::kFull)
-        return false;
+    if (!showsSolid(mesh, view) || view.quality != RenderQuality::kFull) return false;
     if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
         return false;
     return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
@@ -175,6 +184,7 @@ ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameV
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
     scene.with_grit = showsEffects(mesh, view);
+    scene.with_body = !showsGlass(mesh, view);
     for (const SphereDraw& sphere : sphere_draws) {
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
@@ -189,7 +199,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
-        if (mesh != nullptr && view.mode == ViewMode::kSurface) shadow.drawBody(body, *mesh);
+        if (showsSolid(mesh, view)) shadow.drawBody(body, *mesh);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
         if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
@@ -206,14 +216,13 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (mesh != nullptr && view.mode == ViewMode::kSurface) surface.draw(body, *mesh, view.look);
+    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     clock.mark("body");
     if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
     clock.mark("grit");
-    const bool with_cracks = mesh != nullptr && view.mode == ViewMode::kSurface && view.show_cracks;
-    if (with_cracks) cracks.draw(*mesh, view.look.crack_width);
+    if (showsSolid(mesh, view) && view.show_cracks) cracks.draw(*mesh, view.look.crack_width);
     clock.mark("cracks");
 }
 
@@ -221,8 +230,8 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
                                     bool found) {
     const gl::Texture& visibility = occlusion.run(*targets, view.scene_radius, found);
     clock.mark("occlusion");
-    const GLuint target =
-        gl::writableTexture(framebuffer, view.width, view.height, view.radiance ? GL_RGBA16F : GL_RGBA8);
+    const GLuint target = gl::writableTexture(framebuffer, view.width, view.height,
+                                              view.radiance || kind.glass ? GL_RGBA16F : GL_RGBA8);
     const GLuint picture = target != 0 ? target : targets->display.id();
     if (found)
         computed->bindShadowMap();
@@ -261,19 +270,33 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
+    if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view.look);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
     drawMaterials(mesh, view);
+    if (kind.glass) glass.peel(body, *mesh, view.look, *targets);
+    clock.mark("glass");
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    const GLuint opaque = kind.glass ? glass.scene(*targets) : framebuffer;
     if (view.quality == RenderQuality::kDraft) {
-        drawLight(mesh, view, framebuffer);
+        drawLight(mesh, view, opaque);
     } else {
         eraser.remember(targets->depth, targets->samples);
         clock.mark("touched");
-        computeLight(mesh, view, framebuffer, false);
+        computeLight(mesh, view, opaque, false);
     }
+    if (kind.glass) drawGlass(view, framebuffer);
     drawSparks(mesh, view, framebuffer);
+}
+
+void Renderer::Passes::drawGlass(const FrameView& view, GLuint framebuffer) {
+    shadow.bindMap();
+    glass.walk(*targets, view, kind, framebuffer);
+    ShadowPass::unbindMap();
+    clock.mark("walk");
 }
 
 void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView& view) {
@@ -323,6 +346,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);
+    p.bindSolid(view.look.texture);
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
 

@@ -4,6 +4,9 @@
 
 namespace demolish::engine {
 
+/// What runs through the solid: shaders/common/solid_texture.glsl.
+enum class SolidTexture { kNone, kVeins, kLayers, kCrystals, kPebbles, kBricks, kGrains };
+
 /// Linear colours.
 struct SurfaceLook {
     float exterior_colour[3] = {0.17f, 0.23f, 0.31f};
@@ -15,7 +18,18 @@ struct SurfaceLook {
     float noise_strength = 0.4f;                  ///< 0.3..0.5 (geometry.md 4a)
     float crack_width = 0.0015f;                  ///< m
 
+    SolidTexture texture = SolidTexture::kNone;
+    float texture_size = 0.05f;                    ///< m, > 0: of its pattern
+    float texture_colour[3] = {0.5f, 0.5f, 0.5f};  ///< of its second colour: veins, stones, joints
+    float texture_outside = 1;                     ///< 0..1: how much of it the outside shows
+    float coat = 0;  ///< m, >= 0: so deep goes the outside's colour, as glaze does
+
+    float refraction_index = 1;       ///< 1: opaque; up to 2.5: transparent
+    float absorption[3] = {0, 0, 0};  ///< 1/m, >= 0: of light in a transparent body
+    float frost = 0.1f;  ///< 0..1: share of the light that a transparent body's broken faces scatter
+
     bool operator==(const SurfaceLook&) const = default;
+    bool isTransparent() const { return refraction_index > 1; }
 };
 
 }  // namespace demolish::engine

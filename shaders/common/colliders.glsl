@@ -37,15 +37,16 @@ Crossing crossCollider(uint c, vec3 from, vec3 ray) {
 
 const float kNoCollider = 1e30;
 
-// The first that a ray from the eye enters; beyond kNoCollider: none. An eye inside a solid does not see it.
-Crossing nearestCollider(vec3 ray) {
+// The first that a ray from a point enters; beyond kNoCollider: none. A point inside a solid does not see it.
+Crossing firstCollider(vec3 from, vec3 ray) {
     Crossing nearest = Crossing(kNoCollider, kNoCollider, vec3(0.0));
     for (uint c = 0u; c < collider_count; ++c) {
-        Crossing found = crossCollider(c, frame.eye.xyz, ray);
+        Crossing found = crossCollider(c, from, ray);
         if (found.enter > 0.0 && found.enter <= found.leave && found.enter < nearest.enter) nearest = found;
     }
     return nearest;
 }
+Crossing nearestCollider(vec3 ray) { return firstCollider(frame.eye.xyz, ray); }
 
 // What the sun's map holds of a solid: a depth between its lit side and its far one. It casts the same shadow, and the lit side
 // keeps clear of it. `p`: m, on the ray of the sun. Returns whether the ray meets the solid.

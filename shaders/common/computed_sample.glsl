@@ -52,18 +52,20 @@ void makeBody(ivec2 pixel, uint name, inout Surface s) {
     vec2 right = weightsAt(corners, ray + 2.0 * frame.viewport.z * frame.ray_right.xyz) - w;
     vec2 up = weightsAt(corners, ray + 2.0 * frame.viewport.w * frame.ray_up.xyz) - w;
     vec3 weights = nearestInside(w), normal = vec3(0.0), at_rest = vec3(0.0);
-    vec2 relief = vec2(0.0);
+    vec2 relief = vec2(0.0), deeper = vec2(0.0);
     for (int k = 0; k < 3; ++k) {
         at_rest += weights[k] * v[k].rest;
         normal += weights[k] * decodeOctahedral(unpackSnorm2x16(v[k].normal));
-        relief += weights[k] * unpackHalf2x16(v[k].uv);
+        vec2 of_corner = unpackHalf2x16(v[k].uv);
+        relief += weights[k] * of_corner;
+        deeper += of_corner.x * (k == 0 ? vec2(-right.x - right.y, -up.x - up.y) : vec2(right[k - 1], up[k - 1]));
     }
     mat2x3 edges = mat2x3(v[1].rest - v[0].rest, v[2].rest - v[0].rest);
     noise_footprint = max(length(edges * right), length(edges * up));
     s.geometric_normal = normalize(rotate(t.rotation, normal));
     s.normal = s.geometric_normal;
     s.metalness = 0.0;
-    if (isInterior(name)) insideMaterial(s, at_rest, t.rotation, relief);
+    if (isInterior(name)) insideMaterial(s, at_rest, t.rotation, relief, coatAt(relief.x, edges * right, edges * up, deeper));
     else outsideMaterial(s, at_rest);
     turnToEye(s);
 }

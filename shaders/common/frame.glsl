@@ -20,6 +20,7 @@ layout(std140, binding = 0) uniform Frame {
     vec4 to_far_shift;
     vec4 depth_range;      // x: near, y: far, m; z: tan(fov_y / 2); w: aspect
     vec4 scene;            // xyz: centre, w: radius, m
+    vec4 glass;            // of transparent bodies; rgb: absorption, 1/m; w: refraction index
 } frame;
 
 // How far the floor goes on from the camera along x and z, times the far plane's distance.

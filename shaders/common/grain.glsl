@@ -73,7 +73,8 @@ void grainMaterial(inout Surface s, uint seed, int face) {
     uint mixed = grainHash(seed);
     float tone = float((mixed >> 8) & 255u) / 255.0;
     bool coat = (mixed & 7u) == 0u && uint(face) == ((mixed >> 4) & 7u);
-    s.albedo = coat ? outside.rgb : inside.rgb * (0.8 + 0.35 * tone);
+    vec3 broken = grainDraw(seed + 31u) < texture_colour.a ? texture_colour.rgb : inside.rgb;
+    s.albedo = coat ? outside.rgb : broken * (0.8 + 0.35 * tone);
     s.roughness = coat ? outside.a : 0.92;
 }
 #endif

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel; maps each to display range,
-// averages, encodes sRGB.
-// Mapping before averaging keeps edges between bright and dark smooth.
-// RADIANCE: linear light, times alpha, for a film that averages several pictures before they are mapped. TRANSPARENT, with it
-// alone: surroundings are not seen, alpha is the share of the pixel that something covers.
+// Lights what was drawn, the floor and the sky: once for every distinct sample of a pixel, finished by common/finish.glsl.
+// TRANSPARENT, with RADIANCE alone: surroundings are not seen, alpha is the share of the pixel that something covers. GLASS: a
+// transparent body comes over this picture and tints the sun.
 #include "common/choices.glsl"
 #include "common/frame.glsl"
 #include "common/shade.glsl"
 #include "common/floor.glsl"
-#include "common/tone.glsl"
+#include "common/seen.glsl"
+#include "common/finish.glsl"
 #include "common/dust_over.glsl"
 #ifdef COLLIDERS
 #include "common/collider_surface.glsl"
@@ -70,14 +69,6 @@ int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec3 normal) {
     return is_drawn ? kDrawn : is_solid ? kCollider : along == kNoFloor ? kSky : kFloor;
 }
 
-#ifdef TRANSPARENT
-vec4 nothingSeen(vec3 ray) { return vec4(0.0); }
-vec4 shadowOver(vec3 ray, vec3 left) { return vec4(vec3(0.0), 1.0 - dot(left, vec3(0.2126, 0.7152, 0.0722))); }
-#else
-vec4 nothingSeen(vec3 ray) { return vec4(skyRadiance(normalize(ray)), 1.0); }
-vec4 shadowOver(vec3 ray, vec3 left) { return vec4(left * skyRadiance(normalize(ray)), 1.0); }
-#endif
-
 // Radiance times alpha, and alpha.
 vec4 lit(ivec2 pixel, int i) {
     vec3 ray = rayOf(pixel, i);
@@ -132,17 +123,14 @@ uint distinctSamples(ivec2 pixel) {
     return counts;
 }
 
-#if defined(RADIANCE)
-vec4 taken(vec4 light) { return light; }
-vec4 finished(vec4 mean) { return mean; }
-#else
-vec4 taken(vec4 light) { return vec4(toneMap(light.rgb * frame.exposure.rgb), 1.0); }
-vec4 finished(vec4 mean) { return vec4(encodeSrgb(mean.rgb), 1.0); }
-#endif
-
 // sRGB encoded; with RADIANCE as lit() has it.
 vec4 pixelColour(ivec2 pixel) {
-    vec4 sum = vec4(0.0), dust = dustBefore(pixel);
+#ifdef GLASS
+    const vec4 dust = vec4(0.0);  // the glass comes between
+#else
+    vec4 dust = dustBefore(pixel);
+#endif
+    vec4 sum = vec4(0.0);
     // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
     for (uint left = distinctSamples(pixel); left != 0u;) {
         int i = findLSB(left) / 4;

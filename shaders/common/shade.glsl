@@ -4,6 +4,11 @@
 #include "common/sky.glsl"
 #include "common/brdf.glsl"
 #include "common/shadow.glsl"
+#ifdef GLASS
+#include "common/glass_tint.glsl"
+#else
+vec3 throughGlass(vec3 position) { return vec3(1.0); }
+#endif
 
 // A crevice hides part of the sun's wide disc as well, so direct light is darkened a little too.
 const float kDirectShare = 0.3;
@@ -34,7 +39,7 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
     vec3 direct = vec3(0.0);
     float n_dot_l = dot(s.normal, frame.to_sun.xyz);
     if (n_dot_l > 0.0) {
-        float visible = sunVisibility(s.position, s.geometric_normal, pixel);
+        vec3 visible = sunVisibility(s.position, s.geometric_normal, pixel) * throughGlass(s.position);
         vec3 half_way = normalize(to_eye + frame.to_sun.xyz);
         float n_dot_h = max(dot(s.normal, half_way), 0.0);
         vec3 f = fresnel(f0, max(dot(to_eye, half_way), 0.0));
@@ -52,7 +57,7 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
 // Share of its light that reaches a white floor in spite of what stands on it.
 vec3 lightLeft(Surface s, float visibility, vec2 pixel) {
     vec3 sun = frame.sun_colour.rgb * max(frame.to_sun.y, 0.0), around = ambientRadiance(s.normal);
-    float lit = sunVisibility(s.position, s.geometric_normal, pixel) * mix(1.0, visibility, kDirectShare);
+    vec3 lit = sunVisibility(s.position, s.geometric_normal, pixel) * throughGlass(s.position) * mix(1.0, visibility, kDirectShare);
     return (sun * lit + around * visibility) / max(sun + around, 1e-4);
 }
 #endif

@@ -2,6 +2,8 @@
 // Cells are deformed cubes that share their corners, so the block is closed whatever the jitter.
 #include "tests/render/block_body.h"
 
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/packing.hpp>
 #include <map>
 #include <tuple>
@@ -25,6 +27,13 @@ uint32_t packOctahedral(glm::vec3 n) {
             glm::vec2(n.x >= 0 ? 1.0f : -1.0f, n.y >= 0 ? 1.0f : -1.0f);
     }
     return glm::packSnorm2x16(p);
+}
+
+/// 0 on the outside of a cube .. 1.
+float depthOf(glm::vec3 point, const BlockOptions& options) {
+    const float half = 0.5f * options.size;
+    const float away = half - std::max({std::abs(point.x), std::abs(point.y - half), std::abs(point.z)});
+    return options.deep > 0 ? std::clamp(away / options.deep, 0.0f, 1.0f) : 0.0f;
 }
 
 }  // namespace
@@ -108,7 +117,8 @@ void BlockBody::appendFace(const Face& face, std::vector<Vertex>& vertices,
     const auto first = static_cast<uint32_t>(vertices.size());
     const auto m = static_cast<uint32_t>(options_.subdivisions);
     for (size_t k = 0; k < face.points.size(); ++k) {
-        vertices.push_back({face.points[k], packOctahedral(face.normals[k]), 0, face.cell});
+        const uint32_t depth = glm::packHalf2x16({depthOf(face.points[k], options_), 0});
+        vertices.push_back({face.points[k], packOctahedral(face.normals[k]), depth, face.cell});
     }
     for (uint32_t j = 0; j < m; ++j) {
         for (uint32_t i = 0; i < m; ++i) {

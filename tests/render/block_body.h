@@ -20,6 +20,7 @@ struct BlockOptions {
     float roundness = 0.0f;  ///< 0: cube, 1: ball
     int subdivisions = 1;    ///< of each cell face
     uint32_t seed = 1;
+    float deep = 0;  ///< m from the outside at which broken faces are as deep as they get; 0: nowhere
 };
 
 struct Motion {

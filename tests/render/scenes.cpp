@@ -2,6 +2,7 @@
 // Each scene shows one thing that can go wrong.
 #include "tests/render/scenes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <functional>
@@ -119,6 +120,27 @@ Scene dustyBlock(RenderQuality quality) {
     return scene;
 }
 
+Scene marbleBlock() {
+    Scene scene = brokenBlock();
+    SurfaceLook& look = scene.view.look;
+    std::fill_n(look.exterior_colour, 3, 0.7f);
+    std::fill_n(look.interior_colour, 3, 0.75f);
+    std::fill_n(look.texture_colour, 3, 0.12f);
+    look.texture = SolidTexture::kVeins;
+    look.texture_size = 0.1f;
+    return scene;
+}
+
+Scene glassBlock() {
+    Scene scene = brokenBlock();
+    scene.view.quality = RenderQuality::kDraft;
+    scene.view.look.refraction_index = 1.5f;
+    scene.view.look.absorption[0] = 2;
+    scene.view.look.absorption[1] = 0.5f;
+    scene.view.look.absorption[2] = 0.8f;
+    return scene;
+}
+
 Scene emptyFloor() {
     Scene scene;
     scene.view = standardView();
@@ -136,6 +158,8 @@ const std::map<std::string, std::function<Scene()>>& table() {
         {"ball_particles_value", [] { return ball(ViewMode::kParticles, ColourMap::kDamage); }},
         {"dusty_block", [] { return dustyBlock(RenderQuality::kFull); }},
         {"dusty_block_draft", [] { return dustyBlock(RenderQuality::kDraft); }},
+        {"marble_block", marbleBlock},
+        {"glass_block", glassBlock},
         {"empty_floor", emptyFloor},
     };
     return scenes;

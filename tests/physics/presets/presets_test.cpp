@@ -34,7 +34,11 @@ TEST_F(Presets, AreRealMaterials) {
         {"plaster", {{1000, 1200}, {3e9, 10e9}, {0.2, 0.25}, {1e6, 4e6}}},
         {"stone", {{2600, 2750}, {30e9, 60e9}, {0.1, 0.3}, {7e6, 25e6}}},
         {"concrete", {{2300, 2450}, {30e9, 37e9}, {0.15, 0.25}, {2.2e6, 4.1e6}}},
-        {"ice", {{900, 920}, {8.5e9, 10e9}, {0.3, 0.35}, {0.7e6, 3.1e6}}}};
+        {"ice", {{900, 920}, {8.5e9, 10e9}, {0.3, 0.35}, {0.7e6, 3.1e6}}},
+        {"marble", {{2600, 2750}, {40e9, 70e9}, {0.2, 0.3}, {5e6, 15e6}}},
+        {"brick", {{1600, 2000}, {5e9, 20e9}, {0.1, 0.25}, {1e6, 4e6}}},
+        {"terracotta", {{1700, 2100}, {10e9, 25e9}, {0.15, 0.25}, {3e6, 12e6}}},
+        {"tempered_glass", {{2400, 2600}, {69e9, 74e9}, {0.2, 0.23}, {120e6, 200e6}}}};
     for (const auto& [name, real] : expected) {
         const Material m = withPreset(name).material;
         const auto within = [&](double value, const Range& range, const char* what) {

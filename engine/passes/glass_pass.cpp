@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+// A layer is peeled at twice the picture's width and height where the picture has four samples a pixel.
+#include "engine/passes/glass_pass.h"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kScattered = 0;
+constexpr GLuint kLayerUnit = 3, kOpaqueUnit = 7, kShadowUnit = 14, kSceneUnit = 15;
+constexpr int kShadowTexels = 1024, kShadowLevels = 5;
+
+int acrossFor(const RenderTargets& targets) {
+    return targets.samples >= 4 ? 2 : 1;
+}
+
+std::string numbersFor(const RenderTargets& targets) {
+    return "#define ACROSS " + std::to_string(acrossFor(targets)) + "\n";
+}
+
+}  // namespace
+
+void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
+                           const SurfaceLook& look) {
+    if (!shadow_sums_) {
+        shadow_ = gl::Program(shaders_, {"glass_shadow.vert", "glass_shadow.frag"});
+        shadow_sums_ = gl::Texture::make2d(GL_RG32F, kShadowTexels, kShadowTexels, kShadowLevels);
+        shadow_sums_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+        shadow_target_ = gl::Framebuffer({&shadow_sums_}, nullptr);
+    }
+    shadow_sums_.bind(kShadowUnit);
+    const ShadowKey key{mesh.version(), light_matrix, look.frost};
+    if (key == shadow_key_) return;
+    shadow_key_ = key;
+    constexpr std::array<float, 4> kNothing{};
+    glClearNamedFramebufferfv(shadow_target_.id(), GL_COLOR, 0, kNothing.data());
+    shadow_target_.bind();
+    glViewport(0, 0, kShadowTexels, kShadowTexels);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    shadow_.use();
+    shadow_.set(kScattered, 0.0f);
+    body.drawExterior(mesh);
+    shadow_.set(kScattered, -std::log(1 - 0.9f * look.frost));
+    body.drawInterior(mesh);
+    glDisable(GL_BLEND);
+    glGenerateTextureMipmap(shadow_sums_.id());
+}
+
+GLuint GlassPass::scene(const RenderTargets& targets) {
+    fit(targets);
+    return scene_target_.id();
+}
+
+void GlassPass::fit(const RenderTargets& targets) {
+    const int across = acrossFor(targets);
+    if (scene_ && scene_.width() == targets.width && scene_.height() == targets.height && across == across_)
+        return;
+    across_ = across;
+    scene_ = gl::Texture::make2d(GL_RGBA16F, targets.width, targets.height);
+    scene_.setFilter(GL_LINEAR, GL_LINEAR);
+    scene_.setWrap(GL_CLAMP_TO_EDGE);
+    scene_target_ = gl::Framebuffer({&scene_}, nullptr);
+    depth_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, across * targets.width, across * targets.height);
+    for (Layer& layer : layers_) {
+        layer.texture = gl::Texture::make2d(GL_RG32UI, across * targets.width, across * targets.height);
+        layer.framebuffer = gl::Framebuffer({&layer.texture}, &depth_);
+    }
+}
+
+GlassPass::PeelPrograms& GlassPass::peelFor(const RenderTargets& targets) {
+    PeelPrograms& programs = peel_[{targets.samples, acrossFor(targets)}];
+    if (programs.exterior.id() != 0) return programs;
+    const std::string defines =
+        numbersFor(targets) + "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    programs.exterior = gl::Program(shaders_, {"surface.vert", "glass_peel.frag"}, defines);
+    programs.interior =
+        gl::Program(shaders_, {"surface.vert", "glass_peel.frag"}, defines + "#define INTERIOR\n");
+    return programs;
+}
+
+void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look,
+                     const RenderTargets& targets) {
+    fit(targets);
+    PeelPrograms& programs = peelFor(targets);
+    glEnable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glDepthFunc(GL_GREATER);
+    glViewport(0, 0, across_ * targets.width, across_ * targets.height);
+    targets.depth.bind(kOpaqueUnit);
+    constexpr float kEmptyDepth = 0;
+    constexpr std::array<GLuint, 4> kNothing{};
+    for (size_t k = 0; k < layers_.size(); ++k) {
+        const GLuint target = layers_[k].framebuffer.id();
+        glClearNamedFramebufferfv(target, GL_DEPTH, 0, &kEmptyDepth);
+        glClearNamedFramebufferuiv(target, GL_COLOR, 0, kNothing.data());
+        layers_[k].framebuffer.bind();
+        // The first has none before it; another's texture stands in.
+        layers_[k == 0 ? 1 : k - 1].texture.bind(kLayerUnit);
+        for (gl::Program* program : {&programs.exterior, &programs.interior}) {
+            program->set(kNoise, glm::vec2(look.noise_scale, look.noise_strength));
+            program->set(kFirst, k == 0 ? 1 : 0);
+        }
+        programs.exterior.use();
+        body.drawExterior(mesh);
+        programs.interior.use();
+        body.drawInterior(mesh);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+}
+
+void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
+                     GLuint framebuffer) {
+    kind.samples = targets.samples;
+    const bool draft = view.quality == RenderQuality::kDraft;
+    gl::Program& program = walk_[{kind, across_, draft}];
+    if (program.id() == 0) {
+        program = gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"},
+                              defines(kind) + numbersFor(targets) + "#define LAYERS " +
+                                  std::to_string(kLayers) + (draft ? "\n#define DRAFT\n" : "\n"));
+        setTone(program, kind.tone);
+    }
+    for (size_t k = 0; k < layers_.size(); ++k) layers_[k].texture.bind(kLayerUnit + static_cast<GLuint>(k));
+    targets.depth.bind(kOpaqueUnit);
+    scene_.bind(kSceneUnit);
+    program.set(kFrost, view.look.frost);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glViewport(0, 0, targets.width, targets.height);
+    program.use();
+    no_attributes_.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// Transparent bodies: their faces are peeled off layer by layer, then each ray walks through them. No order
+// of drawing is needed. Everything opaque is lit before, as light, into scene().
+#pragma once
+#include <array>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "engine/gl/framebuffer.h"
+#include "engine/gl/program.h"
+#include "engine/gl/vertex_array.h"
+#include "engine/passes/body_geometry.h"
+#include "engine/passes/picture_kind.h"
+#include "engine/render/render_targets.h"
+
+namespace demolish::engine {
+
+class GlassPass {
+  public:
+    explicit GlassPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+    /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
+    /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region.
+    void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
+                    const SurfaceLook& look);
+    /// Into which the light of all that is opaque goes, RGBA16F of the targets' size.
+    GLuint scene(const RenderTargets& targets);
+    /// Depth of what is opaque is the targets'. The depth range is 0..1, reversed, and stays so.
+    void peel(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look,
+              const RenderTargets& targets);
+    /// The finished picture into `framebuffer`. Bound are the shadow map, the noise volume, the surroundings
+    /// and the sums of dust.
+    void walk(const RenderTargets& targets, const FrameView& view, PictureKind kind, GLuint framebuffer);
+
+  private:
+    static constexpr int kLayers = 4;
+    struct Layer {
+        gl::Texture texture;  ///< RG32UI, shaders/common/glass_layer.glsl
+        gl::Framebuffer framebuffer;
+    };
+    struct PeelPrograms {
+        gl::Program exterior, interior;
+    };
+    struct ShadowKey {
+        uint64_t mesh_version;
+        glm::mat4 light_matrix;
+        float frost;
+        bool operator==(const ShadowKey&) const = default;
+    };
+    void fit(const RenderTargets& targets);
+    PeelPrograms& peelFor(const RenderTargets& targets);
+
+    std::filesystem::path shaders_;
+    std::map<std::pair<int, int>, PeelPrograms> peel_;  ///< by samples, and layer texels across a pixel
+    std::map<std::tuple<PictureKind, int, bool>, gl::Program> walk_;
+    gl::Program shadow_;
+    gl::Texture shadow_sums_, scene_, depth_;
+    gl::Framebuffer shadow_target_, scene_target_;
+    std::array<Layer, kLayers> layers_;
+    std::optional<ShadowKey> shadow_key_;
+    int across_ = 0;
+    gl::VertexArray no_attributes_;
+};
+
+}  // namespace demolish::engine

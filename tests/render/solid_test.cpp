@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// What runs through a solid: the same on the outside and in the break, and alike by both ways of drawing.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/render/gl_fixture.h"
+#include "tests/render/scenes.h"
+
+namespace demolish::engine::test {
+namespace {
+
+constexpr SolidTexture kTextures[] = {SolidTexture::kVeins,   SolidTexture::kLayers, SolidTexture::kCrystals,
+                                      SolidTexture::kPebbles, SolidTexture::kBricks, SolidTexture::kGrains};
+
+class SolidTest : public GlTest, public testing::WithParamInterface<SolidTexture> {};
+
+/// White with a black pattern, by even light alone.
+void showPattern(FrameView& view, SolidTexture texture) {
+    putIntoFurnace(view, glm::vec3(0.8f));
+    view.quality = RenderQuality::kDraft;
+    view.show_cracks = false;
+    view.look.noise_strength = 0;
+    view.look.texture = texture;
+    view.look.texture_size = texture == SolidTexture::kBricks   ? 0.8f
+                             : texture == SolidTexture::kGrains ? 0.12f
+                                                                : 0.25f;
+    view.look.exterior_roughness = view.look.interior_roughness = 1;
+    for (int k = 0; k < 3; ++k) {
+        view.look.exterior_colour[k] = view.look.interior_colour[k] = 0.8f;
+        view.look.texture_colour[k] = 0;
+    }
+}
+
+/// Straight at the plane x = 0.5, of a square metre above the floor.
+void lookAtPlane(FrameView& view) {
+    view.width = view.height = 200;
+    view.camera.eye = {20.5f, 0.5f, 0};
+    view.camera.target = {0.5f, 0.5f, 0};
+    view.camera.field_of_view = 2 * std::atan(0.5f / 20);
+}
+
+bool isDark(const Image& image, int x, int y) {
+    return decoded(image.at(x, y)[1]) < 0.32f;
+}
+
+/// The same plane at rest, once as the outside of a small block and once as a broken face in a large one.
+TEST_P(SolidTest, GoesOnFromTheOutsideIntoTheBreak) {
+    Scene small, large;
+    small.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 1});
+    large.body = std::make_unique<BlockBody>(BlockOptions{.cells = 4, .size = 2});
+    for (Scene* scene : {&small, &large}) {
+        scene->mesh = std::make_unique<FractureMesh>(scene->body->makeMesh());
+        showPattern(scene->view, GetParam());
+        scene->view.look.noise_scale = 0.05f;
+        lookAtPlane(scene->view);
+    }
+    const auto beyond = [&](uint32_t cell) { return large.body->cellCentre(cell).x > 0.5f; };
+    uint32_t first_beyond = 0, first_here = 0;
+    while (!beyond(first_beyond)) ++first_beyond;
+    while (beyond(first_here)) ++first_here;
+    large.body->write(
+        *large.mesh, [&](uint32_t cell) { return beyond(cell) ? first_beyond : first_here; },
+        [&](uint32_t slot) {
+            return Motion{.translation = slot == first_beyond ? glm::vec3(0, 0, 50) : glm::vec3(0)};
+        },
+        [](uint32_t, uint32_t) { return false; });
+    const Image outside = drawPicture(renderer(), small), broken = drawPicture(renderer(), large);
+    int dark = 0, other = 0, all = 0;
+    for (int y = 6; y < 194; ++y)
+        for (int x = 6; x < 194; ++x) {
+            ++all;
+            dark += isDark(outside, x, y);
+            other += isDark(outside, x, y) != isDark(broken, x, y);
+        }
+    EXPECT_GT(dark, all / 150);
+    EXPECT_LT(dark, all * 9 / 10);
+    EXPECT_LT(other, all * 3 / 100);
+}
+
+using SolidsTest = GlTest;
+
+TEST_F(SolidsTest, LookLikeThemselvesAndAlikeByBothWays) {
+    Scene scene = makeScene("broken_ball");
+    scene.spheres.clear();
+    scene.view.width = 240;
+    scene.view.height = 136;
+    scene.view.look.texture_size = 0.2f;
+    scene.view.look.coat = 0.02f;
+    std::vector<Image> others;
+    for (const SolidTexture texture : kTextures) {
+        scene.view.look.texture = texture;
+        scene.view.rasteriser = Rasteriser::kDraw;
+        const Image drawn = drawPicture(renderer(), scene);
+        scene.view.rasteriser = Rasteriser::kCompute;
+        const bool of_noise = texture == SolidTexture::kVeins, of_cells = texture == SolidTexture::kPebbles;
+        if (of_noise || of_cells) {
+            EXPECT_LE(differingPixels(drawn, drawPicture(renderer(), scene), 12), 250u);
+        }
+        for (const Image& other : others) EXPECT_GT(differingPixels(drawn, other, 8), 150u);
+        others.push_back(drawn);
+    }
+}
+
+std::string nameOf(const testing::TestParamInfo<SolidTexture>& info) {
+    const char* const names[] = {"None", "Veins", "Layers", "Crystals", "Pebbles", "Bricks", "Grains"};
+    return names[static_cast<size_t>(info.param)];
+}
+INSTANTIATE_TEST_SUITE_P(Textures, SolidTest, testing::ValuesIn(kTextures), nameOf);
+
+using CoatTest = GlTest;
+
+/// Seen from the side, a broken face has the outside's colour as deep as the coat goes.
+TEST_F(CoatTest, GoesAsDeepAsItIsThick) {
+    for (const float coat : {0.0f, 0.05f, 0.1f}) {
+        Scene scene;
+        scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 4, .size = 2, .deep = 0.5f});
+        scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+        showPattern(scene.view, SolidTexture::kNone);
+        scene.view.look.coat = coat;
+        for (float& channel : scene.view.look.exterior_colour) channel = 0.05f;
+        lookAtPlane(scene.view);
+        scene.view.camera.eye.y = scene.view.camera.target.y = 1.5f;
+        const auto beyond = [&](uint32_t cell) { return scene.body->cellCentre(cell).x > 0.5f; };
+        uint32_t first_beyond = 0;
+        while (!beyond(first_beyond)) ++first_beyond;
+        scene.body->write(
+            *scene.mesh, [&](uint32_t cell) { return beyond(cell) ? first_beyond : 0; },
+            [&](uint32_t slot) { return Motion{.translation = glm::vec3(0, 0, slot == 0 ? 0 : 50)}; },
+            [](uint32_t, uint32_t) { return false; });
+        const Image image = drawPicture(renderer(), scene);
+        int dark = 0;  // down the middle, 200 px a metre; the block ends at the picture's upper edge
+        for (int y = 0; y < 100; ++y) dark += isDark(image, 100, y);
+        EXPECT_NEAR(dark, 200 * coat, 3) << coat;
+    }
+}
+
+}  // namespace
+}  // namespace demolish::engine::test
