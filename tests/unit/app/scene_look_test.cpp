@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+// The [look] of scenes and materials: what is read and refused, and that none is left over.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/session/scene_file.h"
+#include "sim_cuda/api/errors.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish {
+namespace {
+
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+const std::string kHead = "version = 1\nmodel = \"models/block.obj\"\n";
+
+std::string complaintAbout(const std::string& text) {
+    const TemporaryFolder folder;
+    try {
+        loadSceneFile(folder.write("scene.toml", text));
+    } catch (const InputFileError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+TEST(SceneLook, ReadsWhatRunsThroughTheSolid) {
+    const TemporaryFolder folder;
+    const engine::SurfaceLook look =
+        loadSceneFile(
+            folder.write("a.toml",
+                         kHead + "[look]\ntexture = \"bricks\"\ntexture_size_m = 0.3\n"
+                                 "texture_colour = [0.1, 0.2, 0.3]\ntexture_outside = 0.5\ncoat_m = 0.01\n"
+                                 "refraction_index = 1.4\nabsorption_per_m = [1, 20, 300]\nfrost = 0.7\n"))
+            .look;
+    EXPECT_EQ(look.texture, engine::SolidTexture::kBricks);
+    EXPECT_FLOAT_EQ(look.texture_size, 0.3f);
+    EXPECT_FLOAT_EQ(look.texture_colour[2], 0.3f);
+    EXPECT_FLOAT_EQ(look.texture_outside, 0.5f);
+    EXPECT_FLOAT_EQ(look.coat, 0.01f);
+    EXPECT_TRUE(look.isTransparent());
+    EXPECT_FLOAT_EQ(look.absorption[2], 300);
+    EXPECT_FLOAT_EQ(look.frost, 0.7f);
+    EXPECT_THAT(complaintAbout(kHead + "[look]\ntexture = \"fur\"\n"), HasSubstr("none, veins, layers"));
+    EXPECT_THAT(complaintAbout(kHead + "[look]\ntexture_size_m = 0\n"), HasSubstr("texture_size_m"));
+    EXPECT_THAT(complaintAbout(kHead + "[look]\nrefraction_index = 0.5\n"), HasSubstr("refraction_index"));
+    EXPECT_THAT(complaintAbout(kHead + "[look]\nabsorption_per_m = [1, -2, 3]\n"),
+                HasSubstr("absorption_per_m"));
+}
+
+TEST(SceneLook, NothingOfOneMaterialStaysInTheNext) {
+    Shot first, second;
+    applyMaterial(first, "marble");
+    applyMaterial(first, "tempered_glass");
+    applyMaterial(first, "ceramic");
+    applyMaterial(second, "ceramic");
+    EXPECT_EQ(first.look, second.look);
+    for (const char* name : {"glass", "tempered_glass", "ice"}) {
+        applyMaterial(first, name);
+        EXPECT_TRUE(first.look.isTransparent()) << name;
+    }
+}
+
+}  // namespace
+}  // namespace demolish
