@@ -217,10 +217,11 @@ DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& param
     return lands ? Real(kGentleStiffness) * full : softestOf(kept);
 }
 
-/// All springs of a contact together never get stiffer than this over dt^2, the bound of steps without a
-/// damper, in terms of what answers at the corner that gives way most: a flat cell turns easily under its
-/// corners.
-inline constexpr double kStableShare = 4;
+/// All springs of a contact together never get stiffer than kStableShare over dt^2, in terms of what answers
+/// at the corner that gives way most (a flat cell turns easily under its corners), nor its damper greater
+/// than kStableDamping over dt, in terms of what answers where it presses. Steps are stable while the first
+/// is below 4 - 2 times the second.
+inline constexpr double kStableShare = 2.4, kStableDamping = 0.8;
 
 /// The law of what is pressed on: springs and damper of all its points. `approach`: m/s, along the normal.
 template <StepKind kStep, class Real>
@@ -238,9 +239,10 @@ DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Re
         contactTouchLaw<kStep>(wall, params, maxOf(at.depth, Real(0)), radius, against, softest);
     law.softens = true;
     law.elastic = at.springs * law.elastic;
-    law.normal_damping =
+    law.normal_damping = minOf(
         contactDamping(wall, params, gentle ? Real(kGentleDamping * kGentleDamping) * full : law.stiffness,
-                       contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass);
+                       contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
+        Real(kStableDamping) / (turning.inverse_mass * params.dt));
     law.shear_damping =
         minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
     law.resting = law.shear_resting = Real(0);

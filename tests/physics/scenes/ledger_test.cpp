@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <filesystem>
+#include <fstream>
 
 #include "app/session/data_folder.h"
 #include "app/session/scene_file.h"
@@ -66,6 +68,34 @@ TEST_P(Ledger, ClosesWithoutHandOver) {
     Shot shot = inMaterial(GetParam(), "");
     shot.hand_over = false;
     expectClosed(shot, "own, bonds alone");
+}
+
+/// 2 m wide, 1 m high, 3 cm thick.
+void writeWall(const std::filesystem::path& file) {
+    std::ofstream out(file);
+    for (int k = 0; k < 8; ++k)
+        out << "v " << ((k & 1) != 0 ? 1 : -1) << ' ' << ((k & 2) != 0 ? 1 : 0) << ' '
+            << ((k & 4) != 0 ? 0.015 : -0.015) << '\n';
+    for (const char* face : {"1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"})
+        out << "f " << face << '\n';
+}
+
+/// Corners that are far from the middle of their cell turn it easily: dampers that do not know this throw it
+/// up with a hundred times its energy.
+TEST(LedgerOfLongCells, ClosesWhereTheyLandOnTheirCorners) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "wall.obj";
+    writeWall(file);
+    for (const double speed : {5.0, 14.21, 30.0}) {
+        Shot shot = smallScene("block", 2);
+        shot.model = file;
+        shot.impact.kind = ImpactKind::kDrop;
+        shot.impact.times_threshold.reset();
+        shot.impact.velocity = speed;
+        shot.hand_over = false;
+        const SceneOutcome outcome = outcomeOf(shot, 1);
+        std::printf("%g m/s: closure %.4f\n", speed, outcome.closure);
+        EXPECT_NEAR(outcome.closure, 1, 0.02) << speed;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ledger, testing::ValuesIn(assetNames("scenes")),
