@@ -58,6 +58,7 @@ Shot trialShot(const Shot& shot) {
     trial.balls = {ball};
     trial.balls[0].body = 0;
     trial.phases.clear();
+    trial.method = Method::kOurs;  // the threshold is that of the bonds
     trial.hand_over = trial.sleeping = false;
     trial.fps = 1 / kFrameTime;
     trial.time_scale = 1;

@@ -106,6 +106,36 @@ void applyEffects(const ShotOptions& options, Shot& shot) {
     if (options.dust) shot.effects.dust = inRange("--dust", *options.dust, kAmountRange, "");
 }
 
+/// Preset pieces move as rigid bodies; heavy physics never lets anything rest.
+void applyMethod(const ShotOptions& options, Shot& shot) {
+    if (const auto method = methodOf(options.method)) shot.method = *method;
+    if (const auto pattern = patternOf(options.pattern)) shot.pattern = pattern;
+    const MethodTraits& method = traitsOf(shot.method);
+    const std::string name = std::string("method ") + methodName(shot.method);
+    if (!options.pattern.empty() && !method.pattern_turns)
+        throw UsageError("--pattern is for the methods pattern and pattern-at-impact, and not for " + name);
+    if (method.pattern_turns && options.no_hand_over)
+        throw UsageError(name + " steps no bonds; leave out --no-hand-over");
+    if (method.on_cpu && options.device == "cuda")
+        throw UsageError(name + " runs on the CPU; leave out --device cuda");
+    shot.hand_over = !options.no_hand_over;
+    shot.sleeping = !options.no_sleep;
+}
+
+void addMethodOptions(CLI::App& command, ShotOptions& options) {
+    command
+        .add_option("--method", options.method,
+                    "How it breaks: by bonds (ours; heavy: all of them all the time; cores: on the CPU), or "
+                    "into preset pieces")
+        ->type_name("NAME")
+        ->check(CLI::IsMember(methodNames()).description(""));
+    command
+        .add_option("--pattern", options.pattern,
+                    "Of preset pieces: uniform, radial, slabs, bricks or splinters; --pieces says how many")
+        ->type_name("NAME")
+        ->check(CLI::IsMember(patternNames()).description(""));
+}
+
 void addEffectOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--effects", options.effects, "Grit, dust and sparks where bodies break (bench: off)")
         ->type_name("on|off")
@@ -188,6 +218,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--fps", options.fps, "Frames per simulated second (default: 60)")->type_name("N");
     command.add_option("--slow-motion", options.slow_motion, "Simulated time per frame, 0.01..1 of 1/fps")
         ->type_name("FACTOR");
+    addMethodOptions(command, options);
     command.add_flag("--no-hand-over", options.no_hand_over,
                      "Step bonds even in pieces that no longer vibrate");
     command.add_flag("--no-sleep", options.no_sleep, "Step what rests, too");
@@ -210,8 +241,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
         shot.material.tough_cells =
             static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
     applyEffects(options, shot);
-    shot.hand_over = !options.no_hand_over;
-    shot.sleeping = !options.no_sleep;
+    applyMethod(options, shot);
     applyImpact(options, shot);
     applyFineness(options, shot);
     if (options.fps) shot.fps = inRange("--fps", *options.fps, kFpsRange, "frames/s");

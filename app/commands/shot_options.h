@@ -28,6 +28,7 @@ struct ShotOptions {
     std::optional<double> thickness;
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
     PictureOptions picture;
+    std::string method, pattern;  ///< "" = the scene's
     bool no_hand_over = false, no_sleep = false;
     std::string effects;  ///< "on" or "off"; "" = the command's own
     std::optional<double> grit, dust, sparks;

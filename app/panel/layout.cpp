@@ -36,6 +36,7 @@ void fixedWindow(const char* name, ImVec2 position, ImVec2 size, ImGuiWindowFlag
 
 void showColumn(PanelContext& context) {
     showShotPanel(context);
+    showMethodPanel(context);
     showImpactPanel(context);
     showParticlesPanel(context);
     showMaterialPanel(context);

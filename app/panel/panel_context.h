@@ -63,6 +63,7 @@ struct PanelContext {
 
 void showShotPanel(PanelContext& context);
 void showImpactPanel(PanelContext& context);
+void showMethodPanel(PanelContext& context);
 void showMaterialPanel(PanelContext& context);
 void showParticlesPanel(PanelContext& context);
 void showEffectsPanel(PanelContext& context);

@@ -16,8 +16,7 @@ double longestAcross(const BreakableBody& body) {
     return std::max(body.bounds_max.x - body.bounds_min.x, body.bounds_max.z - body.bounds_min.z);
 }
 
-/// Across the longer horizontal side, level; from above onto what lies flat.
-glm::dvec3 flightDirection(const Double3& chosen_direction, const BreakableBody& body) {
+glm::dvec3 wayOf(const Double3& chosen_direction, const BreakableBody& body) {
     const glm::dvec3 chosen = toGlm(chosen_direction);
     if (glm::length(chosen) > 1e-9) return glm::normalize(chosen);
     if (liesFlat(body)) return {0, -1, 0};
@@ -90,6 +89,10 @@ bool liesFlat(const BreakableBody& body) {
     return heightOf(body) < 0.15 * longestAcross(body);
 }
 
+Double3 flightDirection(const Double3& chosen, const BreakableBody& body) {
+    return fromGlm(wayOf(chosen, body));
+}
+
 double ballRadius(const Shot& shot, const BreakableBody& body) {
     if (shot.impact.ball_radius > 0) return shot.impact.ball_radius;
     return (liesFlat(body) ? longestAcross(body) : heightOf(body)) / 12;
@@ -123,7 +126,7 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const Quaternion& q = instance.rotation;
     const glm::dquat rotation(q.w, q.x, q.y, q.z);
     const double radius = ball.radius.value_or(ballRadius(shot, body));
-    const glm::dvec3 direction = flightDirection(ball.direction.value_or(shot.impact.direction), body);
+    const glm::dvec3 direction = wayOf(ball.direction.value_or(shot.impact.direction), body);
     const glm::dvec3 aim = ball.aim
                                ? shot.height * toGlm(*ball.aim)
                                : aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));

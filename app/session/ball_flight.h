@@ -11,6 +11,10 @@ namespace demolish {
 /// A plate on the floor, with next to no side to hit: balls that name no direction come from above.
 bool liesFlat(const BreakableBody& body);
 
+/// Unit: the way that is chosen; else across the longer horizontal side, level, or from above onto what lies
+/// flat.
+Double3 flightDirection(const Double3& chosen, const BreakableBody& body);
+
 /// m, of the shot's ball where a TimedBall names none.
 double ballRadius(const Shot& shot, const BreakableBody& body);
 

@@ -63,7 +63,7 @@ bool sameMesh(const Shot& a, const Shot& b) {
 }  // namespace
 
 bool choosesCuda(const Shot& shot) {
-    if (shot.device == DeviceChoice::kCpu) return false;
+    if (shot.device == DeviceChoice::kCpu || traitsOf(shot.method).on_cpu) return false;
     const CudaDevice device = findCudaDevice();
     if (device.usable) return true;
     if (shot.device == DeviceChoice::kAuto) return false;

@@ -22,6 +22,7 @@ engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int
     view.camera = shot.camera ? *shot.camera : framedCamera(box);
     view.lighting = litBy(shot.environment, shot.lighting);
     view.look = shot.look;
+    if (!traitsOf(shot.method).smooth_cracks) view.look.noise_strength = 0;
     view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
     if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
     view.width = width;

@@ -35,6 +35,25 @@ void readRepair(TomlReader& reader, RepairOptions& repair) {
     reader.read("thickness_m", repair.thickness, kThicknessRange);
 }
 
+/// The value of a key that is one of these names.
+template <class Of>
+void readName(TomlReader& reader, const std::string& key, const std::vector<std::string>& names,
+              const Of& of) {
+    if (!reader.has(key)) return;
+    std::string name;
+    reader.read(key, name);
+    if (std::find(names.begin(), names.end(), name) == names.end())
+        reader.fail(key, "must be one of " + listed(names));
+    of(name);
+}
+
+void readMethod(TomlReader& reader, Shot& shot) {
+    readName(reader, "method", methodNames(),
+             [&](const std::string& name) { shot.method = *methodOf(name); });
+    readName(reader, "pattern", patternNames(),
+             [&](const std::string& name) { shot.pattern = patternOf(name); });
+}
+
 void readImpact(TomlReader& reader, Impact& impact) {
     std::string kind = "ball";
     reader.read("impact.kind", kind);
@@ -127,6 +146,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);
     readRepair(reader, shot.repair);
+    readMethod(reader, shot);
     readPreset(reader, "material_preset", shot);
     readMaterial(reader, "material.", shot.material);
     if (reader.has("break_at_mps")) {

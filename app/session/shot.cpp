@@ -66,6 +66,8 @@ void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
     to.settle_time = from.settle_time;
     to.settle_scale = from.settle_scale;
     to.scene_radius = from.scene_radius;
+    to.method = from.method;
+    to.pattern = from.pattern;
     to.hand_over = from.hand_over;
     to.sleeping = from.sleeping;
     to.colliders = from.colliders;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/session/environment.h"
+#include "app/session/method.h"
 #include "app/session/scene_parts.h"
 #include "engine/scene/camera.h"
 #include "engine/scene/lens.h"
@@ -76,7 +77,9 @@ struct Shot {
     double settle_time = 0;            ///< s, at the scene's own height
     double settle_scale = 1;           ///< of that time at this height
     double scene_radius = 1000;        ///< m, what flies farther ends the run
-    bool hand_over = true;             ///< as SolverParams
+    Method method = Method::kOurs;
+    std::optional<Pattern> pattern;  ///< of methods with preset pieces; none: usualPattern()
+    bool hand_over = true;           ///< as SolverParams, where the method lets pieces rest
     bool sleeping = true;
     double fps = 60;        ///< frames per simulated second
     double time_scale = 1;  ///< slow motion, 0 < time_scale <= 1

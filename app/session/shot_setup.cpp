@@ -59,6 +59,12 @@ void drop(const Shot& shot, const BreakableBody& body, const Placement& place, B
     instance.velocity = {0, -std::sqrt(std::max(0.0, speed * speed - 2 * kGravity * gap)), 0};
 }
 
+std::optional<PresetPieces> presetPiecesOf(const Shot& shot) {
+    const auto turns = traitsOf(shot.method).pattern_turns;
+    if (!turns) return std::nullopt;
+    return PresetPieces{shot.pattern.value_or(usualPattern(shot.method)), *turns};
+}
+
 }  // namespace
 
 double wantedWaveSpeed(const Shot& shot, double body_height) {
@@ -91,14 +97,19 @@ uint32_t variantCount(const Shot& shot) {
 SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const BreakableBody>>& variants) {
     SceneSetup setup;
     setup.params.frame_time = 1 / shot.fps;
-    setup.params.substeps = substepsFor(shot, *variants.at(0), setup.params.step_safety);
+    const MethodTraits& method = traitsOf(shot.method);
+    setup.params.substeps =
+        method.times_substeps * substepsFor(shot, *variants.at(0), setup.params.step_safety);
     setup.params.scene_radius = shot.scene_radius;
     setup.params.seed = shot.seed;
-    setup.params.hand_over = shot.hand_over;
-    setup.params.sleeping = shot.sleeping;
+    setup.params.hand_over = method.may_rest && shot.hand_over;
+    setup.params.sleeping = method.may_rest && shot.sleeping;
+    setup.params.smooth_cracks = method.smooth_cracks;
+    setup.params.preset_pieces = presetPiecesOf(shot);
     setup.params.colliders = collidersOf(shot);
     const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
-    setup.params.settle_time = dropped ? 0 : shot.settle_time * shot.settle_scale;
+    const bool settles = !dropped && !setup.params.preset_pieces;  // which steps bonds
+    setup.params.settle_time = settles ? shot.settle_time * shot.settle_scale : 0;
     setup.params.settle_damping = SolverParams{}.settle_damping / shot.settle_scale;
     const double share = lowestThresholdShare(shot, *variants[0]);
     for (const Placement& place : placementsOf(shot)) {

@@ -2,6 +2,7 @@
 // The knobs of a simulation: SI units, usual range, effect. Values: assets/materials and assets/scenes.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -79,6 +80,27 @@ struct Box {
 using Collider = std::variant<Plane, Box>;
 inline constexpr uint32_t kMaxColliders = 8;
 
+/// How a body is cut into pieces beforehand. Sizes are in those of the mean piece, (V / tough_cells)^(1/3).
+enum class Pattern : uint32_t {
+    kUniform,    ///< pieces of one size, round
+    kRadial,     ///< small round the axis and ever larger away from it, drawn out from it; in three layers
+    kSlabs,      ///< across the axis
+    kBricks,     ///< courses across the axis, half a brick against each other
+    kSplinters,  ///< along the axis
+};
+
+/// Instead of breaking by their bonds, bodies come apart into the pieces of a pattern when something meets
+/// them faster than their threshold: all bonds between pieces break at once and none inside a piece ever
+/// does. Everything moves as rigid bodies, and no bond is stepped. Needs hand_over.
+struct PresetPieces {
+    Pattern pattern = Pattern::kUniform;
+    /// Centred on the first touch, its axis along the way of what came; else as each body was cut before:
+    /// centred in its box, the axis upright.
+    bool at_impact = false;
+
+    bool operator==(const PresetPieces&) const = default;
+};
+
 struct SolverParams {
     double frame_time = 1.0 / 60;  ///< s simulated per frame
     uint32_t substeps = 300;       ///< per frame of 1/60 s; sets the softened stiffness (models.md E.1)
@@ -97,6 +119,8 @@ struct SolverParams {
     bool ledger = true;      ///< book damping and friction work every substep
     bool hand_over = false;  ///< fragments that no longer vibrate move as rigid bodies (16)-(18)
     bool sleeping = false;   ///< what rests costs nothing until something comes near
+    std::optional<PresetPieces> preset_pieces;
+    bool smooth_cracks = true;  ///< false: faces and outlines of cracks are drawn as the cells are
     EffectsSettings effects;
 };
 

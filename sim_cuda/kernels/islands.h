@@ -263,6 +263,7 @@ struct RegimeRules {
     bool hand_over = false, sleeping = false;
     bool may_calm = false;    ///< a frame starts: bonds may come to rest; else they may only be woken
     bool all_bonded = false;  ///< so much must be moved with its bonds that all that is awake goes with it
+    bool no_bonds = false;    ///< nothing is ever moved with its bonds
     uint32_t calm_substeps = 0, rest_substeps = 0;
 };
 
@@ -296,7 +297,8 @@ struct FlagIslands {
     DEM_FN uint32_t ownFlags(uint32_t slot) const {
         const bool rested = clock[slot].rest >= rules.rest_substeps;
         const uint32_t restless = rested ? 0 : kRestless;
-        if (hits.isProjectile(slot) || hits.regime[slot] != wordOf(Regime::kBonded)) return restless;
+        const bool bonds_work = !rules.no_bonds && hits.regime[slot] == wordOf(Regime::kBonded);
+        if (hits.isProjectile(slot) || !bonds_work) return restless;
         const bool calm = rules.hand_over && clock[slot].calm >= rules.calm_substeps;
         return rules.may_calm && (calm || rested) ? restless : restless | kMustBond;
     }
@@ -376,6 +378,7 @@ struct ChooseRegimes {
     }
     /// A projectile goes along with the bonds that it may touch: it costs no more in either way.
     DEM_FN bool needsBonds(uint32_t slot) const {
+        if (rules.no_bonds) return false;
         const bool with_island = !rules.hand_over || slot >= in_bodies;
         return (with_island ? flags[island[slot]] & kMustBond : flags[slot] & kNeedsBonds) != 0;
     }

@@ -64,6 +64,24 @@ struct StartBodies {
     }
 };
 
+/// One thread a particle of a body, before clustering: every one of them may be the slot of a piece. It goes
+/// on in the regime and the flight of what it was part of, and has not rested yet.
+struct SplitRigid {
+    Span<const uint32_t> label, owner;
+    Span<const uint32_t> splits;  ///< per body: 1 of those that come apart
+    Span<uint32_t> regime, memory;
+    Span<CalmClock> clock;
+
+    DEM_FN void operator()(uint32_t i) const {
+        if (splits[owner[i]] == 0) return;
+        clock[i] = {};
+        const uint32_t slot = label[i];
+        if (slot == i) return;
+        regime[i] = regime[slot];
+        memory[i] = memory[slot];
+    }
+};
+
 /// J of a particle's translation and spin.
 DEM_FN double kineticEnergy(double mass, double inertia, const Vec3<double>& v, const Vec3<double>& w) {
     return 0.5 * (mass * length2(v) + inertia * length2(w));

@@ -25,6 +25,7 @@ struct WriteInteriorVertices {
     Span<const float> spacing;
     Span<const Float3> position;  ///< pool
     Span<SurfaceVertex> out;
+    bool smooth = true;  ///< false: every face is flat
 
     DEM_FN void operator()(uint32_t index) const {
         const uint32_t f = face_of_vertex[index];
@@ -56,7 +57,7 @@ struct WriteInteriorVertices {
     /// A crumb's faces are flat, and its edges sharp.
     DEM_FN Side sideOf(uint32_t cell, uint32_t face) const {
         const uint32_t slot = fragment[cell];
-        return {slot, fragment_size[slot] <= kMostCellsOfCrumb ? face : kEveryFace};
+        return {slot, !smooth || fragment_size[slot] <= kMostCellsOfCrumb ? face : kEveryFace};
     }
     /// Both at once: what is read for one side is read for the other.
     DEM_FN void gather(uint32_t pool, Side& a, Side& b) const {

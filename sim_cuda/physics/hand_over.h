@@ -52,6 +52,12 @@ inline WakeLaw<double> wakeLaw(double beta, double critical_velocity, double thr
     return {kWakeShare * threshold_share * critical_velocity, beta * critical_velocity, particles};
 }
 
+/// Of bodies with preset pieces: what would break the weakest of them as a whole brings its pieces apart.
+inline WakeLaw<double> releaseLaw(double beta, double critical_velocity, double threshold_share,
+                                  double particles) {
+    return {threshold_share * critical_velocity, beta * critical_velocity, particles};
+}
+
 /// m/s, between pieces of n_i and n_j particles.
 template <class Real>
 DEM_FN Real wakeSpeed(const WakeLaw<Real>& a, const WakeLaw<Real>& b, Real n_i, Real n_j) {

@@ -91,6 +91,8 @@ void checkParams(const SolverParams& params) {
     demand(params.colliders.size() <= kMaxColliders,
            "A scene has at most " + std::to_string(kMaxColliders) + " colliders, its floor among them.");
     demandRange(params.wall_friction, -1, 1.5, "Friction of the colliders");
+    demand(!params.preset_pieces || params.hand_over,
+           "Preset pieces move as rigid bodies: they need hand-over.");
     demandRange(params.wall_stiffness, 1e-3, 1, "Stiffness of the colliders");
     for (const Collider& collider : params.colliders)
         std::visit([](const auto& shape) { checkShape(shape); }, collider);

@@ -25,6 +25,7 @@ void visitFixedBuffers(DeviceScene<Backend, Real>& scene, const Visit& visit) {
     visit(scene.lists.contacts().built_position);
     visit(scene.lists.contacts().built_velocity);
     scene.regimes.visitBuffers(visit);
+    scene.release.visitBuffers(visit);
 }
 
 /// A copy on the device; it owns its memory, and keeps it for the next one.

@@ -28,8 +28,9 @@ class Decisions {
     explicit Decisions(DeviceScene<Backend, Real>& scene) : scene_(scene) {}
 
     /// Decides for the present state, which must be complete (Stepper::placeRigid), and whose contact lists
-    /// must be good. soon: s until the next decision at the latest. Waits.
-    void decide(bool frame_starts, double soon);
+    /// must be good. `anew`: for a frame's start, or other fragments; so many substeps have passed since the
+    /// last time. soon: s until the next decision at the latest. Waits.
+    void decide(bool anew, uint32_t passed, double soon);
 
     /// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and
     /// what comes near a sleeper within `soon` s wakes it. May wait.
@@ -44,6 +45,7 @@ class Decisions {
 
     void noteShot() { state_.shot_started = 1; }
     void noteFrame(uint32_t substeps) { state_.last_frame = substeps; }
+    uint32_t lastFrame() const { return state_.last_frame; }
     bool shotStarted() const { return state_.shot_started != 0; }
     bool somethingRigid() const { return state_.something_rigid != 0; }
 
@@ -58,10 +60,10 @@ class Decisions {
 };
 
 template <class Backend, class Real>
-void Decisions<Backend, Real>::decide(bool frame_starts, double soon) {
+void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon) {
     auto& regimes = scene_.regimes;
     regimes.assign(scene_.data, scene_.lists, scene_.fragments.clusters, scene_.fragments.motion,
-                   scene_.params, frame_starts, state_.last_frame, soon);
+                   scene_.params, anew, passed, soon);
     if (scene_.setup.params.ledger && regimes.movesRigid()) bookSoftening();
     state_.last = scene_.substeps;
     state_.due = regimes.hitsLater() ? scene_.substeps + regimes.decisionInterval() : DecisionState::kNever;

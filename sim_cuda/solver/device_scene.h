@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim_cuda/kernels/paths_now.h"
+#include "sim_cuda/patterns/piece_release.h"
 #include "sim_cuda/solver/fragments.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/projectiles.h"
@@ -37,6 +38,7 @@ struct DeviceScene {
     NeighbourLists<Backend, Real> lists;
     Regimes<Backend, Real> regimes;
     Fragments<Backend, Real> fragments;
+    PieceRelease<Backend, Real> release;
     StepParams<Real> params;  ///< of a substep
     uint64_t substeps = 0;    ///< done since the start
 
@@ -48,6 +50,7 @@ struct DeviceScene {
           lists(backend, tables.counts, tables.largest_radius),
           regimes(backend, from, tables),
           fragments(backend, tables.counts, from.bodies),
+          release(backend, from, tables.owners()),
           params(makeStepParams<Real>(from.params, tables)) {
         uploadLaws(from.projectiles);
         lists.setBuried(tables.buried);
@@ -63,6 +66,14 @@ struct DeviceScene {
         const auto& contacts = lists.contacts();
         return {state(), contacts.paths(), static_cast<Real>(elapsed), static_cast<Real>(ahead),
                 lists.enclosures(data.bonds.in())};
+    }
+
+    /// For `release`, with good contact lists. soon: s until the next decision at the latest.
+    HardTouches<Real> hardTouches(double soon) {
+        const auto& clusters = fragments.clusters;
+        const MeetingsIn<Real> meetings = regimes.meetingsOf(data, lists, clusters, soon);
+        return {HitRules<Real>{meetings, clusters.rows(), regimes.regime(), release.laws(), 1},
+                params.colliders, params.gravity};
     }
 
     void uploadLaws(const std::vector<Projectile>& projectiles) {

@@ -96,7 +96,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
     scene_.fragments.advanceAges();
     scene_.fragments.gather(scene_.data);
     books_.setFragments(scene_.fragments.summary());
-    if (settles) scene_.regimes.markRested();
+    if (settles || scene_.release.on()) scene_.regimes.markRested();
     setEffects(setup.params.effects);
 }
 

@@ -42,8 +42,9 @@ class FractureSurface {
     template <class T>
     using Buffer = typename Backend::template Buffer<T>;
 
-    /// Keeps a reference to the backend and copies of the interior geometry on its device.
-    FractureSurface(Backend& backend, const SceneGeometry& scene);
+    /// Keeps a reference to the backend and copies of the interior geometry on its device. `smooth` false:
+    /// nothing is bent, everything is drawn as the cells are.
+    FractureSurface(Backend& backend, const SceneGeometry& scene, bool smooth = true);
 
     /// Marks what shows now and bends the faces that did not show at the last update.
     void update(const Fracture& fracture);
@@ -86,6 +87,7 @@ class FractureSurface {
 
     Backend& backend_;
     // static
+    bool smooth_;
     Buffer<InteriorFace> faces_;
     Buffer<uint32_t> face_vertices_, face_of_vertex_;
     Buffer<uint16_t> face_indices_;
@@ -137,8 +139,9 @@ void appendBytes(const std::vector<T>& values, std::vector<std::byte>& to) {
 }
 
 template <class Backend>
-FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry& scene)
+FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry& scene, bool smooth)
     : backend_(backend),
+      smooth_(smooth),
       faces_(backend.uploaded(scene.geometry.faces)),
       face_vertices_(backend.uploaded(scene.geometry.face_vertices)),
       face_of_vertex_(backend.uploaded(faceOfVertex(scene.geometry))),
@@ -189,6 +192,7 @@ void FractureSurface<Backend>::measureSurfaceDistance(const std::vector<uint8_t>
 template <class Backend>
 void FractureSurface<Backend>::update(const Fracture& fracture) {
     countShown(fracture);
+    if (!smooth_) return;
     outside_.update(fracture, position_.span(), previous_position_.span());
     bendNewFaces(fracture);
 }
@@ -257,12 +261,12 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
     const Span<uint32_t> outside = span(streams.exterior_indices);
     const Span<DrawCommands> commands = span(streams.commands);
     if (!vertices.empty())
-        backend_.forEach(
-            face_vertices_.size(),
-            WriteInteriorVertices{faces_.view(), face_of_vertex_.view(), face_vertices_.view(),
-                                  face_state_.view(), first_vertex_.view(), fragment, size, corners(),
-                                  surface_distance_.view(), spacing_.view(), position_.view(), vertices},
-            "write interior vertices");
+        backend_.forEach(face_vertices_.size(),
+                         WriteInteriorVertices{faces_.view(), face_of_vertex_.view(), face_vertices_.view(),
+                                               face_state_.view(), first_vertex_.view(), fragment, size,
+                                               corners(), surface_distance_.view(), spacing_.view(),
+                                               position_.view(), vertices, smooth_},
+                         "write interior vertices");
     if (!indices.empty())
         backend_.forEach(
             faces_.size(),

@@ -45,6 +45,11 @@ struct Fragments {
     void gather(const SolverData<Backend, Real>& data) {
         motion.gather(clusters.rows(), data.particles.in(data.current), data.particles.constants.view());
     }
+    /// Both at once: particles were put elsewhere and bonds set otherwise.
+    void follow(const SolverData<Backend, Real>& data) {
+        recluster(data);
+        gather(data);
+    }
     /// After gather(). Waits.
     FragmentSummary summary() { return motion.summary(clusters.rows()); }
 };

@@ -36,7 +36,7 @@ class FrameExporter {
     using Scene = DeviceScene<Backend, Real>;
 
     FrameExporter(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
-        : surface_(backend, concatenateGeometry(setup.bodies)),
+        : surface_(backend, concatenateGeometry(setup.bodies), setup.params.smooth_cracks),
           broken_bonds_(backend.template allocate<uint8_t>(tables.slot_of_bond.size())),
           waiting_(backend.template allocate<Vec4<Real>>(kMaxProjectiles)) {}
 

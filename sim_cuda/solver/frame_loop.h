@@ -80,6 +80,7 @@ class FrameLoop {
     struct FrameUnderWay {
         uint32_t substeps = 0, remaining = 0;
         bool moved = false;          ///< anything, so far
+        bool split = false;          ///< preset pieces have come apart
         uint32_t list_rebuilds = 0;  ///< so far
         LoopState before;
     };
@@ -91,6 +92,13 @@ class FrameLoop {
     uint32_t untilNextStart(uint32_t at_most) const;
     void decide(bool frame_starts, uint32_t remaining);
     void decideIfDue(uint32_t remaining);
+    /// Those of preset pieces that are hit within the next stretch come apart; new lists, if some did. s
+    /// until the next one is hit, if it is before the next decision. May wait.
+    struct Release {
+        bool splits = false;
+        double next = 1e30;
+    };
+    Release releasePieces(double soon);
     /// Builds the contact lists if that is due.
     void freshenLists();
     void buildLists();
@@ -140,7 +148,7 @@ typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint3
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
-    frame_ = {n, n, false, 0, state()};
+    frame_ = {n, n, false, false, 0, state()};
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
@@ -154,7 +162,9 @@ void FrameLoop<Backend, Real>::giveUpFrame() {
     if (!frame_) return;
     frame_start_.putBack(scene_);
     stepper_.takePlacing();
-    resume(std::exchange(frame_, std::nullopt)->before);
+    const FrameUnderWay given_up = *std::exchange(frame_, std::nullopt);
+    resume(given_up.before);
+    if (given_up.split) scene_.fragments.follow(scene_.data);
 }
 
 /// Everything sleeps, and no projectile starts: the frame would change nothing but the time.
@@ -234,7 +244,27 @@ template <class Backend, class Real>
 void FrameLoop<Backend, Real>::decide(bool frame_starts, uint32_t remaining) {
     stepper_.placeRigid(scene_);
     stepper_.listsChange();
-    decisions_.decide(frame_starts, lists_.remaining(scene_.lists.horizon(), remaining));
+    const Release release = releasePieces(lists_.remaining(scene_.lists.horizon(), remaining));
+    decisions_.decide(frame_starts || release.splits, frame_starts ? decisions_.lastFrame() : 0,
+                      lists_.remaining(scene_.lists.horizon(), remaining));
+    decisions_.hasten(release.next, kRigidStretch.length());
+}
+
+template <class Backend, class Real>
+typename FrameLoop<Backend, Real>::Release FrameLoop<Backend, Real>::releasePieces(double soon) {
+    auto& release = scene_.release;
+    if (!release.on()) return {};
+    const HardTouches<Real> touches = scene_.hardTouches(soon);
+    const auto foreseen = release.foresee(touches, kRigidStretch.length() * scene_.tables.time_step);
+    if (foreseen.splits) {
+        auto& data = scene_.data;
+        release.release(touches, data.bonds.row_start.view(), data.bonds.link.span());
+        scene_.regimes.splitRigid(scene_.fragments.clusters, data.particles.owner.view(), release.splits());
+        scene_.fragments.follow(data);
+        buildLists();
+        frame_->split = true;
+    }
+    return {foreseen.splits, foreseen.next};
 }
 
 template <class Backend, class Real>

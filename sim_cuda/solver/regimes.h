@@ -60,6 +60,12 @@ class Regimes {
     PlaceRigid<Real> placer(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// The bodies have stood still for long: they may sleep at once.
     void markRested();
+    /// Before clustering finds them: pieces of rigid bodies that come apart go on as those did.
+    void splitRigid(const Clustering<Backend>& clusters, Span<const uint32_t> owner,
+                    Span<const uint32_t> splits);
+    /// What decisions read, with contact lists that are good. soon: as in assign().
+    MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                const Clustering<Backend>& clusters, double soon);
 
     const RegimeMemory& memory() const { return memory_; }
     void remember(const RegimeMemory& memory) { memory_ = memory; }
@@ -96,8 +102,6 @@ class Regimes {
     Span<const uint32_t> former() const { return former_.view(); }  ///< before the last decision
 
   private:
-    MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
-                                const Clustering<Backend>& clusters, double soon);
     void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
                      const FragmentMotion<Backend, Real>& motion, uint32_t substeps);
     /// Gives how regimes then are to be chosen.
@@ -126,7 +130,7 @@ class Regimes {
 
     Backend& backend_;
     ParticleCounts counts_of_;
-    bool hand_over_, sleeping_;
+    bool hand_over_, sleeping_, no_bonds_;
     uint32_t decision_substeps_;
     double at_once_;              ///< s
     double gentlest_hit_ = 1e30;  ///< m/s
@@ -156,6 +160,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       counts_of_(tables.counts),
       hand_over_(setup.params.hand_over),
       sleeping_(setup.params.sleeping),
+      no_bonds_(setup.params.preset_pieces.has_value()),
       decision_substeps_(
           kRigidStretch.length() *
           static_cast<uint32_t>(std::ceil(kDecisionSeconds / (kRigidStretch.length() * tables.time_step)))),
@@ -215,6 +220,15 @@ PlaceRigid<Real> Regimes<Backend, Real>::placer(SolverData<Backend, Real>& data,
 template <class Backend, class Real>
 void Regimes<Backend, Real>::markRested() {
     if (on()) backend_.fill(clock_.span(), CalmClock{calm_substeps_, rest_substeps_});
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::splitRigid(const Clustering<Backend>& clusters, Span<const uint32_t> owner,
+                                        Span<const uint32_t> splits) {
+    backend_.forEach(
+        counts_of_.in_bodies,
+        SplitRigid{clusters.fragment(), owner, splits, regime_.span(), body_memory_.span(), clock_.span()},
+        "split rigid bodies");
 }
 
 }  // namespace demolish

@@ -82,9 +82,10 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
                                                         const FragmentRows& rows,
                                                         const StepParams<Real>& params, bool frame_starts) {
     const uint32_t total = counts_of_.total;
-    if (frame_starts) memory_.all_bonded = memory_.must_bond > kAllBondedShare * memory_.awake ? 1 : 0;
-    const RegimeRules rules{hand_over_,     sleeping_,     frame_starts, memory_.all_bonded != 0,
-                            calm_substeps_, rest_substeps_};
+    const bool most_bonded = !no_bonds_ && memory_.must_bond > kAllBondedShare * memory_.awake;
+    if (frame_starts) memory_.all_bonded = most_bonded ? 1 : 0;
+    const RegimeRules rules{hand_over_, sleeping_,      frame_starts,  memory_.all_bonded != 0,
+                            no_bonds_,  calm_substeps_, rest_substeps_};
     const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_};
     const Span<uint32_t> marks = marks_.span();
     backend_.forEach(total,

@@ -93,6 +93,25 @@ TEST_F(Parity, HandedOverAndSleepingFragmentsMoveAlike) {
     EXPECT_GT(apart, 3u);  // frames in which bonds and rigid fragments go side by side
 }
 
+TEST_F(Parity, PresetPiecesComeApartAndMoveAlike) {
+    for (const bool at_impact : {false, true})
+        for (const Pattern pattern :
+             {Pattern::kUniform, Pattern::kRadial, Pattern::kSlabs, Pattern::kBricks, Pattern::kSplinters}) {
+            SceneSetup setup = breakingScene();
+            setup.params.hand_over = setup.params.sleeping = true;
+            setup.params.preset_pieces = {pattern, at_impact};
+            auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
+            for (int frame = 0; frame < 30; ++frame) {
+                ASSERT_EQ(cpu->advanceFrame(), StepStatus::kOk);
+                ASSERT_EQ(gpu->advanceFrame(), StepStatus::kOk);
+                ASSERT_EQ(gpu->stateHash(), cpu->stateHash()) << "frame " << frame;
+                ASSERT_EQ(gpu->stats().fragments, cpu->stats().fragments) << "frame " << frame;
+            }
+            EXPECT_GT(cpu->stats().fragments, 3u);
+            EXPECT_EQ(gpu->stats().bonded_particles, 0u);
+        }
+}
+
 TEST_F(Parity, WhatBreaksOnATurnedBoxMovesAlike) {
     SceneSetup setup = breakingScene();
     setup.params.hand_over = setup.params.sleeping = true;

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 
 namespace demolish::test {
 namespace {
@@ -16,62 +15,6 @@ constexpr double kFit = 1.5;  ///< h, sigma of the quadratic fit
 Double3 asDouble(const Float3& p) {
     return {p.x, p.y, p.z};
 }
-
-/// Borders between large pieces, cut where lines meet.
-class Outlines {
-  public:
-    /// `outside`: vertices as drawn, or at rest.
-    Outlines(const DrawnSurface& drawn, const std::vector<SurfaceVertex>& outside,
-             const std::vector<uint32_t>& size)
-        : drawn_(drawn) {
-        const FractureGeometry& geometry = drawn.scene.geometry;
-        for (const CrackEdge& edge : geometry.crack_edges) {
-            const uint32_t a = drawn.fragments[edge.cell_a], b = drawn.fragments[edge.cell_b];
-            const uint32_t u = geometry.exterior_home[edge.vertex_0].point,
-                           v = geometry.exterior_home[edge.vertex_1].point;
-            if (a == b || u == v) continue;
-            all_[u].insert(v);
-            all_[v].insert(u);
-            place_[u] = asDouble(outside[edge.vertex_0].position);
-            place_[v] = asDouble(outside[edge.vertex_1].position);
-            if (std::min(size[a], size[b]) < kLargePiece) continue;
-            large_[u].insert(v);
-            large_[v].insert(u);
-        }
-    }
-    std::vector<std::vector<Double3>> lines() {
-        std::vector<std::vector<Double3>> lines;
-        for (const bool through : {false, true})  // from ends and junctions first
-            for (const auto& [u, others] : large_)
-                if (goesOn(u) == through)
-                    for (const uint32_t v : others)
-                        if (!done_.contains({u, v})) lines.push_back(walk(u, v));
-        return lines;
-    }
-
-  private:
-    bool goesOn(uint32_t p) const {
-        return all_.at(p).size() == 2 && drawn_.scene.geometry.points[p].kind == SlideKind::kPlane;
-    }
-    std::vector<Double3> walk(uint32_t u, uint32_t v) {
-        std::vector<Double3> line{place_[u]};
-        for (uint32_t before = u, now = v;;) {
-            done_.insert({before, now});
-            done_.insert({now, before});
-            line.push_back(place_[now]);
-            if (!goesOn(now)) return line;
-            const auto& others = all_.at(now);
-            const uint32_t next = *others.begin() == before ? *others.rbegin() : *others.begin();
-            if (!large_.at(now).contains(next) || done_.contains({now, next})) return line;
-            before = now;
-            now = next;
-        }
-    }
-    const DrawnSurface& drawn_;
-    std::map<uint32_t, std::set<uint32_t>> all_, large_;
-    std::map<uint32_t, Double3> place_;
-    std::set<std::pair<uint32_t, uint32_t>> done_;
-};
 
 struct Facet {
     Double3 centre, normal;  ///< normal: from the lower fragment to the higher
@@ -180,8 +123,12 @@ CrackMeasures measureCracks(DrawnSurface& drawn, double h, double volume) {
         measures.pieces += cells > 0 ? 1 : 0;
         measures.large_pieces += cells >= kLargePiece ? 1 : 0;
     }
-    measures.outline = measureLines(Outlines(drawn, drawn.outside, size).lines(), h);
-    measures.outline_at_rest = measureLines(Outlines(drawn, drawn.scene.geometry.exterior, size).lines(), h);
+    const FractureGeometry& geometry = drawn.scene.geometry;
+    const auto outline = [&](const std::vector<SurfaceVertex>& outside) {
+        return measureLines(crackOutlines(geometry, outside, drawn.fragments, size), h);
+    };
+    measures.outline = outline(drawn.outside);
+    measures.outline_at_rest = outline(geometry.exterior);
     measureFaces(largeFaces(drawn, size), h, measures);
     measureParts(drawn, h, measures);
     double sum = 0;

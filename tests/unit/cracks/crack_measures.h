@@ -3,13 +3,10 @@
 #pragma once
 #include <cstddef>
 
-#include "tests/unit/cracks/crack_lines.h"
+#include "app/compare/crack_outlines.h"
 #include "tests/unit/draw/drawn_surface.h"
 
 namespace demolish::test {
-
-/// Pieces of fewer cells are not large.
-inline constexpr uint32_t kLargePiece = 30;
 
 struct CrackMeasures {
     size_t pieces = 0, large_pieces = 0;

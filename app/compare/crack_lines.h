@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // How even a line is: against itself smoothed.
 #pragma once
+#include <glm/glm.hpp>
 #include <vector>
 
-#include "sim_cuda/authoring/double3.h"
+namespace demolish {
 
-namespace demolish::test {
+/// Corners of a line, m; closed where the last is the first.
+using Line = std::vector<glm::dvec3>;
 
 struct LineMeasure {
     double deviation = 0;  ///< rms, over h
@@ -14,6 +16,6 @@ struct LineMeasure {
 };
 
 /// Lines of 3 h and more, each sampled every 0.1 h, against their Gaussian mean of sigma h.
-LineMeasure measureLines(const std::vector<std::vector<Double3>>& lines, double h);
+LineMeasure measureLines(const std::vector<Line>& lines, double h);
 
-}  // namespace demolish::test
+}  // namespace demolish
