@@ -129,8 +129,9 @@ class EquationMap : public testing::Test {
         functionsOf(withoutComments(allUnder({"sim_cuda/physics"}, {".h"})));
     /// Laws that a substep, a contact step or the set-up of a scene computes.
     const std::set<std::string> running_ =
-        calledFrom(withoutComments(allUnder({"sim_cuda/kernels", "sim_cuda/solver", "sim_cuda/authoring"},
-                                            {".h", ".cpp", ".cuh", ".cu"})),
+        calledFrom(withoutComments(allUnder(
+                       {"sim_cuda/kernels", "sim_cuda/patterns", "sim_cuda/solver", "sim_cuda/authoring"},
+                       {".h", ".cpp", ".cuh", ".cu"})),
                    laws_);
     const std::string tests_ = allUnder({"tests/physics", "tests/unit"}, {".cpp"});
 
