@@ -16,6 +16,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/kernel_bench.h"
 #include "app/commands/machine_facts.h"
+#include "app/commands/methods_bench.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
@@ -132,9 +133,35 @@ void runKernelBench(const BenchOptions& options) {
     files.requireAllWritten();
 }
 
+void refuseForMethods(const BenchOptions& options) {
+    const auto not_for_it = [](const auto& file) { return !file.second.empty() && file.first != "--json"; };
+    const auto& paths = options.files.paths;
+    const bool of_one = !options.shot.method.empty() || options.draw_only || options.record;
+    if (of_one || std::any_of(paths.begin(), paths.end(), not_for_it))
+        throw UsageError(
+            "--methods runs a shot by every method; leave out --method, --draw-only, --record, and files "
+            "other than --json");
+}
+
+void runMethodsBench(const BenchOptions& options) {
+    refuseForMethods(options);
+    Shot shot = makeShot(options.shot, "paper");
+    if (options.shot.effects.empty()) shot.effects.on = false;
+    const BenchPlan plan = planFor(options, shot);
+    const PictureSize size = pictureSize(options.shot, kDefaultSize);
+    const InterruptWatch interrupts;
+    MethodsPlace place{shot.scene, "nobody", 0, 0, plan.frames};
+    const std::vector<MethodRow> rows = compareMethods(shot, plan, options.shot, size, place);
+    LastFiles files;
+    files.write(options.files.at("--json"), [&] { return methodsJson(rows, place); });
+    std::fputs(methodsTable(rows, place).c_str(), stdout);
+    files.requireAllWritten();
+}
+
 void runBench(const BenchOptions& options) {
     requireWritable(options.files);
     if (options.kernel) return runKernelBench(options);
+    if (options.methods) return runMethodsBench(options);
     Shot shot = makeShot(options.shot, "paper");
     if (options.shot.effects.empty()) shot.effects.on = false;  // what the paper times has none
     const BenchPlan plan = planFor(options, shot);
@@ -191,8 +218,11 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
     command->add_flag(
         "--kernel", options.kernel,
         "Time the substep alone, of blocks of 2,000 to 1,000,000 particles, beside the machine's floors");
-    setExamples(*command, {"bench vase --json vase.json --curve vase.svg",
-                           "bench bunny --particles 2000 --no-draw", "bench --kernel --device cuda"});
+    command->add_flag("--methods", options.methods,
+                      "The shot by every method of the paper's comparison, in one table");
+    setExamples(*command,
+                {"bench vase --json vase.json --curve vase.svg", "bench bunny --particles 2000 --no-draw",
+                 "bench --kernel --device cuda", "bench bunny --methods"});
     command->callback([&options] { runBench(options); });
 }
 

@@ -13,7 +13,7 @@ struct BenchOptions {
     std::optional<double> frames;  ///< none: to the end of the shot's last phase
     double warmup = 10;
     RunFiles files{RunCommand::kBench};
-    bool no_draw = false, draw_only = false, record = false, kernel = false;
+    bool no_draw = false, draw_only = false, record = false, kernel = false, methods = false;
 };
 
 void addBenchCommand(CLI::App& app, BenchOptions& options);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -159,6 +160,32 @@ TEST_F(Bench, StepTransferAndDrawAreInTheFrame) {
     }
     EXPECT_GE(all["frame_ms_worst"].get<double>(), all["frame_ms_p99"].get<double>());
     EXPECT_GE(all["frame_ms_p99"].get<double>(), all["frame_ms_median"].get<double>());
+}
+
+TEST_F(Bench, AllMethodsOfThePapersComparisonStandInOneTable) {
+    const ProgramRun run = bench({"--methods", "--pieces", "6"});
+    ASSERT_EQ(run.exit_code, 0) << run.out;
+    const auto rows = read()["methods"];
+    ASSERT_EQ(rows.size(), 5u);
+    std::map<std::string, nlohmann::json> by_name;
+    for (const auto& row : rows) {
+        by_name[row["name"]] = row;
+        EXPECT_THAT(run.out, HasSubstr(row["name"].get<std::string>()));
+        EXPECT_GT(row["fps_whole"].get<double>(), 0);
+        EXPECT_GT(row["pieces"].get<int>(), 1) << row["name"];
+        EXPECT_NEAR(row["energy_closure"].get<double>(), 1, 0.05) << row["name"];
+    }
+    EXPECT_EQ(by_name["pattern"]["map_distance"], 0) << "the same pieces wherever it is hit";
+    EXPECT_GT(by_name["pattern-at-impact"]["map_distance"], 0.05);
+    EXPECT_EQ(by_name["pattern-at-impact"]["paper_fps"], 130);
+    EXPECT_TRUE(by_name["cores"]["paper_fps"].is_null());
+    EXPECT_EQ(by_name["cores"]["pieces"], by_name["ours"]["pieces"]);
+}
+
+TEST_F(Bench, AComparisonTakesNoMethodAndOneFile) {
+    EXPECT_EQ(bench({"--methods", "--method", "heavy"}).exit_code, 2);
+    EXPECT_EQ(bench({"--methods", "--csv", folder_.path() / "rows.csv"}).exit_code, 2);
+    EXPECT_EQ(bench({"--method", "magic"}).exit_code, 2);
 }
 
 TEST_F(Bench, TheSubstepAloneIsTimedBesideTheMachinesFloor) {

@@ -73,6 +73,17 @@ TEST(SceneFile, ReadsHowItsModelIsRepaired) {
     EXPECT_THAT(complaintAbout(kHead + "thickness_m = -1\n"), HasSubstr("thickness_m"));
 }
 
+TEST(SceneFile, ReadsItsMethod) {
+    const TemporaryFolder folder;
+    const Shot shot =
+        loadSceneFile(folder.write("cut.toml", kHead + "method = \"pattern\"\npattern = \"slabs\"\n"));
+    EXPECT_EQ(shot.method, Method::kPattern);
+    EXPECT_EQ(shot.pattern, Pattern::kSlabs);
+    EXPECT_EQ(loadSceneFile(folder.write("plain.toml", kHead)).method, Method::kOurs);
+    EXPECT_THAT(complaintAbout(kHead + "method = \"magic\"\n"), HasSubstr("ours, heavy, cores"));
+    EXPECT_THAT(complaintAbout(kHead + "pattern = \"stars\"\n"), HasSubstr("uniform, radial"));
+}
+
 TEST(SceneFile, NamesItsRowOfTheStrengthTable) {
     const TemporaryFolder folder;
     EXPECT_EQ(loadSceneFile(folder.write("block.toml", kHead)).strength_row, "");
