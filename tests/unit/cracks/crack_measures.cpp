@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "sim_cuda/authoring/double3.h"
+
 namespace demolish::test {
 namespace {
 
