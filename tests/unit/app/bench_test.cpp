@@ -32,7 +32,7 @@ class Bench : public testing::Test {
         folder_.write("assets/scenes/phased.toml",
                       "version = 1\nmodel = \"models/block.obj\"\nmaterial_preset = \"stone\"\n"
                       "[particles]\nfull = 150\ndraft = 150\n"
-                      "[impact]\nkind = \"ball\"\nvelocity_mps = 60\narrival_s = 0.06\n"
+                      "[impact]\nkind = \"ball\"\nvelocity_mps = 120\narrival_s = 0.06\n"
                       "[[phase]]\nname = \"whole\"\nfrom_s = 0\nto_s = 0.05\npaper_fps = 280\n"
                       "[[phase]]\nname = \"all broken\"\nfrom_s = 0.05\nto_s = 0.2\npaper_fps = 155\n");
     }
