@@ -38,8 +38,8 @@ Shot inMaterial(const std::string& scene, const std::string& material) {
     return shot;
 }
 
-/// What every shot is held to. Most close to a few thousandths; the wolf of tempered glass, whose dice are woken
-/// while they press on each other in contact steps, does to 0.988.
+/// What every shot is held to. Most close to a few thousandths; the wolf of tempered glass, whose dice are
+/// woken while they press on each other in contact steps, does to 0.988.
 constexpr double kLeast = 0.98, kMost = 1.02;
 
 void expectClosed(const Shot& shot, const std::string& name) {
