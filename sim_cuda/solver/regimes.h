@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Only what is breaking pays (architecture 9): decides which fragments are moved with their bonds, which as
-// rigid bodies and which not at all, and keeps the lists of each.
+// rigid bodies and which not at all; moved_lists.h keeps the lists of each.
 //
 //   fit (16)-(18) of every fragment -> how calm it is -> islands that may meet -> regime of each fragment
 //   -> rigid bodies, particles made to follow them -> marks -> scan -> lists, their lengths to the host
@@ -11,11 +11,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_cuda/kernels/work_lists.h"
+#include "sim_cuda/kernels/in_turn.h"
 #include "sim_cuda/physics/hand_over.h"
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fragment_motion.h"
 #include "sim_cuda/solver/look_interval.h"
+#include "sim_cuda/solver/moved_lists.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/solver_data.h"
 
@@ -70,25 +71,25 @@ class Regimes {
     const RegimeMemory& memory() const { return memory_; }
     void remember(const RegimeMemory& memory) { memory_ = memory; }
 
-    const RigidWork& rigid() const { return rigid_; }
-    RigidConstants<Real> rigidConstants() { return {rigid_constants_.span(), in_substeps_.span()}; }
-    bool movesBonds() const { return counts_[kBondedCount] > 0 || bonded_shots_; }
+    const RigidWork& rigid() const { return moved_.rigid(); }
+    RigidConstants<Real> rigidConstants() { return moved_.rigidConstants(); }
+    bool movesBonds() const { return moved_.count(kBondedCount) > 0 || bonded_shots_; }
     /// Something is rigid or sleeps, so that what meets it has to be known beforehand.
-    bool leavesBonds() const { return movesRigid() || counts_[kAsleepCount] > 0; }
-    bool movesRigid() const { return counts_[kFragmentCount] > 0; }
+    bool leavesBonds() const { return movesRigid() || moved_.count(kAsleepCount) > 0; }
+    bool movesRigid() const { return moved_.count(kFragmentCount) > 0; }
     /// Some rigid fragment may touch what is moved with its bonds, so that substeps carry it along.
-    bool carries() const { return counts_[kCarriedCount] > 0; }
+    bool carries() const { return moved_.count(kCarriedCount) > 0; }
     double gentlestHit() const { return gentlest_hit_; }  ///< m/s: no slower meeting wakes bonds
     /// Somebody will be hit hard before the next decision but not at once, and has not been woken for it:
     /// decide anew within decisionInterval() substeps.
-    bool hitsLater() const { return counts_[kHitsLater] != 0; }
+    bool hitsLater() const { return moved_.count(kHitsLater) != 0; }
     uint32_t decisionInterval() const { return decision_substeps_; }
-    uint32_t bondedParticles() const { return counts_[kBondedCount]; }
-    uint32_t carriedParticles() const { return counts_[kCarriedCount]; }
-    uint32_t activeParticles() const { return counts_[kActiveCount]; }
-    uint32_t rigidFragments() const { return counts_[kFragmentCount]; }
-    uint32_t sleepingFragments() const { return counts_[kAsleepCount]; }
-    uint32_t awakeBodies() const { return counts_[kAwakeBodies]; }
+    uint32_t bondedParticles() const { return moved_.count(kBondedCount); }
+    uint32_t carriedParticles() const { return moved_.count(kCarriedCount); }
+    uint32_t activeParticles() const { return moved_.count(kActiveCount); }
+    uint32_t rigidFragments() const { return moved_.count(kFragmentCount); }
+    uint32_t sleepingFragments() const { return moved_.count(kAsleepCount); }
+    uint32_t awakeBodies() const { return moved_.count(kAwakeBodies); }
 
     /// Calls visit(buffer) for what a checkpoint has to keep.
     template <class Visit>
@@ -111,22 +112,6 @@ class Regimes {
                      const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                      const FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
                      bool frame_starts);
-    void listWork(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,
-                  const StepParams<Real>& params, bool frame_starts);
-    /// What the steps go by from now on: the lists and their lengths as the host knows them.
-    void useLists(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings);
-    void listBondsOnHost(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
-
-    /// visit(MeetingThreads)
-    template <class Visit>
-    void withThreads(const Visit& visit) const {
-        if constexpr (!Backend::kOnGpu)
-            visit(MeetingThreads<1, 1>{});
-        else if (counts_of_.total <= kFewToDecide)
-            visit(ThreadsOfFew{});
-        else
-            visit(ThreadsOfMany{});
-    }
 
     Backend& backend_;
     ParticleCounts counts_of_;
@@ -139,17 +124,9 @@ class Regimes {
     Buffer<WakeLaw<Real>> wake_;
     Buffer<uint32_t> regime_, former_, island_, flags_, meets_, speeds_, body_memory_;
     Buffer<CalmClock> clock_;
-    Buffer<RigidBody> body_;
-    Buffer<Vec3<double>> arm_;
-    Buffer<Quat<double>> start_rotation_;
-    Buffer<ParticleConstants<Real>> rigid_constants_, in_substeps_;
-    Buffer<Vec4<Real>> carried_, carried_tally_;  ///< as in SubstepArrays
-    Buffer<uint32_t> marks_, mark_sums_;          ///< of the lists
-    Buffer<uint32_t> active_, fragment_, first_, last_, bonded_, large_, bonds_, body_awake_, words_;
+    MovedLists<Backend, Real> moved_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
-    RigidWork rigid_;
-    uint32_t counts_[kWorkWords] = {};
     RegimeMemory memory_;
     bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
 };
@@ -168,6 +145,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       calm_substeps_(static_cast<uint32_t>(std::ceil(kCalmSeconds / tables.time_step))),
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
       crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
+      moved_(backend),
       reader_(backend) {
     if (!on()) return;
     const uint32_t total = counts_of_.total;
@@ -185,23 +163,10 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     }
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);
-    for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &active_, &fragment_,
-                                    &first_, &last_, &large_, &speeds_, &body_memory_})
+    for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &speeds_, &body_memory_})
         *words = backend.template allocate<uint32_t>(total);
     clock_ = backend.template allocate<CalmClock>(total);
-    body_ = backend.template allocate<RigidBody>(total);
-    arm_ = backend.template allocate<Vec3<double>>(total);
-    start_rotation_ = backend.template allocate<Quat<double>>(total);
-    rigid_constants_ = backend.template allocate<ParticleConstants<Real>>(total);
-    in_substeps_ = backend.template allocate<ParticleConstants<Real>>(total);
-    carried_ = backend.template allocate<Vec4<Real>>(2 * size_t{total});
-    carried_tally_ = backend.template allocate<Vec4<Real>>(4 * size_t{total});
-    marks_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total});
-    mark_sums_ = backend.template allocate<uint32_t>(kMarkRows * size_t{total} + 1);
-    bonded_ = backend.template allocate<uint32_t>(counts_of_.in_bodies);
-    words_ = backend.template allocate<uint32_t>(kWorkWords);
-    body_awake_ = backend.template allocate<uint32_t>(tables.bodies);
-    if constexpr (!Backend::kOnGpu) bonds_ = backend.template allocate<uint32_t>(tables.slot_of_bond.size());
+    moved_.allocate(tables);
     backend.synchronize();  // the host copies go out of scope
 }
 
@@ -210,9 +175,9 @@ PlaceRigid<Real> Regimes<Backend, Real>::placer(SolverData<Backend, Real>& data,
                                                 const Clustering<Backend>& clusters) {
     return {clusters.fragment(),
             regime_.view(),
-            body_.view(),
-            arm_.view(),
-            start_rotation_.view(),
+            moved_.bodies(),
+            moved_.arms(),
+            moved_.startRotations(),
             data.particles.out(data.current),
             data.particles.out(1 - data.current)};
 }
@@ -231,6 +196,141 @@ void Regimes<Backend, Real>::splitRigid(const Clustering<Backend>& clusters, Spa
         "split rigid bodies");
 }
 
-}  // namespace demolish
+template <class Backend, class Real>
+void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                    const Clustering<Backend>& clusters,
+                                    FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
+                                    bool frame_starts, uint32_t substeps, double soon) {
+    const FragmentRows rows = clusters.rows();
+    const StateIn<Real> state = data.particles.in(data.current);
+    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
+    if (frame_starts) {
+        fits_ = motion.fitMotions(rows, state, constants);
+        watchClocks(data, clusters, motion, substeps);
+    }
+    const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
+    const ChooseRegimes<Real> choose = flagIslands(meetings, rows, params, frame_starts);
+    startBodies(choose, data, meetings, rows, motion, params, frame_starts);
+    const Span<const uint32_t> meets = frame_starts ? Span<const uint32_t>{} : meets_.view();
+    moved_.list(data, meetings, rows, params.colliders,
+                {regime_.view(), flags_.view(), meets, body_memory_.span()});
+    bonded_shots_ = !hand_over_;
+    if (frame_starts) {
+        memory_.awake = moved_.count(kAwakeCount);
+        memory_.must_bond = moved_.count(kMustBondCount);
+    }
+}
 
-#include "sim_cuda/solver/regimes_assign.h"
+template <class Backend, class Real>
+MeetingsIn<Real> Regimes<Backend, Real>::meetingsOf(SolverData<Backend, Real>& data,
+                                                    NeighbourLists<Backend, Real>& lists,
+                                                    const Clustering<Backend>& clusters, double soon) {
+    return {data.particles.in(data.current),
+            lists.contacts().paths(),
+            data.particles.constants.view(),
+            clusters.fragment(),
+            data.particles.owner.view(),
+            data.bonds.in(),
+            lists.contacts().in(),
+            counts_of_.in_bodies,
+            static_cast<Real>(lists.horizon()),
+            static_cast<Real>(soon),
+            static_cast<Real>(std::min(soon, at_once_))};
+}
+
+template <class Backend, class Real>
+bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
+                                   const Clustering<Backend>& clusters, double soon) {
+    if (moved_.count(kAsleepCount) == 0) return false;
+    const Span<uint32_t> word = flags_.span().part(0, 1);
+    backend_.fill(word, 0u);
+    withMeetingThreads<Backend>(counts_of_.total, [&](auto threads) {
+        constexpr uint32_t kThreads = decltype(threads)::kFirst;
+        backend_.forEach(
+            size_t{counts_of_.total} * kThreads,
+            SeeSleepers<kThreads, Real>{meetingsOf(data, lists, clusters, soon), regime_.view(), word},
+            "see sleepers");
+    });
+    reader_.start(backend_, word);
+    return reader_.wait()[0] != 0;
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
+                                         const FragmentMotion<Backend, Real>& motion, uint32_t substeps) {
+    const uint32_t total = counts_of_.total;
+    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
+    backend_.fill(speeds_.span(), 0u);
+    backend_.forEach(
+        total,
+        MeasureMotion<Real>{data.particles.in(data.current), constants, clusters.fragment(), speeds_.span()},
+        "measure motion");
+    backend_.forEach(total,
+                     AdvanceClocks<Real>{
+                         clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
+                         constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(), clock_.span(),
+                         static_cast<float>(kRestSpeed * kRestSpeed), counts_of_.in_bodies, substeps},
+                     "advance clocks");
+}
+
+template <class Backend, class Real>
+ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& meetings,
+                                                        const FragmentRows& rows,
+                                                        const StepParams<Real>& params, bool frame_starts) {
+    const uint32_t total = counts_of_.total;
+    const bool most_bonded = !no_bonds_ && memory_.must_bond > kAllBondedShare * memory_.awake;
+    if (frame_starts) memory_.all_bonded = most_bonded ? 1 : 0;
+    const RegimeRules rules{hand_over_, sleeping_,      frame_starts,  memory_.all_bonded != 0,
+                            no_bonds_,  calm_substeps_, rest_substeps_};
+    const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_};
+    const Span<uint32_t> words = moved_.words();
+    backend_.forEach(total,
+                     StartIslands{island_.span(), flags_.span(), meets_.span(), moved_.activeMarks(),
+                                  moved_.carriedMarks(), words, moved_.bodyAwake()},
+                     "start islands");
+    withMeetingThreads<Backend>(counts_of_.total, [&](auto threads) {
+        constexpr uint32_t kFirst = decltype(threads)::kFirst, kLater = decltype(threads)::kLater;
+        backend_.forEach(size_t{total} * kFirst,
+                         JoinIslands<kFirst, Real>{hits, island_.span(), meets_.span(), words},
+                         "join islands");
+        backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
+        const FlagIslands<kLater, Real> flag{hits,          island_.view(),   meets_.view(),
+                                             clock_.view(), params.colliders, params.gravity,
+                                             rules,         flags_.span(),    words};
+        backend_.forEach(size_t{total} * kLater, flag, "flag islands");
+    });
+    return {meetings.label, island_.view(), flags_.view(), meetings.constants,  rules,
+            regime_.span(), former_.span(), clock_.span(), counts_of_.in_bodies};
+}
+
+template <class Backend, class Real>
+void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, SolverData<Backend, Real>& data,
+                                         const MeetingsIn<Real>& meetings, const FragmentRows& rows,
+                                         const FragmentMotion<Backend, Real>& motion,
+                                         const StepParams<Real>& params, bool frame_starts) {
+    auto& particles = data.particles;
+    const uint32_t total = counts_of_.total;
+    const StartBodies<Real> start{rows,
+                                  meetings.label,
+                                  regime_.view(),
+                                  former_.view(),
+                                  body_memory_.view(),
+                                  meetings.state,
+                                  meetings.constants,
+                                  fits_,
+                                  motion.poses(),
+                                  motion.spins(),
+                                  moved_.bodies(),
+                                  counts_of_.in_bodies,
+                                  frame_starts};
+    backend_.forEach(total, InTurn{choose, start}, "choose regimes and start bodies");
+    backend_.forEach(
+        total,
+        SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),
+                            meetings.constants, meetings.label, regime_.view(), former_.view(),
+                            moved_.bodies(), moved_.arms(), moved_.startRotations(), data.ledger.span(),
+                            asDouble(params.gravity), double(params.dt), counts_of_.in_bodies, frame_starts},
+        "settle regimes");
+}
+
+}  // namespace demolish
