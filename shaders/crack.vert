@@ -12,7 +12,8 @@ out float strength;
 out vec3 rest;
 
 void main() {
-    CrackEdge edge = crack_edges[crack_list[gl_InstanceID]];
+    uint word = crack_list[gl_InstanceID];
+    CrackEdge edge = crack_edges[crackEdgeOf(word)];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     vec3 p[2] = vec3[](moved(t, restPosition(edge.vertex_0)), moved(t, restPosition(edge.vertex_1)));
@@ -28,9 +29,9 @@ void main() {
     vec2 along = screen_1 - screen_0;
     along = length(along) > 1e-4 ? normalize(along) : vec2(1.0, 0.0);
 
-    float wanted = widthOnScreen(clip[end].w);
+    float taper = taperOf(word, end), wanted = taper * widthOnScreen(clip[end].w);
     half_width = 0.5 * max(wanted, kLeastPixels);
-    strength = strengthOf(wanted, dot(normal, to_eye), opening);
+    strength = strengthOf(wanted, taper, dot(normal, to_eye), opening);
     across = (half_width + 1.0) * float(2 * (gl_VertexID & 1) - 1);
     vec2 offset = vec2(-along.y, along.x) * across + along * (end == 0 ? -0.5 : 0.5) * half_width;
     gl_Position = clip[end];

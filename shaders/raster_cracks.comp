@@ -22,16 +22,16 @@ struct End {
     float half_width, strength;
 };
 
-End endOf(uint vertex, FragmentTransform t, uint fragment, uint other) {
+End endOf(uint vertex, float taper, FragmentTransform t, uint fragment, uint other) {
     End end;
     end.rest = restPosition(vertex);
     vec3 p = moved(t, end.rest), normal = rotate(t.rotation, restNormal(vertex));
     vec3 to_eye = normalize(frame.eye.xyz - p);
     end.clip = frame.view_projection * vec4(lifted(p, normal, to_eye), 1.0);
     end.window = (end.clip.xy / max(end.clip.w, 1e-4) * 0.5 + 0.5) * frame.viewport.xy;
-    float wanted = widthOnScreen(end.clip.w);
+    float wanted = taper * widthOnScreen(end.clip.w);
     end.half_width = 0.5 * max(wanted, kLeastPixels);
-    end.strength = strengthOf(wanted, dot(normal, to_eye), openingAt(end.rest, t, fragment, other));
+    end.strength = strengthOf(wanted, taper, dot(normal, to_eye), openingAt(end.rest, t, fragment, other));
     return end;
 }
 
@@ -96,12 +96,13 @@ void paint(Ribbon r, uint lane) {
     }
 }
 
-void drawEdge(CrackEdge edge, uint lane) {
+void drawEdge(uint word, uint lane) {
+    CrackEdge edge = crack_edges[crackEdgeOf(word)];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     Ribbon r;
-    r.ends[0] = endOf(edge.vertex_0, t, fragment, other);
-    r.ends[1] = endOf(edge.vertex_1, t, fragment, other);
+    r.ends[0] = endOf(edge.vertex_0, taperOf(word, 0), t, fragment, other);
+    r.ends[1] = endOf(edge.vertex_1, taperOf(word, 1), t, fragment, other);
     if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
     if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
     vec2 way = r.ends[1].window - r.ends[0].window;
@@ -114,5 +115,5 @@ void drawEdge(CrackEdge edge, uint lane) {
 void main() {
     uint count = commands[kCrackCommand].instance_count, edges = gl_NumWorkGroups.x * gl_WorkGroupSize.x / kLanes;
     for (uint k = gl_GlobalInvocationID.x / kLanes; k < count; k += edges)
-        drawEdge(crack_edges[crack_list[k]], gl_GlobalInvocationID.x % kLanes);
+        drawEdge(crack_list[k], gl_GlobalInvocationID.x % kLanes);
 }

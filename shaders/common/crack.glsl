@@ -7,13 +7,22 @@ struct CrackEdge {
     uint cell_a, cell_b;
     uint bond;
 };
-layout(std430, binding = 3) readonly buffer CrackList { uint crack_list[]; };
+layout(std430, binding = 3) readonly buffer CrackList { uint crack_list[]; };  // crackWord() of api/render_streams.h
 layout(std430, binding = 4) readonly buffer CrackEdges { CrackEdge crack_edges[]; };
 layout(std430, binding = 5) readonly buffer ExteriorVertices { uint exterior_words[]; };  // 6 words a vertex
 layout(location = 0) uniform float width;  // m
 
+const uint kCrackEdgeBits = 26u, kTaperBits = 3u, kTaperSteps = 7u;
 const float kLeastPixels = 1.3;
 const float kFullUpTo = 0.5, kGoneAt = 3.0;  // opening gap, in widths
+
+uint crackEdgeOf(uint word) { return word & ((1u << kCrackEdgeBits) - 1u); }
+
+// Share of the whole width: hairlines end in nothing.
+float taperOf(uint word, int end) {
+    uint lacking = word >> (kCrackEdgeBits + uint(end) * kTaperBits) & kTaperSteps;
+    return 1.0 - float(lacking) / float(kTaperSteps);
+}
 
 vec3 restPosition(uint vertex) {
     uint word = 6u * vertex;
@@ -35,8 +44,8 @@ float widthOnScreen(float w) {
     return width * frame.viewport.y / (2.0 * frame.depth_range.z * max(w, frame.depth_range.x));
 }
 
-// A line thinner than it can be drawn fades instead; cracks seen edge-on fade as well.
-float strengthOf(float wanted, float facing, float opening) {
-    return clamp(0.35 + 0.65 * wanted / kLeastPixels, 0.0, 1.0) * smoothstep(0.02, 0.25, facing) *
+// A line thinner than it can be drawn fades instead; cracks seen edge-on fade as well, and hairlines towards their ends.
+float strengthOf(float wanted, float taper, float facing, float opening) {
+    return min(2.0 * taper, 1.0) * clamp(0.35 + 0.65 * wanted / kLeastPixels, 0.0, 1.0) * smoothstep(0.02, 0.25, facing) *
            (1.0 - smoothstep(kFullUpTo * width, kGoneAt * width, opening));
 }

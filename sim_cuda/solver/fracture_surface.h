@@ -25,7 +25,6 @@
 #include "sim_cuda/kernels/relax_pool_vertices.h"
 #include "sim_cuda/kernels/roughen_pool_vertices.h"
 #include "sim_cuda/kernels/spread_surface_distance.h"
-#include "sim_cuda/kernels/write_crack_list.h"
 #include "sim_cuda/kernels/write_draw_commands.h"
 #include "sim_cuda/kernels/write_exterior_indices.h"
 #include "sim_cuda/kernels/write_interior_indices.h"
@@ -274,9 +273,7 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
                                  first_vertex_.view(), first_index_.view(), vertices.size(), indices},
             "write interior indices");
     if (!outside.empty()) writeExterior(outside);
-    if (!cracks.empty())
-        backend_.forEach(crack_edges_.size(), WriteCrackList{crack_place_.view(), cracks},
-                         "write crack list");
+    if (!cracks.empty()) outside_.writeCracks(crack_place_.view(), cracks);
     if (!commands.empty())
         backend_.forEach(1,
                          WriteDrawCommands{first_index_.view(), crack_place_.view(), first_exterior_.view(),

@@ -18,6 +18,7 @@
 #include "sim_cuda/kernels/spread_shift.h"
 #include "sim_cuda/kernels/start_shift.h"
 #include "sim_cuda/kernels/untangle_points.h"
+#include "sim_cuda/kernels/write_crack_list.h"
 #include "sim_cuda/kernels/write_exterior_vertices.h"
 #include "sim_cuda/solver/marked_list.h"
 
@@ -47,6 +48,13 @@ class OutsideSurface {
     void write(const RenderStreams& streams, bool streams_fresh);
     /// When nothing is written: no chunk is.
     void tellUnchanged(const RenderStreams& streams);
+
+    /// Writes which of the crack edges show; place: exclusive scan of those that do.
+    void writeCracks(Span<const uint32_t> place, Span<uint32_t> out) {
+        backend_.forEach(edges_.size(),
+                         WriteCrackList{place, mesh(), home_.view(), link_.view(), position_.view(), out},
+                         "write crack list");
+    }
 
     void reset();
     size_t size() const { return points_.size(); }

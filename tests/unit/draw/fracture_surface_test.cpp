@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <oneapi/tbb/global_control.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <numeric>
+#include <set>
 
 #include "sim_cuda/authoring/body_parts.h"
 #include "sim_cuda/authoring/solid_mesh.h"
@@ -58,14 +61,46 @@ TEST(FractureSurface, ABrokenBondInsideOneFragmentShowsItsCrackAndNoFace) {
     EXPECT_EQ(drawn.commands.interior.count, 0u);
     ASSERT_EQ(drawn.commands.cracks.instance_count, 8u);
     for (uint32_t k = 0; k < 8; ++k) {
-        const CrackEdge& edge = drawn.scene.geometry.crack_edges[drawn.cracks[k]];
+        const CrackEdge& edge = drawn.scene.geometry.crack_edges[crackEdgeOf(drawn.cracks[k])];
         EXPECT_EQ(edge.cell_a, 1u);
         EXPECT_EQ(edge.cell_b, 2u);
         EXPECT_TRUE(k == 0 || drawn.cracks[k - 1] < drawn.cracks[k]);
+        EXPECT_EQ(taperOf(drawn.cracks[k], 0) + taperOf(drawn.cracks[k], 1), 0u) << "it has no end";
     }
     drawn.show({0, 0, 1});  // run through: the crack stays, and the faces appear
     EXPECT_EQ(drawn.commands.cracks.instance_count, 8u);
     EXPECT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
+}
+
+TEST(FractureSurface, HairlinesTaperToNothingAtTheirEnds) {
+    const auto body = filled(test::makeCube(1), 300);
+    std::vector<uint32_t> cracked;  // a crack through one half of the body
+    for (uint32_t b = 0; b < body->bonds.size(); ++b) {
+        const Double3 a = body->particles[body->bonds[b].i].seed;
+        const Double3 c = body->particles[body->bonds[b].j].seed;
+        if ((a.x < 0) != (c.x < 0) && std::max(a.y, c.y) < 0) cracked.push_back(b);
+    }
+    test::DrawnSurface drawn(test::sceneOf(body));
+    drawn.show(std::vector<uint32_t>(body->particles.size(), 0), cracked);
+    std::map<uint32_t, std::vector<uint32_t>> lacking;  // of each point, once for each line that leaves it
+    for (uint32_t k = 0; k < drawn.commands.cracks.instance_count; ++k) {
+        const FractureGeometry& geometry = drawn.scene.geometry;
+        const CrackEdge& edge = geometry.crack_edges[crackEdgeOf(drawn.cracks[k])];
+        lacking[geometry.exterior_home[edge.vertex_0].point].push_back(taperOf(drawn.cracks[k], 0));
+        lacking[geometry.exterior_home[edge.vertex_1].point].push_back(taperOf(drawn.cracks[k], 1));
+    }
+    size_t ends = 0, whole = 0, between = 0;
+    for (const auto& [point, steps] : lacking) {
+        EXPECT_EQ(std::set(steps.begin(), steps.end()).size(), 1u) << "as wide on both sides of a point";
+        EXPECT_TRUE(steps.size() != 1 || steps[0] == kTaperSteps) << "ends in nothing";
+        EXPECT_TRUE(steps.size() <= 2 || steps[0] == 0) << "where lines meet";
+        ends += steps.size() == 1;
+        whole += steps.size() == 2 && steps[0] == 0;
+        between += steps[0] > 0 && steps[0] < kTaperSteps;
+    }
+    EXPECT_GT(ends, 0u);
+    EXPECT_GT(whole, 0u);
+    EXPECT_GT(between, 0u);
 }
 
 TEST(FractureSurface, TwoHalvesGetOppositeFacesWithTheirNormals) {
@@ -276,7 +311,8 @@ TEST(FractureSurface, BodiesOfASceneAreNumberedThrough) {
     drawn.show({0, 0, 1, 1, 2}, {1});  // the second body's first bond is cracked, its second run through
     EXPECT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
     ASSERT_EQ(drawn.commands.cracks.instance_count, 16u);
-    for (uint32_t k = 0; k < 16; ++k) EXPECT_GE(drawn.scene.geometry.crack_edges[drawn.cracks[k]].cell_a, 2u);
+    for (uint32_t k = 0; k < 16; ++k)
+        EXPECT_GE(drawn.scene.geometry.crack_edges[crackEdgeOf(drawn.cracks[k])].cell_a, 2u);
     const std::vector<test::Soup> soups = drawn.soups(3);
     const double volumes[] = {1.0, 0.6, 0.4};
     for (int f = 0; f < 3; ++f) {
