@@ -99,6 +99,8 @@ void addRun(const BuiltShot& built, const RunReport& report, Json& json) {
     json["version"] = buildVersion();
     json["seed"] = built.shot.seed;
     json["material"] = built.shot.material_name;
+    json["method"] = methodName(built.shot.method);
+    if (const auto& preset = built.setup.params.preset_pieces) json["pattern"] = patternName(preset->pattern);
     json["impact_velocity"] = built.shot.impact.velocity;
     json["threshold"] = thresholdJson(built.shot, *built.body);
     json["width"] = report.width;
@@ -171,6 +173,7 @@ std::vector<std::pair<std::string, std::string>> runFacts(const BuiltShot& built
     return {{"scene", built.shot.scene},
             {"model", modelName(built.shot.model)},
             {"mode", report.mode},
+            {"method", methodName(built.shot.method)},
             {"device", built.solver->deviceName()},
             {"driver", gpuDriver()},
             {"machine", machineName()},

@@ -16,6 +16,8 @@ std::string sessionJson(const Session& session) {
     json["impact_velocity"] = session.shot().impact.velocity;
     json["threshold"] = thresholdJson(session.shot(), *session.built().body);
     json["material"] = session.shot().material_name;
+    json["method"] = methodName(session.shot().method);
+    json["device"] = session.built().solver->deviceName();
     json["particle_size"] = status.particle_size;
     json["particles"] = status.stats.particles;
     json["bonds_broken"] = status.stats.bonds_broken;

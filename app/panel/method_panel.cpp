@@ -9,7 +9,7 @@ namespace {
 void showPattern(PanelContext& context) {
     Shot& shot = context.shot;
     const Pattern pattern = shot.pattern.value_or(usualPattern(shot.method));
-    const int chosen = combo(context, "method.pattern", "Pattern", patternNames(), patternName(pattern),
+    const int chosen = combo(context, "pattern", "Pattern", patternNames(), patternName(pattern),
                              "Of the pieces; their mean size is that of the body's tough cells");
     if (chosen < 0) return;
     shot.pattern = static_cast<Pattern>(chosen);

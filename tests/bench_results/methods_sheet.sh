@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The paper's Fig. 5: a row for each method (its Methods 1 to 4, then ours), before, breaking and at rest.
+# The paper's Fig. 5: a column for each method (its Methods 1 to 4, then ours), a row for each moment.
 #   tests/bench_results/methods_sheet.sh PICTURE SCENE MOMENTS [options of `demolish capture`]
-#   tests/bench_results/methods_sheet.sh docs/pictures/methods.jpg bunny 0.4,0.56,2.4
+#   tests/bench_results/methods_sheet.sh docs/pictures/methods.jpg bunny 0.4,0.56,2.4 --size 360x360
 # Needs ffmpeg. DEMOLISH names the program (default: ./demolish, which builds it first).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -14,14 +14,27 @@ shift 3
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
+# names the paper's method and ours above the column
+title() {
+    local style='font=Sans:fontcolor=white:x=(w-text_w)/2'
+    echo "pad=iw:ih+44:0:44:color=0x202020,drawtext=$style:fontsize=18:y=5:text=$1,drawtext=$style:fontsize=14:y=26:text=$2"
+}
+
 count=$(tr ',' '\n' <<< "$moments" | wc -l)
-rows=()
-for method in pattern-at-impact heavy pattern cores ours; do
-    "$program" capture "$scene" --method "$method" --at "$moments" --out "$folder/$method" "$@" > /dev/null
+columns=()
+while read -r method paper; do
+    "$program" capture "$scene" --method "$method" --at "$moments" --out "$folder/$method" "$@" > /dev/null < /dev/null
     frames=()
     for frame in "$folder/$method"/frame_*.png; do frames+=(-i "$frame"); done
-    ffmpeg -y -loglevel error "${frames[@]}" -filter_complex "hstack=inputs=$count" "$folder/$method.png"
-    rows+=(-i "$folder/$method.png")
-done
-ffmpeg -y -loglevel error "${rows[@]}" -filter_complex "vstack=inputs=5" -q:v 3 -update 1 "$picture"
+    ffmpeg -nostdin -y -loglevel error "${frames[@]}" \
+        -filter_complex "vstack=inputs=$count,$(title "$method" "$paper")" "$folder/$method.png"
+    columns+=(-i "$folder/$method.png")
+done << 'METHODS'
+pattern-at-impact Method 1 of the paper
+heavy Method 2
+pattern Method 3
+cores Method 4
+ours the paper’s own
+METHODS
+ffmpeg -nostdin -y -loglevel error "${columns[@]}" -filter_complex "hstack=inputs=5" -q:v 3 -update 1 "$picture"
 echo "$picture"
