@@ -3,12 +3,20 @@
 #include "app/session/energy_balance.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace demolish {
 namespace {
 
 double booked(const EnergyLedger& e) {
     return e.kinetic + e.elastic + e.potential + e.damping + e.friction + e.fracture - e.external;
+}
+
+/// Sums of so many terms in single precision are known to this share of them.
+constexpr double kRoundOff = 1e-6;
+
+double magnitude(const EnergyLedger& e) {
+    return std::abs(e.kinetic) + std::abs(e.elastic) + std::abs(e.potential) + std::abs(e.external);
 }
 
 }  // namespace
@@ -19,7 +27,7 @@ double EnergyBalance::broughtIn() const {
 
 double EnergyBalance::closure() const {
     const double in = broughtIn();
-    return in > 0 ? 1 + (booked(now) - booked(start)) / in : 1;
+    return in > kRoundOff * magnitude(start) ? 1 + (booked(now) - booked(start)) / in : 1;
 }
 
 }  // namespace demolish

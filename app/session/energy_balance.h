@@ -16,7 +16,7 @@ struct EnergyBalance {
     double broughtIn() const;
     /// What is found again (kinetic, elastic, potential, damping, friction, fracture) less what was there,
     /// over what came in, plus 1. 1.00 when the books close; a run that steps badly gains energy. 1 when
-    /// nothing came in.
+    /// no more came in than the books are known to.
     double closure() const;
 };
 

@@ -26,5 +26,14 @@ TEST(EnergyBalance, CountsWhatCameInAndWhatIsFoundAgain) {
     EXPECT_DOUBLE_EQ(EnergyBalance{}.closure(), 1);  // nothing came in
 }
 
+TEST(EnergyBalance, RoundOffOfTheWeightIsNothingThatCameIn) {
+    EnergyBalance balance;  // a body of 12 kg that stands, three frames later
+    balance.start.potential = 20;
+    balance.now.potential = 20 - 6e-7;
+    EXPECT_DOUBLE_EQ(balance.closure(), 1);
+    balance.now.potential = 20 - 6e-3;  // it has sunk, and nothing says where the work went
+    EXPECT_NEAR(balance.closure(), 0, 1e-9);
+}
+
 }  // namespace
 }  // namespace demolish
