@@ -6,8 +6,12 @@
 #include <cmath>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <iterator>
+#include <span>
 
+#include "app/session/scene_colliders.h"
 #include "app/session/shot_geometry.h"
+#include "sim_cuda/api/collider_distance.h"
 
 namespace demolish {
 namespace {
@@ -72,11 +76,30 @@ Projectile thrown(const glm::dvec3& point, const glm::dvec3& velocity, double fl
     return ball;
 }
 
-/// The flight is cut short so that the ball starts above the floor.
-ThrownBall thrownAboveFloor(const glm::dvec3& point, const glm::dvec3& velocity, double flight,
-                            double radius) {
+/// Shares of a flight, from its start, at which it must be clear of what stands round the scene; near its end
+/// it may well be beside some of that.
+constexpr double kLooks[] = {0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+
+/// `colliders`: the floor first, above which the ball must only start.
+bool isClear(const ThrownBall& thrown, std::span<const Collider> colliders) {
+    const Projectile& ball = thrown.ball;
+    if (colliderDistance(colliders, ball.position) < 1.05 * ball.radius) return false;
+    const glm::dvec3 gravity(0, -kGravity, 0);
+    const auto walls = colliders.subspan(std::min<size_t>(1, colliders.size()));
+    return std::all_of(std::begin(kLooks), std::end(kLooks), [&](double share) {
+        const double time = share * thrown.flight;
+        const glm::dvec3 at =
+            toGlm(ball.position) + time * toGlm(ball.velocity) + 0.5 * time * time * gravity;
+        return !(colliderDistance(walls, fromGlm(at)) < ball.radius);
+    });
+}
+
+/// The flight is cut short so that the ball starts in free air, above the floor and on the near side of
+/// walls.
+ThrownBall thrownFree(const glm::dvec3& point, const glm::dvec3& velocity, double flight, double radius,
+                      std::span<const Collider> colliders) {
     ThrownBall result{thrown(point, velocity, flight, radius), flight};
-    for (int tries = 0; tries < 8 && result.ball.position.y < 1.05 * radius; ++tries) {
+    for (int tries = 0; tries < 8 && !isClear(result, colliders); ++tries) {
         result.flight *= 0.7;
         result.ball = thrown(point, velocity, result.flight, radius);
     }
@@ -132,7 +155,8 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
                                : aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));
     const glm::dvec3 touch = touchPoint(body, aim, glm::inverse(rotation) * direction, radius);
     const glm::dvec3 velocity = shot.impact.velocity * ball.speed_share * direction;
-    return thrownAboveFloor(toGlm(instance.position) + rotation * touch, velocity, flight, radius);
+    return thrownFree(toGlm(instance.position) + rotation * touch, velocity, flight, radius,
+                      setup.params.colliders);
 }
 
 Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,
@@ -144,7 +168,8 @@ Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3
     const glm::dvec3 direction = distance > 1e-9 ? path / distance : glm::dvec3(0, 0, -1);
     const double speed = std::max(shot.impact.velocity, 0.1);
     const double flight = std::min(kShortFlight, 0.8 * distance / speed);
-    return thrownAboveFloor(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius)
+    return thrownFree(toGlm(target) - 1.05 * radius * direction, speed * direction, flight, radius,
+                      collidersOf(shot))
         .ball;
 }
 

@@ -4,14 +4,20 @@
 
 #include <cmath>
 #include <glm/gtc/quaternion.hpp>
+#include <map>
 
+#include "app/reading/model_reader.h"
+#include "app/session/asset_files.h"
 #include "app/session/shot_geometry.h"
+#include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-constexpr Range kEdgeRange{1e-3, 1e4};  // m
+constexpr Range kEdgeRange{1e-3, 1e4};  // m, radii as well
+constexpr Range kScaleRange{1e-6, 1e6};
+constexpr Range kFrictionRange{0, 1.5}, kRestitutionRange{0.05, 1};
 /// Of a plane, in radii of the scene: how far it is drawn beyond the place nearest to the scene, and how
 /// deep.
 constexpr double kPlaneReach = 3, kPlaneDepth = 0.1;
@@ -20,7 +26,7 @@ void require(TomlReader& reader, const std::string& path) {
     if (!reader.has(path)) reader.fail(path, "is missing");
 }
 
-Collider readPlane(TomlReader& reader, const std::string& at) {
+Collider::Shape readPlane(TomlReader& reader, const std::string& at) {
     Double3 position, normal{0, 1, 0};
     reader.read(at + "position_m", position, kPlaceRange);
     reader.read(at + "normal", normal, kDirectionRange);
@@ -30,43 +36,143 @@ Collider readPlane(TomlReader& reader, const std::string& at) {
     return Plane{fromGlm(unit), glm::dot(unit, toGlm(position))};
 }
 
-Collider readBox(TomlReader& reader, const std::string& at) {
-    Box box;
+Quaternion readTurn(TomlReader& reader, const std::string& at) {
     Double3 degrees;
+    reader.read(at + "rotation_deg", degrees, {-360, 360});
+    const glm::dquat turn(kDegree * toGlm(degrees));  // about x, then y, then z
+    return {turn.x, turn.y, turn.z, turn.w};
+}
+
+Collider::Shape readBox(TomlReader& reader, const std::string& at) {
+    Box box;
     require(reader, at + "size_m");
     reader.read(at + "size_m", box.size, kEdgeRange);
     reader.read(at + "position_m", box.position, kPlaceRange);
-    reader.read(at + "rotation_deg", degrees, {-360, 360});
-    const glm::dquat turn(kDegree * toGlm(degrees));  // about x, then y, then z
-    box.rotation = {turn.x, turn.y, turn.z, turn.w};
+    box.rotation = readTurn(reader, at);
     return box;
 }
+
+Collider::Shape readSphere(TomlReader& reader, const std::string& at) {
+    Sphere ball;
+    require(reader, at + "radius_m");
+    reader.read(at + "radius_m", ball.radius, kEdgeRange);
+    reader.read(at + "position_m", ball.position, kPlaceRange);
+    return ball;
+}
+
+Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
+    Capsule rod;
+    for (const char* key : {"radius_m", "from_m", "to_m"}) require(reader, at + key);
+    reader.read(at + "radius_m", rod.radius, kEdgeRange);
+    reader.read(at + "from_m", rod.from, kPlaceRange);
+    reader.read(at + "to_m", rod.to, kPlaceRange);
+    if (!(glm::distance(toGlm(rod.from), toGlm(rod.to)) >= kEdgeRange.least))
+        reader.fail(at + "to_m", "must be at least 0.001 m from from_m; use a sphere instead");
+    return rod;
+}
+
+/// The model is read and measured here, so that whatever is wrong with it is said with file, line and key.
+Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
+    MeshShape shape;
+    ColliderMeshOptions options;
+    require(reader, at + "model");
+    std::string model;
+    reader.read(at + "model", model);
+    reader.read(at + "scale", shape.scale, kScaleRange);
+    reader.read(at + "position_m", shape.position, kPlaceRange);
+    shape.rotation = readTurn(reader, at);
+    reader.read(at + "cells", options.cells, {kLeastCells, kMostCells});
+    const std::filesystem::path file = modelFileOf(reader.file(), model);
+    try {
+        shape.mesh = makeColliderMesh(readModel(file).mesh, file, options);
+    } catch (const InputFileError& error) {
+        reader.fail(at + "model", std::string("is wrong: ") + error.what());
+    }
+    return shape;
+}
+
+const std::map<std::string, Collider::Shape (*)(TomlReader&, const std::string&)> kReaders{
+    {"plane", readPlane},
+    {"box", readBox},
+    {"sphere", readSphere},
+    {"capsule", readCapsule},
+    {"mesh", readMesh}};
 
 Double3 scaled(const Double3& lengths, double by) {
     return fromGlm(by * toGlm(lengths));
 }
-Collider scaled(const Plane& plane, double by) {
-    return Plane{plane.normal, by * plane.offset};
+Plane scaled(const Plane& plane, double by) {
+    return {plane.normal, by * plane.offset};
 }
-Collider scaled(const Box& box, double by) {
-    return Box{scaled(box.size, by), scaled(box.position, by), box.rotation};
+Box scaled(const Box& box, double by) {
+    return {scaled(box.size, by), scaled(box.position, by), box.rotation};
 }
-Collider scaled(const Collider& collider, double by) {
-    return std::visit([by](const auto& shape) { return scaled(shape, by); }, collider);
+Sphere scaled(const Sphere& ball, double by) {
+    return {by * ball.radius, scaled(ball.position, by)};
+}
+Capsule scaled(const Capsule& rod, double by) {
+    return {by * rod.radius, scaled(rod.from, by), scaled(rod.to, by)};
+}
+MeshShape scaled(const MeshShape& shape, double by) {
+    return {shape.mesh, by * shape.scale, scaled(shape.position, by), shape.rotation};
+}
+Collider scaled(Collider collider, double by) {
+    std::visit([by](auto& shape) { shape = scaled(shape, by); }, collider.shape);
+    return collider;
+}
+
+/// Turns z to a unit vector.
+glm::quat facing(const glm::dvec3& z) {
+    return glm::quatLookAt(-z, std::abs(z.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0));
 }
 
 engine::ColliderDraw drawn(const Plane& plane, const SceneSight& sight) {
     const glm::dvec3 normal = toGlm(plane.normal), centre = toGlm(sight.centre);
     const double distance = glm::dot(normal, centre) - plane.offset, depth = kPlaneDepth * sight.radius;
     const double reach = kPlaneReach * sight.radius + std::abs(distance);
-    const glm::dvec3 up = std::abs(normal.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     return {engine::ColliderShape::kPlane, glm::vec3(centre - (distance + 0.5 * depth) * normal),
-            glm::quat(glm::quatLookAt(-normal, up)), glm::vec3(reach, reach, 0.5 * depth)};
+            facing(normal), glm::vec3(reach, reach, 0.5 * depth), nullptr};
 }
 engine::ColliderDraw drawn(const Box& box, const SceneSight&) {
     const Quaternion& q = box.rotation;
     return {engine::ColliderShape::kBox, glm::vec3(toGlm(box.position)),
-            glm::quat(glm::dquat(q.w, q.x, q.y, q.z)), glm::vec3(0.5 * toGlm(box.size))};
+            glm::quat(glm::dquat(q.w, q.x, q.y, q.z)), glm::vec3(0.5 * toGlm(box.size)), nullptr};
+}
+engine::ColliderDraw drawn(const Sphere& ball, const SceneSight&) {
+    return {engine::ColliderShape::kSphere, glm::vec3(toGlm(ball.position)), glm::quat(1, 0, 0, 0),
+            glm::vec3(static_cast<float>(ball.radius)), nullptr};
+}
+engine::ColliderDraw drawn(const Capsule& rod, const SceneSight&) {
+    const glm::dvec3 from = toGlm(rod.from), line = toGlm(rod.to) - from;
+    const double length = glm::length(line);
+    return {engine::ColliderShape::kCapsule, glm::vec3(from + 0.5 * line), facing(line / length),
+            glm::vec3(rod.radius, rod.radius, rod.radius + 0.5 * length), nullptr};
+}
+
+engine::ColliderDraw drawn(const MeshShape& shape, const SceneSight&) {
+    const Quaternion& q = shape.rotation;
+    engine::ColliderDraw draw;
+    draw.position = glm::vec3(toGlm(shape.position));
+    draw.rotation = glm::quat(glm::dquat(q.w, q.x, q.y, q.z));
+    draw.half_size = glm::vec3(static_cast<float>(shape.scale));
+    draw.triangles = {shape.mesh, &shape.mesh->corners};
+    return draw;
+}
+
+Collider readCollider(TomlReader& reader, const std::string& at) {
+    std::string shape;
+    require(reader, at + "shape");
+    reader.read(at + "shape", shape);
+    std::vector<std::string> known;
+    for (const auto& [name, read] : kReaders) known.push_back(name);
+    if (!kReaders.contains(shape)) reader.fail(at + "shape", "must be one of " + listed(known));
+    Collider collider;
+    collider.shape = kReaders.at(shape)(reader, at);
+    if (reader.has(at + "friction"))
+        reader.read(at + "friction", collider.friction.emplace(), kFrictionRange);
+    if (reader.has(at + "restitution"))
+        reader.read(at + "restitution", collider.restitution.emplace(), kRestitutionRange);
+    return collider;
 }
 
 }  // namespace
@@ -76,11 +182,7 @@ std::vector<Collider> readColliders(TomlReader& reader, double height) {
     const size_t count = reader.count("collider", kMaxColliders - 1);  // and the floor
     for (size_t i = 0; i < count; ++i) {
         const std::string at = "collider[" + std::to_string(i) + "].";
-        std::string shape;
-        require(reader, at + "shape");
-        reader.read(at + "shape", shape);
-        if (shape != "plane" && shape != "box") reader.fail(at + "shape", "must be \"plane\" or \"box\"");
-        colliders.push_back(scaled(shape == "box" ? readBox(reader, at) : readPlane(reader, at), 1 / height));
+        colliders.push_back(scaled(readCollider(reader, at), 1 / height));
     }
     return colliders;
 }
@@ -95,7 +197,8 @@ std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot, const SceneSi
     std::vector<engine::ColliderDraw> list;
     for (const Collider& collider : collidersOf(shot))
         if (collider != Collider{Plane{}})
-            list.push_back(std::visit([&](const auto& shape) { return drawn(shape, sight); }, collider));
+            list.push_back(
+                std::visit([&](const auto& shape) { return drawn(shape, sight); }, collider.shape));
     return list;
 }
 

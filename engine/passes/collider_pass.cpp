@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The box round each is drawn; what of it is the collider is found a pixel, by the ray that lights it too.
+// The box round each shape is drawn; what of it is the collider is found a pixel, by the ray that lights it
+// too.
 #include "engine/passes/collider_pass.h"
 
 #include <algorithm>
@@ -10,8 +11,9 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLuint kBlock = 1;
-constexpr GLint kRegion = 0, kId = 0;
+constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2;
 constexpr GLsizei kBoxStrip = 14;
+constexpr size_t kCornerFloats = 6;
 
 /// std140, as shaders/common/colliders.glsl.
 struct Block {
@@ -26,22 +28,61 @@ struct Block {
 ColliderPass::ColliderPass(const std::filesystem::path& shaders)
     : shadows_(shaders, {"collider.vert", "collider_shadow.frag"}, "#define SHADOW\n"),
       ids_(shaders, {"collider.vert", "collider_id.frag"}),
+      triangle_shadows_(shaders, {"collider_triangles.vert", "shadow.frag"}, "#define SHADOW\n"),
+      triangle_ids_(shaders, {"collider_triangles.vert", "id.frag"}, "#define CONSTANT_ID\n"),
+      triangle_materials_(shaders, {"collider_triangles.vert", "collider_triangles.frag"}),
       block_(gl::Buffer::immutable(sizeof(Block), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
     ids_.set(kId, kColliderId);
+    triangle_ids_.set(kId, kColliderId);
+}
+
+std::shared_ptr<const ColliderPass::Triangles> ColliderPass::uploaded(
+    const std::shared_ptr<const ColliderTriangles>& triangles) const {
+    for (const Placed& placed : triangles_)
+        if (placed.triangles->from == triangles) return placed.triangles;
+    auto made = std::make_shared<Triangles>();
+    made->from = triangles;
+    made->corners = gl::Buffer::immutable(triangles->size() * sizeof(float), triangles->data());
+    made->layout.floatAttribute(0, 3, GL_FLOAT, false, 0);
+    made->layout.floatAttribute(1, 3, GL_FLOAT, false, 3 * sizeof(float));
+    made->layout.setVertices(made->corners, kCornerFloats * sizeof(float));
+    return made;
 }
 
 void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
     Block block{};
-    count_ = std::min(colliders.size(), kMostColliders);
-    block.count = static_cast<uint32_t>(count_);
-    for (size_t c = 0; c < count_; ++c) {
-        const ColliderDraw& from = colliders[c];
-        const glm::mat3 axes = glm::mat3_cast(from.rotation);
-        for (int k = 0; k < 3; ++k) block.colliders[c].axis[k] = glm::vec4(axes[k], from.half_size[k]);
-        block.colliders[c].centre = glm::vec4(from.position, static_cast<float>(from.shape));
+    std::vector<Placed> placed;
+    count_ = 0;
+    for (const ColliderDraw& from : colliders) {
+        if (from.triangles != nullptr) {
+            const glm::quat& q = from.rotation;
+            placed.push_back({uploaded(from.triangles), glm::vec4(from.position, from.half_size.x),
+                              glm::vec4(q.x, q.y, q.z, q.w)});
+        } else if (count_ < kMostColliders) {
+            Block::Collider& to = block.colliders[count_++];
+            const glm::mat3 axes = glm::mat3_cast(from.rotation);
+            for (int k = 0; k < 3; ++k) to.axis[k] = glm::vec4(axes[k], from.half_size[k]);
+            to.centre = glm::vec4(from.position, static_cast<float>(from.shape));
+        }
     }
+    triangles_ = std::move(placed);
+    block.count = static_cast<uint32_t>(count_);
     block_.upload(std::as_bytes(std::span(&block, 1)));
     glBindBufferBase(GL_UNIFORM_BUFFER, kBlock, block_.id());
+}
+
+void ColliderPass::drawTriangles(gl::Program& program) {
+    program.use();
+    for (const Placed& placed : triangles_) {
+        program.set(kPlace, placed.place);
+        program.set(kTurn, placed.turn);
+        placed.triangles->layout.bind();
+        glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(placed.triangles->from->size() / kCornerFloats));
+    }
+}
+
+void ColliderPass::drawMaterials() {
+    drawTriangles(triangle_materials_);
 }
 
 void ColliderPass::draw(const gl::Program& program) {
@@ -56,10 +97,13 @@ void ColliderPass::draw(const gl::Program& program) {
 void ColliderPass::drawShadows(int region) {
     shadows_.set(kRegion, region);
     draw(shadows_);
+    triangle_shadows_.set(kRegion, region);
+    drawTriangles(triangle_shadows_);
 }
 
 void ColliderPass::drawIds() {
     draw(ids_);
+    drawTriangles(triangle_ids_);
 }
 
 }  // namespace demolish::engine

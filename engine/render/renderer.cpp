@@ -155,9 +155,10 @@ struct Renderer::Passes {
     int max_samples = 1;
 };
 
-/// Software renderers compute as slowly as they draw.
+/// Software renderers compute as slowly as they draw. Colliders of triangles are drawn.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
-    if (!showsSolid(mesh, view) || view.quality != RenderQuality::kFull) return false;
+    if (!showsSolid(mesh, view) || view.quality != RenderQuality::kFull || colliders.hasTriangles())
+        return false;
     if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
         return false;
     return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
@@ -219,6 +220,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     if (showsSolid(mesh, view)) surface.draw(body, *mesh, view.look);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
+    colliders.drawMaterials();
     clock.mark("body");
     if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
     clock.mark("grit");

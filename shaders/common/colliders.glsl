@@ -15,6 +15,8 @@ struct Crossing {
     vec3 normal;  // unit, outward, where it enters
 };
 
+const float kNoCollider = 1e30;
+
 // In the box's own frame.
 Crossing crossBox(vec3 from, vec3 ray, vec3 half_size) {
     vec3 per_length = 1.0 / mix(ray, vec3(1e-12), lessThan(abs(ray), vec3(1e-12)));
@@ -25,17 +27,48 @@ Crossing crossBox(vec3 from, vec3 ray, vec3 half_size) {
     return Crossing(enter, leave, -sign(per_length) * face);
 }
 
-const float kPlane = 1.0;
+// A ball about the origin, or, with z = 0 in both, a round rod along z.
+Crossing crossRound(vec3 from, vec3 ray, float radius) {
+    float squared = max(dot(ray, ray), 1e-24), middle = -dot(from, ray) / squared;
+    vec3 nearest = from + middle * ray;
+    float left = radius * radius - dot(nearest, nearest), half_way = sqrt(max(left, 0.0) / squared);
+    return Crossing(left < 0.0 ? kNoCollider : middle - half_way, left < 0.0 ? -kNoCollider : middle + half_way, vec3(0.0));
+}
+
+// The rod between its ends and the balls at them; `line`: m, from the middle to the centre of each ball.
+Crossing crossCapsule(vec3 from, vec3 ray, float radius, float line) {
+    Crossing rod = crossRound(vec3(from.xy, 0.0), vec3(ray.xy, 0.0), radius);
+    float along = abs(ray.z) < 1e-12 ? 1e-12 : ray.z, middle = -from.z / along, reach = line / abs(along);
+    rod.enter = max(rod.enter, middle - reach);
+    rod.leave = min(rod.leave, middle + reach);
+    Crossing whole = Crossing(kNoCollider, -kNoCollider, vec3(0.0));
+    for (int part = 0; part < 3; ++part) {
+        Crossing own = rod;
+        if (part > 0) own = crossRound(from - vec3(0.0, 0.0, part == 1 ? line : -line), ray, radius);
+        if (own.enter > own.leave) continue;
+        whole.enter = min(whole.enter, own.enter);
+        whole.leave = max(whole.leave, own.leave);
+    }
+    vec3 at = from + whole.enter * ray;
+    whole.normal = (at - vec3(0.0, 0.0, clamp(at.z, -line, line))) / radius;
+    return whole;
+}
+
+const float kPlane = 1.0, kSphere = 2.0;
 
 Crossing crossCollider(uint c, vec3 from, vec3 ray) {
     mat3 axes = mat3(colliders[c].axis[0].xyz, colliders[c].axis[1].xyz, colliders[c].axis[2].xyz);
     vec3 half_size = vec3(colliders[c].axis[0].w, colliders[c].axis[1].w, colliders[c].axis[2].w);
-    Crossing own = crossBox((from - colliders[c].centre.xyz) * axes, ray * axes, half_size);
-    if (colliders[c].centre.w == kPlane && own.normal.z <= 0.0) own.leave = own.enter - 1.0;
+    vec3 own_from = (from - colliders[c].centre.xyz) * axes, own_ray = ray * axes;
+    Crossing own;
+    if (colliders[c].centre.w >= kSphere) {
+        own = crossCapsule(own_from, own_ray, half_size.x, half_size.z - half_size.x);
+    } else {
+        own = crossBox(own_from, own_ray, half_size);
+        if (colliders[c].centre.w == kPlane && own.normal.z <= 0.0) own.leave = own.enter - 1.0;
+    }
     return Crossing(own.enter, own.leave, axes * own.normal);
 }
-
-const float kNoCollider = 1e30;
 
 // The first that a ray from a point enters; beyond kNoCollider: none. A point inside a solid does not see it.
 Crossing firstCollider(vec3 from, vec3 ray) {

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The knobs of a simulation: SI units, usual range, effect. Values: assets/materials and assets/scenes.
 #pragma once
+#include <concepts>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "sim_cuda/api/collider_mesh.h"
 #include "sim_cuda/api/effects.h"
 #include "sim_cuda/api/vectors.h"
 
@@ -76,8 +79,42 @@ struct Box {
     bool operator==(const Box&) const = default;
 };
 
-/// What bodies fall on and are thrown against, and nothing moves: convex shapes.
-using Collider = std::variant<Plane, Box>;
+/// Rigid ball.
+struct Sphere {
+    double radius = 0.5;  ///< m
+    Double3 position;     ///< m, of its centre
+    bool operator==(const Sphere&) const = default;
+};
+
+/// Rigid rod with round ends: all points within `radius` of the line between two points.
+struct Capsule {
+    double radius = 0.1;        ///< m
+    Double3 from, to{0, 1, 0};  ///< m, not the same
+    bool operator==(const Capsule&) const = default;
+};
+
+/// Rigid body of any closed mesh.
+struct MeshShape {
+    std::shared_ptr<const ColliderMesh> mesh;  ///< not null
+    double scale = 1;                          ///< m a length of the mesh's own frame
+    Double3 position;                          ///< m, of that frame's origin
+    Quaternion rotation;                       ///< unit, from that frame to the world
+    bool operator==(const MeshShape&) const = default;
+};
+
+/// What bodies fall on and are thrown against, and nothing moves. All but meshes are convex.
+struct Collider {
+    using Shape = std::variant<Plane, Box, Sphere, Capsule, MeshShape>;
+    Shape shape;
+    /// Of whatever touches it, in place of what the scene and the material say: mu, 0..1.5; e, 0.05..1.
+    std::optional<double> friction, restitution;
+
+    constexpr Collider() = default;
+    template <class Of>
+    requires std::convertible_to<Of, Shape>
+    constexpr Collider(const Of& of) : shape(of) {}
+    bool operator==(const Collider&) const = default;
+};
 inline constexpr uint32_t kMaxColliders = 8;
 
 /// How a body is cut into pieces beforehand. Sizes are in those of the mean piece, (V / tough_cells)^(1/3).

@@ -43,8 +43,10 @@ class Effects {
   public:
     using Frame = FinishedFrame<Real>;
 
-    /// Keeps a reference to the backend and to the set-up. Off until set() says otherwise.
-    Effects(Backend& backend, const SceneSetup& setup) : backend_(backend), setup_(setup) {}
+    /// Keeps a reference to the backend and to the set-up. Off until set() says otherwise. `mesh_steps`: of
+    /// the set-up's colliders, on the device.
+    Effects(Backend& backend, const SceneSetup& setup, Span<const float> mesh_steps)
+        : backend_(backend), setup_(setup), mesh_steps_(mesh_steps) {}
 
     /// `now`: the bodies at this moment; what is open already throws nothing off. Waits.
     void set(const EffectsSettings& settings, const Frame& now);
@@ -92,7 +94,8 @@ class Effects {
     }
     Surroundings surroundings() const {
         const Double3& g = setup_.params.gravity;
-        return {{float(g.x), float(g.y), float(g.z)}, makeColliderSet<float>(setup_.params.colliders)};
+        return {{float(g.x), float(g.y), float(g.z)},
+                makeColliderSet<float>(setup_.params.colliders, mesh_steps_)};
     }
     /// A GPU is not asked.
     bool hasBirths() const {
@@ -112,6 +115,7 @@ class Effects {
 
     Backend& backend_;
     const SceneSetup& setup_;
+    Span<const float> mesh_steps_;
     EffectsSettings settings_;
     double since_birth_ = -1;  ///< s since something may have been born; negative: nothing has been
     double elapsed_ = 0;       ///< s, of the frame

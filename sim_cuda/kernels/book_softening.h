@@ -57,9 +57,9 @@ struct BookSoftening {
         Real lost{};
         if (!becameRigid(i)) return lost;
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
-        forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+        forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
             if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost += bonded.colliderEnergy(before, c, tangent) - rigid.colliderEnergy(after, c, tangent);
+                lost += bonded.colliderEnergy(before, c, bound) - rigid.colliderEnergy(after, c, bound);
         });
         return lost;
     }

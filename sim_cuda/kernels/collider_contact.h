@@ -181,7 +181,7 @@ struct TurnsAlone {
     }
 };
 
-/// Calls visit(c, tangent) for every collider, as the particle has it.
+/// Calls visit(c, bound) for every collider, as the particle has it.
 template <class Real, class Visit>
 DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Real>& own,
                             const Visit& visit) {
@@ -197,6 +197,16 @@ DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
     constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
     const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
     return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
+}
+
+/// Of collider c, from what bounds it.
+template <class Real>
+DEM_FN TangentPlane<Real> tangentFrom(const ColliderSet<Real>& colliders, uint32_t c,
+                                      const OwnParticle<Real>& own, const TangentPlane<Real>& bound) {
+    const LoadedState<Real>& state = own.state;
+    return colliders.isMesh(c) ? colliders.tangent(c, xyz(state.position),
+                                                   lowPart(state.position, state.velocity, state.spin))
+                               : bound;
 }
 
 /// A bonded body gives back two thirds of the speed of a landing that breaks nothing: its floor is hard, and
@@ -264,14 +274,20 @@ struct ColliderLoad {
     bool comes = false;  ///< it does not touch, but the next step will bring it so near
 };
 
-/// Collider c: nothing moves on its side. `turned_with`: what turns with the particle.
+/// Collider c: nothing moves on its side. `bound`: of it, from the particle's centre; `turned_with`: what
+/// turns with the particle.
 template <bool kLedger, class Real, class TurnedWith>
 DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                           const OwnParticle<Real>& own, uint32_t c,
-                                          const TangentPlane<Real>& tangent, Tally<Real>& tally,
+                                          const TangentPlane<Real>& bound, Tally<Real>& tally,
                                           const TurnedWith& turned_with) {
     constexpr StepKind kStep = TurnedWith::kStep;
-    if (isClearOf<kStep>(own, tangent.distance - own.constants.floor_radius, params.dt)) return {};
+    const Real radius = own.constants.floor_radius;
+    if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
+    const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
+    if (params.colliders.isMesh(c) &&
+        isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
+        return {};
     const Pressed<Real> at =
         pressedOn<kLedger>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
@@ -281,8 +297,8 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
     const Real approach = -dot(velocity, at.normal);
     const auto law_now = [&] {
-        return pressingLaw<kStep>(arrays.wall_laws[own.owner], params, own, at, turned_with(own, at),
-                                  approach, spring);
+        return pressingLaw<kStep>(wallLaw(arrays, params, own.owner, c), params, own, at,
+                                  turned_with(own, at), approach, spring);
     };
     if (!(at.depth > Real(0))) {
         releaseTouch<kLedger>(kLedger ? law_now() : TouchLaw<Real>{}, at.change, before, spring, Real(1),

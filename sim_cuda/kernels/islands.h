@@ -7,11 +7,11 @@
 //
 // Flags are bits set in any order, islands carry their lowest slot: the same on every device.
 #pragma once
-#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
+#include "sim_cuda/kernels/mesh_hits.h"
 #include "sim_cuda/kernels/predicted_path.h"
 #include "sim_cuda/physics/hand_over.h"
 
@@ -324,17 +324,23 @@ struct FlagIslands {
     DEM_FN HardHits hitsOnColliders(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
         const MeetingsIn<Real>& meetings = hits.meetings;
         const Vec3<Real> position = positionOf(meetings.state, i);
+        const Real radius = meetings.constants[i].floor_radius, soon = meetings.soon;
         HardHits hard;
-        forEachCollider(colliders, position, [&](uint32_t, const TangentPlane<Real>& tangent) {
+        const auto note = [&](bool at_once) { (at_once ? hard.at_once : hard.later) = true; };
+        for (uint32_t c = 0; c < colliders.count; ++c) {
+            if (colliders.isMesh(c)) {
+                const Real time =
+                    timeToMesh(colliders, c, {position, velocity, gravity, radius}, limit, soon);
+                if (!(time > soon)) note(!(time > meetings.at_once));
+                continue;
+            }
+            const TangentPlane<Real> tangent = colliders.bound(c, position);
             const Vec3<Real> normal = xyz(tangent.plane);
-            const Real gap = tangent.distance - meetings.constants[i].floor_radius;
+            const Real gap = tangent.distance - radius;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
-            const auto reaches = [&](Real time) {
-                return madd(time, closing, Real(0.5) * time * time * falling) > gap;
-            };
-            if (closing > limit && reaches(meetings.soon))
-                (reaches(meetings.at_once) ? hard.at_once : hard.later) = true;
-        });
+            const auto reaches = [&](Real t) { return madd(t, closing, Real(0.5) * t * t * falling) > gap; };
+            if (closing > limit && reaches(soon)) note(reaches(meetings.at_once));
+        }
         return hard;
     }
 };

@@ -84,8 +84,8 @@ struct MeasureEnergy {
             const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
             sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
         }
-        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
-            sum += static_cast<double>(colliderEnergy(own, c, tangent));
+        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+            sum += static_cast<double>(colliderEnergy(own, c, bound));
         });
         return sum;
     }
@@ -126,16 +126,17 @@ struct MeasureEnergy {
     }
 
     DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c,
-                               const TangentPlane<Real>& tangent) const {
+                               const TangentPlane<Real>& bound) const {
         const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
-        const bool is_far = tangent.distance > own.constants.floor_radius;
+        const bool is_far = bound.distance > own.constants.floor_radius;
         if (is_far || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
+        const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
         const TurnsAlone<Real> alone;
         const Pressed<Real> at =
             pressedOn<false>(arrays.corners, params, own, alone.orientation(own), c, tangent);
         if (!(at.depth > Real(0))) return Real(0);
-        const TouchLaw<Real> law = pressingLaw<StepKind::kSubstep>(arrays.wall_laws[own.owner], params, own,
-                                                                   at, alone(own, at), Real(0), spring);
+        const TouchLaw<Real> law = pressingLaw<StepKind::kSubstep>(
+            wallLaw(arrays, params, own.owner, c), params, own, at, alone(own, at), Real(0), spring);
         return touchEnergy(law, params, at.depth, xyz(spring));
     }
 };

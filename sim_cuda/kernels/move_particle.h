@@ -12,9 +12,9 @@ template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
     if (own.constants.isMovedHere())
-        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
             add(load,
-                colliderContact<kLedger>(arrays, params, own, c, tangent, tally, TurnsAlone<Real>{}).wrench);
+                colliderContact<kLedger>(arrays, params, own, c, bound, tally, TurnsAlone<Real>{}).wrench);
         });
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);

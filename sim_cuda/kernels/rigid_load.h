@@ -130,9 +130,9 @@ struct TurnsFragment {
 template <bool kLedger, class Real>
 DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
-    forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& tangent) {
+    forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at =
-            colliderContact<kLedger>(arrays, params, own, c, tangent, load.tally, TurnsFragment<Real>{work});
+            colliderContact<kLedger>(arrays, params, own, c, bound, load.tally, TurnsFragment<Real>{work});
         add(load.wrench, counted(at.wrench, load.touching));
         load.coming += at.comes ? 1 : 0;
     });

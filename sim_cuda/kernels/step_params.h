@@ -49,7 +49,7 @@ struct SubstepArrays {
     Span<const uint32_t> neighbour;
     Span<const BodyLaw<Real>> body_laws;  ///< per body
     Span<const PairLaw<Real>> pair_laws;  ///< owners x owners
-    Span<const PairLaw<Real>> wall_laws;  ///< per owner, against colliders
+    Span<const PairLaw<Real>> wall_laws;  ///< owners x colliders
     CornersIn<Real> corners;
     Span<BondLink> link;                                            ///< own slots only
     Span<Vec4<Real>> bond_spring, contact_spring, collider_spring;  ///< own slots only
@@ -59,5 +59,12 @@ struct SubstepArrays {
     Span<Vec4<Real>> carried_tally;  ///< four a particle, for the ledger: of that, what damps and what rubs
     BondedWork work;
 };
+
+/// Of what belongs to an owner, against collider c.
+template <class Real>
+DEM_FN const PairLaw<Real>& wallLaw(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                    uint32_t owner, uint32_t c) {
+    return arrays.wall_laws[owner * params.colliders.count + c];
+}
 
 }  // namespace demolish

@@ -128,18 +128,16 @@ struct SeeStrayed {
     DEM_FN void seeColliders(uint32_t i) const {
         const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
         const Real radius = constants[i].floor_radius, skin = skinOf(own.velocity);
-        forEachCollider(colliders, xyz(own.position), [&](uint32_t c, const TangentPlane<Real>& tangent) {
-            const Real gap = tangent.distance - (radius + skin), sinking = sinkingTo(tangent, own);
-            if (!(sinking > Real(0)) || !(sinking * remaining > gap)) return;
-            const TangentPlane<Real> then = colliders.tangent(c, xyz(before.position));
-            const bool was_near = then.distance - maxOf(sinkingTo(then, before), Real(0)) * remaining <
-                                  radius + Real(0.5) * skin;
-            if (sinking > gentle || !was_near)
-                tell(kMustDecide, gap > Real(0) ? minOf(gap / sinking, remaining) : Real(0));
-        });
-    }
-    DEM_FN static Real sinkingTo(const TangentPlane<Real>& tangent, const PathFromHere<Real>& path) {
-        return -dot(xyz(tangent.plane), xyz(path.velocity));
+        for (uint32_t c = 0; c < colliders.count; ++c) {
+            const Approach<Real> way = colliders.approach(c, xyz(own.position), xyz(own.velocity));
+            const Real gap = way.distance - (radius + skin);
+            if (!(way.speed > Real(0)) || !(way.speed * remaining > gap)) continue;
+            const Approach<Real> then = colliders.approach(c, xyz(before.position), xyz(before.velocity));
+            const bool was_near =
+                then.distance - maxOf(then.speed, Real(0)) * remaining < radius + Real(0.5) * skin;
+            if (way.speed > gentle || !was_near)
+                tell(kMustDecide, gap > Real(0) ? minOf(gap / way.speed, remaining) : Real(0));
+        }
     }
 };
 

@@ -58,10 +58,10 @@ struct MarkWork {
         const Vec4<Real> position = meetings.paths.position[i], velocity = meetings.paths.velocity[i];
         const Real reach = meetings.constants[i].floor_radius + skinOf(velocity);
         bool near = false;
-        forEachCollider(colliders, xyz(position), [&](uint32_t, const TangentPlane<Real>& tangent) {
-            const Real sinking = maxOf(-dot(xyz(tangent.plane), xyz(velocity)), Real(0));
-            if (madd(-sinking, meetings.horizon, tangent.distance) < reach) near = true;
-        });
+        for (uint32_t c = 0; c < colliders.count; ++c) {
+            const Approach<Real> way = colliders.approach(c, xyz(position), xyz(velocity));
+            if (madd(-maxOf(way.speed, Real(0)), meetings.horizon, way.distance) < reach) near = true;
+        }
         return near;
     }
 };

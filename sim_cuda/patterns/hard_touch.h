@@ -67,13 +67,18 @@ struct HardTouches {
         const Real limit = wakeSpeed(own, own, rules.sizeOf(meetings.label[i]), Real(1e6));
         const Vec3<Real> velocity = xyz(meetings.state.velocity[i]);
         Touch<Real> first;
-        forEachCollider(colliders, positionOf(meetings.state, i),
-                        [&](uint32_t, const TangentPlane<Real>& tangent) {
-                            const Vec3<Real> normal = xyz(tangent.plane);
-                            const Real time = touchTime(tangent.distance - meetings.constants[i].floor_radius,
-                                                        -dot(normal, velocity), -dot(normal, gravity), limit);
-                            if (time < first.time) first = {time, -velocity};
-                        });
+        const Vec3<Real> position = positionOf(meetings.state, i);
+        const Real radius = meetings.constants[i].floor_radius;
+        for (uint32_t c = 0; c < colliders.count; ++c) {
+            const TangentPlane<Real> bound = colliders.bound(c, position);
+            const Vec3<Real> normal = xyz(bound.plane);
+            const Real time =
+                colliders.isMesh(c)
+                    ? timeToMesh(colliders, c, {position, velocity, gravity, radius}, limit, meetings.soon)
+                    : touchTime(bound.distance - radius, -dot(normal, velocity), -dot(normal, gravity),
+                                limit);
+            if (time < first.time) first = {time, -velocity};
+        }
         return first;
     }
 };

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one annotation macro: a function that runs on both sides.
+// The annotation macros: a function that runs on both sides, and one that is called rather than merged into
+// its caller, so that what rarely runs takes no registers from what always does.
 #pragma once
 #if defined(__CUDACC__)
 #define DEM_FN __host__ __device__ __forceinline__
+#define DEM_APART __host__ __device__ __noinline__
 #else
 #define DEM_FN inline
+#define DEM_APART [[gnu::noinline]]
 #endif

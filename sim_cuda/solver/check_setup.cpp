@@ -10,6 +10,13 @@
 namespace demolish {
 namespace {
 
+/// m, of round colliders.
+constexpr double kLeastRadius = 1e-3, kMostRadius = 1e4;
+
+Vec3<double> vec(const Double3& v) {
+    return {v.x, v.y, v.z};
+}
+
 void demand(bool condition, const std::string& sentence) {
     if (!condition) throw UsageError(sentence);
 }
@@ -72,6 +79,32 @@ void checkShape(const Box& box) {
     demandUnit(box.rotation, "a box's rotation");
 }
 
+void checkShape(const Sphere& ball) {
+    demandRange(ball.radius, kLeastRadius, kMostRadius, "The radius (m) of a sphere");
+    demandFinite(ball.position, "A sphere's position");
+}
+
+void checkShape(const Capsule& rod) {
+    demandRange(rod.radius, kLeastRadius, kMostRadius, "The radius (m) of a capsule");
+    demandFinite(rod.from, "An end of a capsule");
+    demandFinite(rod.to, "An end of a capsule");
+    demandRange(length(vec(rod.to) - vec(rod.from)), 1e-3, 1e4,
+                "The length (m) of a capsule between its ends");
+}
+
+void checkShape(const MeshShape& shape) {
+    demand(shape.mesh != nullptr && !shape.mesh->nodes.steps.empty(), "A mesh collider has no mesh.");
+    demandRange(shape.scale, 1e-9, 1e9, "The scale of a mesh");
+    demandFinite(shape.position, "A mesh's position");
+    demandUnit(shape.rotation, "a mesh's rotation");
+}
+
+void checkCollider(const Collider& collider) {
+    std::visit([](const auto& shape) { checkShape(shape); }, collider.shape);
+    if (collider.friction) demandRange(*collider.friction, 0, 1.5, "Friction of a collider");
+    if (collider.restitution) demandRange(*collider.restitution, 0.05, 1, "Restitution of a collider");
+}
+
 void checkEffects(const EffectsSettings& effects) {
     for (const double amount : {effects.grit, effects.dust, effects.sparks})
         demandRange(amount, 0, 10, "An amount of grit, dust or sparks");
@@ -94,8 +127,7 @@ void checkParams(const SolverParams& params) {
     demand(!params.preset_pieces || params.hand_over,
            "Preset pieces move as rigid bodies: they need hand-over.");
     demandRange(params.wall_stiffness, 1e-3, 1, "Stiffness of the colliders");
-    for (const Collider& collider : params.colliders)
-        std::visit([](const auto& shape) { checkShape(shape); }, collider);
+    for (const Collider& collider : params.colliders) checkCollider(collider);
 }
 
 /// Number of the collider that the point lies in, if it does.
@@ -113,9 +145,14 @@ const char* nameOf(const Plane&) {
 const char* nameOf(const Box&) {
     return "a box";
 }
-
-Vec3<double> vec(const Double3& v) {
-    return {v.x, v.y, v.z};
+const char* nameOf(const Sphere&) {
+    return "a sphere";
+}
+const char* nameOf(const Capsule&) {
+    return "a capsule";
+}
+const char* nameOf(const MeshShape&) {
+    return "a mesh";
 }
 
 void checkStart(const BodyInstance& instance, size_t number, const std::vector<Collider>& colliders,
@@ -125,7 +162,8 @@ void checkStart(const BodyInstance& instance, size_t number, const std::vector<C
         const auto inside = colliderRound(
             set, vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed)));
         if (!inside) continue;
-        const char* name = std::visit([](const auto& shape) { return nameOf(shape); }, colliders[*inside]);
+        const char* name =
+            std::visit([](const auto& shape) { return nameOf(shape); }, colliders[*inside].shape);
         throw InputFileError("Body " + std::to_string(number) + " of the scene starts inside its collider " +
                              std::to_string(*inside) + ", " + name +
                              " (bodies are counted from 0, and collider 0 is the floor); move one of them.");

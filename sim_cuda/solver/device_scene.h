@@ -16,7 +16,8 @@
 namespace demolish {
 
 template <class Real>
-StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables) {
+StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables,
+                                Span<const float> mesh_steps = {}) {
     StepParams<Real> params;
     params.dt = params.carry_time = static_cast<Real>(tables.time_step);
     params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
@@ -25,7 +26,7 @@ StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tab
     params.owners = tables.owners();
     params.in_bodies = tables.counts.in_bodies;
     params.total = tables.counts.total;
-    params.colliders = makeColliderSet<Real>(from.colliders);
+    params.colliders = makeColliderSet<Real>(from.colliders, mesh_steps);
     return params;
 }
 
@@ -34,6 +35,7 @@ struct DeviceScene {
     SceneSetup setup;  ///< setup.params.ledger: whether energy is booked now
     SceneTables tables;
     Backend backend;
+    typename Backend::template Buffer<float> mesh_steps;  ///< of colliders
     SolverData<Backend, Real> data;
     NeighbourLists<Backend, Real> lists;
     Regimes<Backend, Real> regimes;
@@ -46,12 +48,13 @@ struct DeviceScene {
     DeviceScene(const SceneSetup& from, const ProgressCallback& progress)
         : setup(from),
           tables(buildSceneTables(from, progress)),
+          mesh_steps(backend.uploaded(meshSteps(from.params.colliders))),
           data(backend, tables, static_cast<uint32_t>(from.params.colliders.size())),
           lists(backend, tables.counts, tables.largest_radius),
           regimes(backend, from, tables),
           fragments(backend, tables.counts, from.bodies),
           release(backend, from, tables.owners()),
-          params(makeStepParams<Real>(from.params, tables)) {
+          params(makeStepParams<Real>(from.params, tables, mesh_steps.view())) {
         uploadLaws(from.projectiles);
         lists.setBuried(tables.buried);
     }

@@ -85,7 +85,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
       books_(scene_.tables.time_step, scene_.tables.mass_in_bodies, scene_.tables.counts.in_bodies,
              scene_.data.bonds.count),
       exporter_(scene_.backend, setup, scene_.tables),
-      effects_(scene_.backend, scene_.setup),
+      effects_(scene_.backend, scene_.setup, scene_.mesh_steps.view()),
       hash_sum_(scene_.backend.template allocate<uint64_t>(1)) {
     const bool settles = setup.params.settle_time > 0;
     loop_.stepper().recordAhead(scene_);

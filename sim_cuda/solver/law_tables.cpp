@@ -71,17 +71,17 @@ PairLaw<double> pairLaw(const SolverParams& params, const Surface& a, const Surf
     return law;
 }
 
-PairLaw<double> wallLaw(const SolverParams& params, const Surface& a) {
+PairLaw<double> wallLaw(const SolverParams& params, const Collider& wall, const Surface& a) {
     const ContactModuli<double> moduli = rigidWallModuli(a.modulus * a.factor, a.poisson);
     PairLaw<double> law;
     law.stiffness = a.stiffness * a.factor;
-    law.friction = params.wall_friction < 0 ? a.friction : params.wall_friction;
+    law.friction = wall.friction.value_or(params.wall_friction < 0 ? a.friction : params.wall_friction);
     law.rolling = a.rolling;
     law.adhesion = a.projectile ? 0 : a.adhesion;
     law.gentle = a.gentle;
     law.modulus = params.wall_stiffness * moduli.normal;
     law.shear_modulus = params.wall_stiffness * moduli.tangential;
-    setDamping(params, a.restitution, law);
+    setDamping(params, wall.restitution.value_or(a.restitution), law);
     return law;
 }
 
@@ -104,7 +104,8 @@ LawTables buildLawTables(const SceneSetup& setup, const SceneTables& tables,
     const uint32_t owners = tables.owners();
     for (uint32_t a = 0; a < owners; ++a) {
         const Surface surface = surfaceOf(setup, tables, projectiles, a);
-        laws.wall.push_back(wallLaw(setup.params, surface));
+        for (const Collider& wall : setup.params.colliders)
+            laws.wall.push_back(wallLaw(setup.params, wall, surface));
         for (uint32_t b = 0; b < owners; ++b)
             laws.pair.push_back(pairLaw(setup.params, surface, surfaceOf(setup, tables, projectiles, b)));
     }

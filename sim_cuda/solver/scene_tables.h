@@ -87,7 +87,7 @@ double highestFrequency(const SceneTables& tables, uint32_t first, uint32_t coun
 /// Law tables on all owners, for the projectiles fired so far (slot p has projectiles[p]).
 struct LawTables {
     std::vector<BodyLaw<double>> body;
-    std::vector<PairLaw<double>> pair, wall;  ///< owners x owners; owners
+    std::vector<PairLaw<double>> pair, wall;  ///< owners x owners; owners x colliders
 };
 LawTables buildLawTables(const SceneSetup& setup, const SceneTables& tables,
                          const std::vector<Projectile>& projectiles);

@@ -11,6 +11,7 @@
 #include "tests/determinism/stored_hashes.h"
 #include "tests/parity/on_the_gpu.h"
 #include "tests/physics/solver/breaking_scene.h"
+#include "tests/physics/solver/collider_meshes.h"
 #include "tests/physics/solver/lattice_body.h"
 
 namespace demolish::tests {
@@ -112,14 +113,12 @@ TEST_F(Parity, PresetPiecesComeApartAndMoveAlike) {
         }
 }
 
-TEST_F(Parity, WhatBreaksOnATurnedBoxMovesAlike) {
+void expectMovesAlikeOn(const Collider& collider) {
     SceneSetup setup = breakingScene();
     setup.params.hand_over = setup.params.sleeping = true;
     setup.bodies[0].position.y = 0.4;
     setup.projectiles[0].position.y += 0.28;
-    const double turn = 0.3;
-    setup.params.colliders.push_back(
-        Box{{0.5, 0.2, 0.4}, {0.1, 0.1, 0}, {0, 0, std::sin(turn / 2), std::cos(turn / 2)}});
+    setup.params.colliders.push_back(collider);
     auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
     for (int frame = 0; frame < 90; ++frame) {
         ASSERT_EQ(cpu->advanceFrame(), StepStatus::kOk);
@@ -127,6 +126,24 @@ TEST_F(Parity, WhatBreaksOnATurnedBoxMovesAlike) {
         ASSERT_EQ(gpu->stateHash(), cpu->stateHash()) << "frame " << frame;
     }
     EXPECT_GT(cpu->stats().bonds_broken, 100u);
+}
+
+TEST_F(Parity, WhatBreaksOnATurnedBoxMovesAlike) {
+    const double turn = 0.3;
+    expectMovesAlikeOn(Box{{0.5, 0.2, 0.4}, {0.1, 0.1, 0}, {0, 0, std::sin(turn / 2), std::cos(turn / 2)}});
+}
+
+TEST_F(Parity, WhatBreaksOnASphereOrACapsuleMovesAlike) {
+    expectMovesAlikeOn(Sphere{0.2, {0.1, 0.05, 0}});
+    Collider rod = Capsule{0.1, {-0.2, 0.15, 0.1}, {0.4, 0.1, -0.1}};
+    rod.friction = 0.1;
+    rod.restitution = 0.7;
+    expectMovesAlikeOn(rod);
+}
+
+TEST_F(Parity, WhatBreaksOnAMeshMovesAlike) {
+    expectMovesAlikeOn(
+        meshShape(test::makeTorus(0.2, 0.08, 24, 12), {0.05, 0.12, 0}, {0.1, 0.2, 0.3, 0.9273618495495703}));
 }
 
 TEST_F(Parity, SumsAgreeToRoundOff) {

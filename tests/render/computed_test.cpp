@@ -83,7 +83,15 @@ TEST_F(Computed, CollidersAndTheirShadowsAreTheSame) {
     plane.shape = ColliderShape::kPlane;
     plane.position = {-0.2f, 0.5f, -1.2f};
     plane.half_size = {0.8f, 0.6f, 0.05f};
-    scene.view.colliders = {box, plane};
+    ColliderDraw rod = box;
+    rod.shape = ColliderShape::kCapsule;
+    rod.position = {0.7f, 0.2f, 0.5f};
+    rod.half_size = {0.1f, 0.1f, 0.35f};
+    ColliderDraw ball = rod;
+    ball.shape = ColliderShape::kSphere;
+    ball.position = {0.1f, 0.15f, 1.0f};
+    ball.half_size = glm::vec3(0.15f);
+    scene.view.colliders = {box, plane, rod, ball};
     expectSameLook(scene);
     scene.view.rasteriser = Rasteriser::kCompute;
     const Image with = drawPicture(renderer(), scene);

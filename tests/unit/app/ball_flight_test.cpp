@@ -48,6 +48,23 @@ TEST(BallFlight, TheBallTouchesTheSurfaceInTimeWithTheChosenVelocity) {
     }
 }
 
+/// A wall across the way, or one in which the flight would begin: the ball starts on its near side.
+TEST(BallFlight, ItStartsOnTheNearSideOfWalls) {
+    Shot shot;
+    shot.impact.velocity = 10;
+    shot.impact.direction = {-1, 0, 0};
+    const TimedBall timed = ballsOf(shot).at(0);
+    const double free = makeBall(shot, cubes(shot, 12), timed, timed.flight_time).ball.position.x;
+    for (const double wall : {free, 0.5 * (free + 0.5)}) {
+        shot.colliders = {Box{{0.1, 4, 4}, {wall, 0, 0}, {}}};
+        const ThrownBall thrown = makeBall(shot, cubes(shot, 12), timed, timed.flight_time);
+        EXPECT_LT(thrown.ball.position.x, wall - 0.05 - thrown.ball.radius);
+        EXPECT_NEAR(flown(thrown.ball, thrown.flight).position.x, 0.5 + thrown.ball.radius, 0.02);
+        const Projectile clicked = makeBallAt(shot, gridCube(12), {free + 2, 0.5, 0}, {0.5, 0.5, 0});
+        EXPECT_LT(clicked.position.x, wall - 0.05 - clicked.radius);
+    }
+}
+
 TEST(BallFlight, WhatLiesFlatIsHitFromAbove) {
     BreakableBody plate = gridCube(12);
     for (Particle& particle : plate.particles) particle.seed.y *= 0.05;

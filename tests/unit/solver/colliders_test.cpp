@@ -87,6 +87,42 @@ TEST(Colliders, ATurnedBoxIsTheSameInItsOwnFrame) {
     }
 }
 
+/// 2 m about (1, 2, 3).
+const Sphere kBall{2, {1, 2, 3}};
+/// 1 m about a line of 4 m along (0.6, 0.8, 0).
+const Capsule kRod{1, {1, 2, 3}, {1 + 2.4, 2 + 3.2, 3}};
+
+TEST(Colliders, ASphereByItsCentre) {
+    expectRow(kBall, {{1 + 3, 2, 3 + 4}, 3, {0.6, 0, 0.8}});
+    expectRow(kBall, {{1, 2 - 2, 3}, 0, {0, -1, 0}});
+    expectRow(kBall, {{1, 2, 3.5}, -1.5, {0, 0, 1}});
+    expectRow(kBall, {{1 - 3e5, 2 + 4e5, 3}, 5e5 - 2, {-0.6, 0.8, 0}});
+    expectRow(kBall, {{1, 2, 3}, -2, {0, 1, 0}});
+}
+
+TEST(Colliders, ACapsuleByItsLineAndItsEnds) {
+    const Vec3<double> line{0.6, 0.8, 0}, across{-0.8, 0.6, 0}, from{1, 2, 3};
+    for (const double along : {0.0, 1.5, 4.0}) {
+        expectRow(kRod, {from + along * line + 3.0 * across, 2, across});
+        expectRow(kRod, {from + along * line + Vec3<double>{0, 0, -0.25}, -0.75, {0, 0, -1}});
+    }
+    expectRow(kRod, {from + 4.5 * line, -0.5, line});
+    expectRow(kRod, {from + 7.0 * line + 4.0 * across, 4, 0.6 * line + 0.8 * across});
+    expectRow(kRod, {from + -3.0 * line, 2, -line});
+}
+
+/// In single precision a sphere as large as a hill is still exact to what a position is.
+TEST(Colliders, SpheresInSinglePrecision) {
+    const auto set =
+        makeColliderSet<float>({Sphere{10, {0, -10, 0}}, Capsule{10, {0, -10, -1}, {0, -10, 1}}});
+    for (uint32_t c = 0; c < 2; ++c)
+        for (const float x : {0.0f, 0.5f, 3.0f}) {
+            const TangentPlane<float> t = set.tangent(c, {x, 0.25f, 0});
+            EXPECT_NEAR(double(t.distance), std::hypot(double(x), 10.25) - 10, 3e-6);
+            EXPECT_NEAR(double(length(xyz(t.plane))), 1, 2e-7);
+        }
+}
+
 /// The closed form once more, in other words: beyond the box its nearest point is the clamped one.
 TEST(Colliders, OutsideTheNormalPointsFromTheNearestPoint) {
     std::mt19937 random(7);
@@ -115,6 +151,9 @@ TEST(Colliders, ASolidLiesBehindItsTangentPlanes) {
             const Vec3<double> at{corner & 1 ? 2.0 : 0.0, corner & 2 ? 4.0 : 0.0, corner & 4 ? 6.0 : 0.0};
             EXPECT_LE(dot(xyz(t.plane), at) - t.plane.w, 1e-9);
         }
+        const TangentPlane<double> rod = tangent(kRod, {uniform(random), uniform(random), uniform(random)});
+        for (const Double3& end : {kRod.from, kRod.to})
+            EXPECT_LE(dot(xyz(rod.plane), {end.x, end.y, end.z}) + kRod.radius - rod.plane.w, 1e-9);
     }
 }
 

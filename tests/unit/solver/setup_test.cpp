@@ -145,7 +145,34 @@ TEST(SolverSetup, ABadBoxIsRefusedWithASentence) {
     EXPECT_EQ(refusalOf(std::vector<Collider>(kMaxColliders, aside)), "");
 }
 
+TEST(SolverSetup, BadRoundCollidersAreRefusedWithASentence) {
+    const double nan = std::nan("");
+    EXPECT_EQ(refusalOf({Sphere{0.1, {3, 0, 0}}, Capsule{0.1, {3, 0, 0}, {3, 1, 0}}}), "");
+    EXPECT_EQ(refusalOf({Sphere{0, {3, 0, 0}}}),
+              "The radius (m) of a sphere is 0.000000, it must lie between 0.001000 and 10000.000000.");
+    EXPECT_EQ(refusalOf({Sphere{0.1, {nan, 0, 0}}}), "A sphere's position is not a finite number.");
+    EXPECT_EQ(refusalOf({Capsule{2e4, {3, 0, 0}, {3, 1, 0}}}),
+              "The radius (m) of a capsule is 20000.000000, it must lie between 0.001000 and 10000.000000.");
+    EXPECT_EQ(refusalOf({Capsule{0.1, {3, 0, 0}, {3, nan, 0}}}),
+              "An end of a capsule is not a finite number.");
+    EXPECT_EQ(refusalOf({Capsule{0.1, {3, 0, 0}, {3, 0, 0}}}),
+              "The length (m) of a capsule between its ends is 0.000000, it must lie between 0.001000 and "
+              "10000.000000.");
+    Collider rough = Plane{};
+    rough.friction = 2;
+    EXPECT_NE(refusalOf({rough}), "");
+    Collider bouncy = Plane{};
+    bouncy.restitution = 0;
+    EXPECT_NE(refusalOf({bouncy}), "");
+}
+
 TEST(SolverSetup, ABodyThatStartsInsideAColliderIsRefused) {
+    EXPECT_EQ(refusalOf({Plane{}, Sphere{0.1, {0.5, 0.1, 0}}}),
+              "Body 1 of the scene starts inside its collider 1, a sphere (bodies are counted from 0, and "
+              "collider 0 is the floor); move one of them.");
+    EXPECT_EQ(refusalOf({Plane{}, Capsule{0.1, {0.5, 0.1, -3}, {0.5, 0.1, 3}}}),
+              "Body 1 of the scene starts inside its collider 1, a capsule (bodies are counted from 0, and "
+              "collider 0 is the floor); move one of them.");
     EXPECT_EQ(refusalOf({Plane{}, Box{{0.4, 0.2, 0.4}, {0.5, -0.1, 0}, {}}}), "") << "it stands on it";
     EXPECT_EQ(refusalOf({Plane{}, Box{{0.1, 0.2, 0.4}, {0.5, 0, 0}, {}}}),
               "Body 1 of the scene starts inside its collider 1, a box (bodies are counted from 0, and "

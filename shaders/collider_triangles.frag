@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#version 450 core
+// A collider of triangles: of the floor's material, without its tiles, as other colliders.
+#include "common/frame.glsl"
+#include "common/gbuffer.glsl"
+#include "common/noise.glsl"
+#include "common/collider_surface.glsl"
+in vec3 world_position;
+in vec3 world_normal;
+layout(location = 0) out vec4 material_out;
+layout(location = 1) out vec4 normals_out;
+
+void main() {
+    Surface s = colliderSurface(world_position, normalize(world_normal), linearDepth(gl_FragCoord.z));
+    material_out = packMaterial(s);
+    normals_out = packNormals(s);
+}
