@@ -3,6 +3,7 @@
 // A ribbon of two triangles along one edge of the outside (common/crack.glsl).
 #include "common/frame.glsl"
 #include "common/body.glsl"
+#include "common/cell_look.glsl"
 #include "common/gbuffer.glsl"
 #include "common/crack.glsl"
 
@@ -37,4 +38,5 @@ void main() {
     gl_Position = clip[end];
     gl_Position.xy += offset * 2.0 * frame.viewport.zw * clip[end].w;
     if (clip[0].w <= frame.depth_range.x || clip[1].w <= frame.depth_range.x) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    gl_Position = unlessHidden(gl_Position, edge.cell_a);
 }

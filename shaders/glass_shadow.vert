@@ -3,6 +3,7 @@
 // A transparent body as the sun sees it, in the near region of its map.
 #include "common/frame.glsl"
 #include "common/body.glsl"
+#include "common/cell_look.glsl"
 #include "common/gbuffer.glsl"
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
@@ -15,5 +16,5 @@ void main() {
     vec3 world = moved(t, rest_position);
     normal = rotate(t.rotation, decodeOctahedral(rest_normal));
     along = -dot(world - frame.scene.xyz, frame.to_sun.xyz);
-    gl_Position = vec4(2.0 * (frame.light_matrix[0] * vec4(world, 1.0)).xy - 1.0, 0.5, 1.0);
+    gl_Position = unlessHidden(vec4(2.0 * (frame.light_matrix[0] * vec4(world, 1.0)).xy - 1.0, 0.5, 1.0), cell);
 }

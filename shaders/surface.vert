@@ -3,6 +3,7 @@
 // Body vertex: rest position moved by its fragment; rest position goes on for the noise.
 #include "common/frame.glsl"
 #include "common/body.glsl"
+#include "common/cell_look.glsl"
 #include "common/gbuffer.glsl"
 layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
@@ -26,5 +27,5 @@ void main() {
 #ifdef INTERIOR
     relief = relief_in;
 #endif
-    gl_Position = frame.view_projection * vec4(world_position, 1.0);
+    gl_Position = unlessHidden(frame.view_projection * vec4(world_position, 1.0), cell);
 }

@@ -7,6 +7,8 @@
 
 #include "app/calibrate/strength_search.h"
 #include "app/reading/model_reader.h"
+#include "app/session/progress_part.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 
@@ -17,13 +19,6 @@ constexpr double kFillingShare = 0.1;  // of the progress bar
 /// Strengths that are tried until a mean threshold is the velocity to break at, and how near is near enough.
 constexpr int kMostRounds = 4;
 constexpr double kBreakAtTolerance = 0.05;
-
-ProgressCallback part(const ProgressCallback& progress, double from, double to) {
-    if (!progress) return {};
-    return [&progress, from, to](double fraction, const char* stage) {
-        return progress(from + (to - from) * fraction, stage);
-    };
-}
 
 CachedThreshold inShares(const MeasuredThreshold& measured, const Shot& shot, double tolerance) {
     const double critical = shot.material.critical_velocity;

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "app/bridge/host_frame.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 
@@ -49,10 +50,9 @@ double trialSeconds(ImpactKind kind, double height, double speed) {
 Shot trialShot(const Shot& shot) {
     Shot trial = shot;
     const TimedBall ball = fastestBall(shot);
-    const size_t hit = isDrop(shot) ? 0 : ball.body;
-    Placement place;
-    if (!shot.bodies.empty()) place = shot.bodies.at(hit);
+    SceneBody place = bodiesOf(shot)[isDrop(shot) ? subjectOf(shot) : ball.body];
     place.position = {};
+    place.velocity = place.spin = {};
     place.variant = 0;
     trial.bodies = {place};
     trial.balls = {ball};

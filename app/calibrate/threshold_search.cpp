@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/session/shot_bodies.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {

@@ -94,7 +94,7 @@ const char* modeName(BenchMode mode) {
 
 BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& options, PictureSize size)
     : headless_(on_gpu),
-      view_(makeFrameView(built.shot, *built.body, size.width, size.height,
+      view_(makeFrameView(built.shot, built.cells.of_body, size.width, size.height,
                           renderQuality(options, headless_.info().software))),
       target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {}
 

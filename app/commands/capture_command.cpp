@@ -71,8 +71,9 @@ ParticleColour colourOf(const std::string& view) {
 }
 
 engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double yaw, bool software) {
-    engine::FrameView view = makeFrameView(built.shot, *built.body, capture.size.width, capture.size.height,
-                                           renderQuality(capture.options.shot, software));
+    engine::FrameView view =
+        makeFrameView(built.shot, built.cells.of_body, capture.size.width, capture.size.height,
+                      renderQuality(capture.options.shot, software));
     if (capture.options.view != "surface") view.mode = engine::ViewMode::kParticles;
     view.transparent = capture.options.film.transparent;
     view.colour_map = static_cast<engine::ColourMap>(colourOf(capture.options.view));

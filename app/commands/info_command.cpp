@@ -15,6 +15,7 @@
 #include "app/commands/text_table.h"
 #include "app/session/built_shot.h"
 #include "app/session/data_folder.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_cost.h"
 #include "engine/gl/error.h"
 #include "engine/platform/headless_context.h"
@@ -78,6 +79,21 @@ void printPace(const char* name, const SubstepTime& time, const ShotWork& work) 
                 1e9 * time.of(work.particles) / work.particles);
 }
 
+/// Of shots whose bodies differ.
+void printKinds(const BuiltShot& built) {
+    const std::vector<SceneBody> bodies = bodiesOf(built.shot);
+    const std::vector<size_t> alike = firstAlike(bodies);
+    if (std::all_of(alike.begin(), alike.end(), [](size_t first) { return first == 0; })) return;
+    for (size_t b = 0; b < bodies.size(); ++b) {
+        if (alike[b] != b) continue;
+        const Shot of = asOf(built.shot, bodies[b]);
+        const BreakableBody& body = *built.cells.of_body[b];
+        std::printf("  %-11s %zu of %s, %zu particles of %.3g mm each\n", of.material_name.c_str(),
+                    static_cast<size_t>(std::count(alike.begin(), alike.end(), b)),
+                    modelName(of.model).c_str(), body.particles.size(), 1000 * body.spacing);
+    }
+}
+
 /// Makes the cells, since the step follows from them, and no solver.
 void printShot(const ShotOptions& options) {
     const Shot shot = makeShot(options);
@@ -89,6 +105,7 @@ void printShot(const ShotOptions& options) {
     std::printf("shot          %s: %u %s, %u particles of %.3g mm, %u bonds\n", modelName(shot.model).c_str(),
                 work.bodies, work.bodies == 1 ? "body" : "bodies", work.particles, 1000 * built.body->spacing,
                 work.bonds);
+    printKinds(built);
     std::printf("time step     %.4g us: %u substeps a frame of 1/%g s\n", 1e6 * work.time_step, work.substeps,
                 shot.fps / shot.time_scale);
     std::printf("making        cells in %s, settling in about %s (%llu substeps)\n",

@@ -23,8 +23,7 @@ void requireNoInterrupt() {
 BuiltShot cellsOf(const BuiltShot& built) {
     BuiltShot cells;
     cells.shot = built.shot;
-    cells.mesh = built.mesh;
-    cells.variants = built.variants;
+    cells.cells = built.cells;
     cells.body = built.body;
     cells.has_draw_geometry = built.has_draw_geometry;
     return cells;

@@ -2,6 +2,7 @@
 // JSON and table of one run.
 #include "app/commands/run_report.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@
 #include "app/commands/text_table.h"
 #include "app/commands/threshold_json.h"
 #include "app/session/json_text.h"
+#include "app/session/shot_bodies.h"
 
 namespace demolish {
 namespace {
@@ -82,6 +84,26 @@ std::string softeningText(const SofteningReport& softening, const SceneSetup& se
            number(100 * softening.strain_at_failure, "%.2f %%");
 }
 
+/// Bodies that are made alike, in the order of the first of each.
+Json kindsJson(const BuiltShot& built) {
+    const std::vector<SceneBody> bodies = bodiesOf(built.shot);
+    const std::vector<size_t> alike = firstAlike(bodies);
+    Json kinds = Json::array();
+    for (size_t b = 0; b < bodies.size(); ++b) {
+        if (alike[b] != b) continue;
+        const Shot of = asOf(built.shot, bodies[b]);
+        const BreakableBody& body = *built.cells.of_body[b];
+        kinds.push_back({{"model", of.model.filename().string()},
+                         {"material", of.material_name},
+                         {"bodies", std::count(alike.begin(), alike.end(), b)},
+                         {"particles", body.particles.size()},
+                         {"particle_size", body.spacing},
+                         {"mesh_volume", body.mesh_volume},
+                         {"cells_volume", body.cells_volume}});
+    }
+    return kinds;
+}
+
 /// What was run, and where.
 void addRun(const BuiltShot& built, const RunReport& report, Json& json) {
     json["scene"] = built.shot.scene;
@@ -106,6 +128,7 @@ void addRun(const BuiltShot& built, const RunReport& report, Json& json) {
     json["width"] = report.width;
     json["height"] = report.height;
     json["bodies"] = built.setup.bodies.size();
+    json["body_kinds"] = kindsJson(built);
     json["fps"] = built.shot.fps;
     json["time_scale"] = built.shot.time_scale;
     json["frame_seconds"] = report.frame_seconds;
@@ -146,7 +169,7 @@ void addState(const BuiltShot& built, const RunReport& report, Json& json) {
     json["mesh_volume"] = built.body->mesh_volume;
     json["cells_volume"] = built.body->cells_volume;
     json["open_cells"] = built.body->open_cells;
-    json["repair"] = repairLines(repairReport(*built.mesh));
+    json["repair"] = repairLines(repairReport(*built.cells.subject_mesh));
     if (built.body->remeshed) json["repair"].push_back("cells cut within a new surface");
     json["linear_momentum"] = vectorJson(stats.linear_momentum);
     json["angular_momentum"] = vectorJson(stats.angular_momentum);

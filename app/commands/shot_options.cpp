@@ -99,6 +99,22 @@ void applyRepair(const ShotOptions& options, Shot& shot) {
         shot.repair.thickness = inRange("--thickness", *options.thickness, kThicknessRange, "m");
 }
 
+/// A body's own material is the file's business; pieces are a matter of all bodies.
+void applyMaterialOptions(const ShotOptions& options, Shot& shot) {
+    if (!options.material.empty()) {
+        for (const SceneBody& body : shot.bodies)
+            if (body.material)
+                throw UsageError("--material is for scenes of one material, and bodies of scene '" +
+                                 shot.scene + "' have their own; change them in " + shot.scene_file.string());
+        applyMaterial(shot, options.material);
+    }
+    if (!options.pieces) return;
+    const auto pieces = static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
+    shot.material.tough_cells = pieces;
+    for (SceneBody& body : shot.bodies)
+        if (body.material) body.material->material.tough_cells = pieces;
+}
+
 void applyEffects(const ShotOptions& options, Shot& shot) {
     if (!options.effects.empty()) shot.effects.on = options.effects == "on";
     if (options.grit) shot.effects.grit = inRange("--grit", *options.grit, kAmountRange, "");
@@ -236,10 +252,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     if (options.height)
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
     applyRepair(options, shot);
-    if (!options.material.empty()) applyMaterial(shot, options.material);
-    if (options.pieces)
-        shot.material.tough_cells =
-            static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
+    applyMaterialOptions(options, shot);
     applyEffects(options, shot);
     applyMethod(options, shot);
     applyImpact(options, shot);

@@ -19,14 +19,13 @@ ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
 }
 
 void ViewDesk::adoptBody(const Session& session, bool move_camera) {
-    const BreakableBody& body = *session.built().body;
     const Shot& shot = session.built().shot;
     if (sameSubject(preset, shot)) {
         if (std::exchange(preset.impact.times_threshold, std::nullopt))
             preset.impact.velocity = shot.impact.velocity;
         built_preset_ = preset;
     }
-    const SceneBox box = sceneBox(shot, body);
+    const SceneBox box = sceneBox(shot, session.built().cells.of_body);
     home.shot_camera = shot.camera ? *shot.camera : framedCamera(box);
     const glm::vec3 low(box.low.x, box.low.y, box.low.z), high(box.high.x, box.high.y, box.high.z);
     home.centre = 0.5f * (low + high);
@@ -137,7 +136,7 @@ engine::FrameView ViewDesk::frameView(const Session& session) const {
     shot.environment = session.shot().environment;
     shot.lens = session.shot().lens;
     engine::FrameView frame =
-        makeFrameView(shot, *session.built().body, picture.width, picture.height, view.quality);
+        makeFrameView(shot, session.built().cells.of_body, picture.width, picture.height, view.quality);
     frame.camera = camera;
     frame.mode = view.mode;
     frame.colour_map = view.colour_map;

@@ -29,8 +29,8 @@ void showRebuild(PanelContext& context) {
 void showWork(const PanelContext& context, double size) {
     const SessionStatus& status = context.status;
     ShotWork work;
-    const double each = status.body_volume / (size * size * size);
-    work.particles = static_cast<uint32_t>(each * static_cast<double>(status.bodies));
+    const double times = status.particle_size / size;
+    work.particles = static_cast<uint32_t>(status.stats.particles * times * times * times);
     const double finer = context.shot.substeps ? 1 : status.particle_size / size;
     work.substeps = static_cast<uint32_t>(std::lround(status.substeps_per_frame * finer));
     const double seconds = costOf(work, context.pace).breaking_frame_ms / 1000;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/body_fillings.h"
 #include "app/session/shot.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/solver.h"
@@ -13,9 +14,8 @@ namespace demolish {
 
 struct BuiltShot {
     Shot shot;  ///< with the strength that Shot::break_at asks for
-    std::shared_ptr<const SolidMesh> mesh;
-    std::vector<std::shared_ptr<const BreakableBody>> variants;  ///< one filling a variant of Shot::bodies
-    std::shared_ptr<const BreakableBody> body;                   ///< the first of them
+    BodyFillings cells;
+    std::shared_ptr<const BreakableBody> body;  ///< of the subject: subjectOf()
     SceneSetup setup;
     std::unique_ptr<Solver> solver;
     Snapshot start;  ///< settled, before a ball is fired
@@ -26,8 +26,8 @@ struct BuiltShot {
 struct BuildOptions {
     bool draw_geometry = true;
     bool ledger = true;  ///< book damping and friction work in every substep, asked for or not
-    /// Parts that may be taken over instead of made again: the mesh if file, height and repair agree, the
-    /// body if all that shapes it agrees.
+    /// Its cells may be taken over instead of made again: meshes of which file, height and repair agree,
+    /// fillings of which all agrees that shapes them.
     const BuiltShot* reuse = nullptr;
 };
 
@@ -39,13 +39,6 @@ bool choosesCuda(const Shot& shot);
 /// a slower ball only punches holes into thin walls. As it is where nothing hits. Throws InputFileError (the
 /// table).
 void chooseVelocity(Shot& shot, const BreakableBody& body);
-
-/// Of all bodies together: a scene's triangles are indexed by 32 bits, with some 135 indices a particle.
-inline constexpr uint32_t kMaxSceneParticles = 16'000'000;
-
-/// Particles of each body: as chosen, else by device. Throws UsageError when a size gives too few or too
-/// many, or when they are too many for all bodies together.
-uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu);
 
 /// All but solver and start: mesh, cells, set-up. Throws as buildShot().
 BuiltShot prepareShot(const Shot& shot, const BuildOptions& options, const ProgressCallback& progress);

@@ -2,9 +2,23 @@
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
+#include "app/session/shot_bodies.h"
 #include "engine/render/fracture_mesh.h"
 
 namespace demolish {
+
+namespace {
+
+/// Of each particle; empty where all have the shot's own.
+std::vector<uint32_t> looksOfCells(const BuiltShot& built) {
+    const ShotLooks list = looksOf(built.shot);
+    std::vector<uint32_t> looks;
+    for (size_t b = 0; list.looks.size() > 1 && b < list.of_body.size(); ++b)
+        looks.insert(looks.end(), built.cells.of_body[b]->particles.size(), list.of_body[b]);
+    return looks;
+}
+
+}  // namespace
 
 FrameOutput::FrameOutput(const BuiltShot& built) {
     const FractureGeometry geometry = sceneExterior(built.setup);
@@ -13,6 +27,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     data.exterior_vertices = std::as_bytes(std::span(geometry.exterior));
     data.exterior_indices = geometry.exterior_indices;
     data.crack_edges = std::as_bytes(std::span(geometry.crack_edges));
+    const std::vector<uint32_t> looks = looksOfCells(built);
+    data.cell_looks = looks;
     data.particle_count = built.solver->stats().particles;
     data.particle_capacity = sizes.particles;
     data.interior_vertex_capacity = sizes.interior_vertices;

@@ -9,6 +9,7 @@
 
 #include "app/reading/model_reader.h"
 #include "app/session/built_shot.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
 

@@ -4,34 +4,53 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/session/scene_colliders.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
 
 namespace demolish {
+namespace {
 
-engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
+/// Looks of the bodies, with what follows from the size of a body and its cells.
+std::vector<engine::SurfaceLook> sizedLooks(const Shot& shot, const BodyList& bodies) {
+    ShotLooks list = looksOf(shot);
+    for (size_t k = 0; k < list.looks.size(); ++k) {
+        engine::SurfaceLook& look = list.looks[k];
+        const BreakableBody& body = *bodies.at(list.example[k]);
+        if (!traitsOf(shot.method).smooth_cracks) look.noise_strength = 0;
+        look.noise_scale = static_cast<float>(0.2 * body.spacing);
+        if (look.crack_width <= 0)
+            look.crack_width = static_cast<float>(0.003 * (body.bounds_max.y - body.bounds_min.y));
+    }
+    return std::move(list.looks);
+}
+
+}  // namespace
+
+engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int width, int height,
                                 engine::RenderQuality quality) {
-    const SceneBox box = sceneBox(shot, body);
-    const double size_y = body.bounds_max.y - body.bounds_min.y;
-    const double body_radius = 0.5 * std::hypot(body.bounds_max.x - body.bounds_min.x, size_y,
-                                                body.bounds_max.z - body.bounds_min.z);
+    const SceneBox box = sceneBox(shot, bodies);
+    const BreakableBody& body = *bodies.at(subjectOf(shot));
+    const double body_radius =
+        0.5 * std::hypot(body.bounds_max.x - body.bounds_min.x, body.bounds_max.y - body.bounds_min.y,
+                         body.bounds_max.z - body.bounds_min.z);
     const double radius =
         0.5 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
     engine::FrameView view;
     view.camera = shot.camera ? *shot.camera : framedCamera(box);
     view.lighting = litBy(shot.environment, shot.lighting);
-    view.look = shot.look;
-    if (!traitsOf(shot.method).smooth_cracks) view.look.noise_strength = 0;
-    view.look.noise_scale = static_cast<float>(0.2 * body.spacing);
-    if (view.look.crack_width <= 0) view.look.crack_width = static_cast<float>(0.003 * size_y);
+    const std::vector<engine::SurfaceLook> looks = sizedLooks(shot, bodies);
+    view.look = looks[0];
+    view.more_looks.assign(looks.begin() + 1, looks.end());
     view.width = width;
     view.height = height;
     view.quality = quality;
     // Pieces fly: the shadow map covers a body's size more on every side.
     view.scene_radius = static_cast<float>(radius + 2 * body_radius);
     view.scene_centre[0] = static_cast<float>(0.5 * (box.low.x + box.high.x));
-    view.scene_centre[1] = static_cast<float>(0.5 * size_y);
+    view.scene_centre[1] = static_cast<float>(0.5 * (body.bounds_max.y - body.bounds_min.y));
     view.scene_centre[2] = static_cast<float>(0.5 * (box.low.z + box.high.z));
     const float(&centre)[3] = view.scene_centre;
     view.colliders = drawnColliders(shot, {{centre[0], centre[1], centre[2]}, view.scene_radius});

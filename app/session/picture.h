@@ -3,15 +3,13 @@
 #pragma once
 #include <string>
 
-#include "app/session/shot.h"
+#include "app/session/shot_setup.h"
 #include "engine/scene/frame_view.h"
-#include "sim_cuda/api/breakable_body.h"
 
 namespace demolish {
 
-/// Camera, light and look of the shot; noise sized to the body, shadow to all of the shot's bodies. `body` is
-/// any filling of them.
-engine::FrameView makeFrameView(const Shot& shot, const BreakableBody& body, int width, int height,
+/// Camera, light and looks of the shot; noise sized to the cells, shadow to all of the shot's bodies.
+engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int width, int height,
                                 engine::RenderQuality quality);
 
 /// How light became colour in its pictures, for the files.

@@ -19,9 +19,8 @@ void RebuildWorker::start(const Shot& shot, const BuiltShot& reuse) {
     BuiltShot parts;
     parts.shot = reuse.shot;
     parts.setup.params.ledger = reuse.setup.params.ledger;
-    parts.mesh = reuse.mesh;
+    parts.cells = reuse.cells;
     parts.body = reuse.body;
-    parts.variants = reuse.variants;
     parts.has_draw_geometry = reuse.has_draw_geometry;
     job_ = std::make_shared<Job>();
     workers_.push_back(

@@ -6,9 +6,11 @@
 
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
+#include "app/session/scene_assets.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/scene_light.h"
 #include "app/session/scene_parts_file.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/threshold_table.h"
 #include "app/session/toml_reader.h"
 #include "sim_cuda/api/errors.h"
@@ -85,52 +87,50 @@ void readEffects(TomlReader& reader, EffectsSettings& effects) {
     reader.read("effects.puffs", effects.puffs, kPuffRange);
 }
 
-void applyMaterialFile(Shot& shot, const std::string& name, const std::filesystem::path& file) {
-    TomlReader reader(file);
-    requireVersion(reader);
-    Material material;
-    material.name = file.stem().string();
-    std::string title;
-    reader.read("name", material.name);
-    reader.read("title", title);
-    readMaterial(reader, "", material);
-    engine::SurfaceLook look;  // nothing of another material stays
-    readLook(reader, "look.", look);
-    reader.requireAllRead();
-    shot.look = look;
-    shot.material = material;
-    shot.material_name = name;
+/// Nothing of another material stays.
+void putIn(const OwnMaterial& own, Shot& shot) {
+    shot.look = own.look;
+    shot.material = own.material;
+    shot.material_name = own.name;
 }
 
-/// A name that ships stays as it is, a path becomes one that holds wherever the program was started.
 void readPreset(TomlReader& reader, const std::string& key, Shot& shot) {
-    std::string preset = shot.material_name;
-    reader.read(key, preset);
-    try {
-        const std::filesystem::path file = tomlFileOf(kMaterials, preset, reader.file().parent_path());
-        const bool ships = std::filesystem::path(preset).extension() != ".toml";
-        applyMaterialFile(shot, ships ? preset : file.string(), file);
-    } catch (const UsageError& error) {
-        reader.fail(key, std::string("is wrong: ") + error.what());
-    }
+    putIn(reader.has(key) ? readOwnMaterial(reader, key)
+                          : loadMaterial(shot.material_name, tomlFileOf(kMaterials, shot.material_name)),
+          shot);
 }
 
-std::filesystem::path readModelPath(TomlReader& reader, const std::string& key) {
-    std::string model;
-    reader.read(key, model);
-    if (model.empty()) reader.fail(key, "is missing; name a mesh file relative to this one, or to assets");
-    const std::filesystem::path file = modelFileOf(reader.file(), model);
-    std::error_code ignored;
-    if (!std::filesystem::exists(file, ignored))
-        reader.fail(key,
-                    "is '" + model + "', and there is no such file, neither beside this one nor in assets");
-    return file;
+/// What the scene says of all bodies is what the body that the fastest ball hits is like; the others keep
+/// theirs.
+void takeFromSubject(Shot& shot) {
+    if (shot.bodies.empty()) return;
+    const SceneBody subject = shot.bodies[subjectOf(shot)];
+    if (subject.model) {
+        for (SceneBody& body : shot.bodies) {
+            if (!body.model)
+                body.model = shot.model;
+            else if (body.model == subject.model)
+                body.model.reset();
+        }
+        shot.model = *subject.model;
+        shot.paper_model.reset();
+        shot.strength_row.clear();
+    }
+    if (!subject.material) return;
+    const OwnMaterial former{shot.material_name, shot.material, shot.look};
+    for (SceneBody& body : shot.bodies) {
+        if (!body.material)
+            body.material = former;
+        else if (body.material == subject.material)
+            body.material.reset();
+    }
+    putIn(*subject.material, shot);
 }
 
 }  // namespace
 
 void applyMaterial(Shot& shot, const std::string& name) {
-    applyMaterialFile(shot, name, tomlFileOf(kMaterials, name));
+    putIn(loadMaterial(name, tomlFileOf(kMaterials, name)), shot);
 }
 
 Shot loadSceneFile(const std::filesystem::path& file) {
@@ -141,7 +141,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     requireVersion(reader);
     std::string title;
     reader.read("title", title);
-    shot.model = readModelPath(reader, "model");
+    if (reader.has("model") || reader.count("body", 1e9) == 0) shot.model = readModelPath(reader, "model");
     if (reader.has("paper_model")) shot.paper_model = readModelPath(reader, "paper_model");
     readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);
@@ -165,13 +165,14 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.read("solver.fps", shot.fps, kFpsRange);
     reader.read("solver.time_scale", shot.time_scale, kTimeScaleRange);
     readImpact(reader, shot.impact);
-    shot.bodies = readBodies(reader, shot.height);
+    shot.bodies = readBodies(reader, shot);
     shot.balls = readBalls(reader, {std::max<size_t>(1, shot.bodies.size()), shot.height}, shot.impact);
     shot.phases = readPhases(reader);
     readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
     readPicture(reader, file.parent_path(), shot);
     reader.requireAllRead();
+    takeFromSubject(shot);
     return shot;
 }
 

@@ -2,20 +2,51 @@
 // Parts of which a scene may hold many: bodies, balls that come at their times, phases of a benchmark.
 #pragma once
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 
+#include "engine/scene/surface_look.h"
+#include "sim_cuda/api/params.h"
 #include "sim_cuda/api/vectors.h"
 
 namespace demolish {
 
-/// Where one body of the scene stands.
-struct Placement {
-    Double3 position;      ///< of the point that the model's origin comes to, in heights of the body
+/// What a body is of, and how that looks.
+struct OwnMaterial {
+    std::string name;
+    Material material;
+    engine::SurfaceLook look;
+
+    bool operator==(const OwnMaterial&) const = default;
+};
+
+/// Spacing of a body's particles while bodies that say nothing about it have so many.
+struct OwnSize {
+    double metres = 0;
+    uint32_t usual_particles = 0;
+
+    bool operator==(const OwnSize&) const = default;
+};
+
+/// One body of the scene: where it stands, how it moves at the start, and what it has of its own. All else is
+/// as the shot has it.
+struct SceneBody {
+    Double3 position;      ///< of the point that the model's origin comes to, in heights of the shot
     double yaw = 0;        ///< rad about the vertical, counter-clockwise seen from above
     uint32_t variant = 0;  ///< bodies of one variant share their cells; each variant has a seed of its own
+    Quaternion turn;       ///< before the yaw
+    Double3 velocity;      ///< m/s
+    Double3 spin;          ///< rad/s, about its centre of mass
 
-    bool operator==(const Placement&) const = default;
+    std::optional<std::filesystem::path> model;
+    double height_share = 1;  ///< its height, times the shot's
+    std::optional<OwnMaterial> material;
+    bool breaks = true;       ///< false: whole whatever hits it, rigid when nothing swings in it
+    double particles_share = 1;            ///< its number of particles, times the shot's
+    std::optional<OwnSize> particle_size;  ///< in place of that
+
+    bool operator==(const SceneBody&) const = default;
 };
 
 /// A ball that hits a body at a time of its own.

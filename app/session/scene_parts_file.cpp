@@ -4,18 +4,14 @@
 
 #include <algorithm>
 
+#include "app/session/shot_geometry.h"
+
 namespace demolish {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
-constexpr double kMostBodies = 1000;
 constexpr Range kTimeRange{0, 1000};        // s
 constexpr Range kArrivalRange{0.01, 1000};  // s
 constexpr Range kFlightRange{0.01, 2};      // s
-
-Double3 inHeights(const Double3& metres, double height) {
-    return {metres.x / height, metres.y / height, metres.z / height};
-}
 
 std::string element(const char* list, size_t index) {
     return std::string(list) + "[" + std::to_string(index) + "].";
@@ -48,27 +44,12 @@ TimedBall readBall(TomlReader& reader, const std::string& at, const BodiesOfFile
     if (reader.has(at + "aim_m")) {
         Double3 metres;
         reader.read(at + "aim_m", metres, kPlaceRange);
-        ball.aim = inHeights(metres, bodies.height);
+        ball.aim = fromGlm(toGlm(metres) / bodies.height);
     }
     return ball;
 }
 
 }  // namespace
-
-std::vector<Placement> readBodies(TomlReader& reader, double height) {
-    std::vector<Placement> bodies(reader.count("body", kMostBodies));
-    for (size_t i = 0; i < bodies.size(); ++i) {
-        const std::string at = element("body", i);
-        Double3 metres;
-        reader.read(at + "position_m", metres, kPlaceRange);
-        bodies[i].position = inHeights(metres, height);
-        double degrees = 0;
-        reader.read(at + "yaw_deg", degrees, {-360, 360});
-        bodies[i].yaw = degrees * kDegree;
-        reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
-    }
-    return bodies;
-}
 
 std::vector<TimedBall> readBalls(TomlReader& reader, const BodiesOfFile& bodies, Impact& impact) {
     std::vector<TimedBall> balls(reader.count("ball", kMaxProjectiles));

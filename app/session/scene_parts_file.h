@@ -8,8 +8,9 @@
 
 namespace demolish {
 
-/// `height` of the bodies, m: the file gives metres, Placement heights. Empty when the file lists none.
-std::vector<Placement> readBodies(TomlReader& reader, double height);
+/// Bodies of a scene, which may have models and materials of their own. `shot` holds what the file says of
+/// all bodies. Empty when the file lists none.
+std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot);
 /// Balls in order of time. Sets impact.velocity to the fastest ball's unless the file names a velocity of the
 /// impact.
 struct BodiesOfFile {

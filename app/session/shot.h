@@ -54,7 +54,9 @@ enum class DeviceChoice { kAuto, kCpu, kCuda };
 struct Shot {
     std::string scene = "model";       ///< name of the scene file, "model" for a bare mesh
     std::filesystem::path scene_file;  ///< empty for a bare mesh
-    std::filesystem::path model;       ///< mesh file
+    /// Mesh file; it and the material are those of bodies that have none of their own, of which the one that
+    /// the fastest ball hits is one.
+    std::filesystem::path model;
     /// The same model with the paper's number of triangles, where the scene names one: benchmarks take it.
     std::optional<std::filesystem::path> paper_model;
     /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.
@@ -66,7 +68,7 @@ struct Shot {
     /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.
     std::optional<double> break_at;
     Impact impact;
-    std::vector<Placement> bodies;    ///< where each body stands; empty: one at the origin
+    std::vector<SceneBody> bodies;    ///< empty: one at the origin
     std::vector<TimedBall> balls;     ///< of a ball impact, in order of time; empty: the one of `impact`
     std::vector<Phase> phases;        ///< in order of time; empty: the shot has none
     std::vector<Collider> colliders;  ///< beside the floor, in heights of the body

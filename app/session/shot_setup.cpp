@@ -8,6 +8,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/session/scene_colliders.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
@@ -20,13 +21,9 @@ constexpr double kKappa = 0.68;    // dt_crit c_eff / h of compact bodies, model
 constexpr double kSagFactor = 60;  // c_eff / sqrt(g H) at which no model of models.md E.4 sagged visibly
 constexpr uint32_t kLeastSubsteps = 40;
 
-/// Where the shot puts its bodies; a shot without a list has one, at the origin.
-std::vector<Placement> placementsOf(const Shot& shot) {
-    return shot.bodies.empty() ? std::vector<Placement>(1) : shot.bodies;
-}
-
-glm::dquat turnOf(const Placement& place) {
-    return glm::angleAxis(place.yaw, glm::dvec3(0, 1, 0));
+glm::dquat turnOf(const SceneBody& body) {
+    const Quaternion& q = body.turn;
+    return glm::angleAxis(body.yaw, glm::dvec3(0, 1, 0)) * glm::dquat(q.w, q.x, q.y, q.z);
 }
 
 Quaternion fromGlm(const glm::dquat& q) {
@@ -48,7 +45,7 @@ double lowestPoint(const BreakableBody& body, const glm::dquat& rotation) {
 }
 
 /// Turned and lifted so that it meets the floor with the chosen velocity.
-void drop(const Shot& shot, const BreakableBody& body, const Placement& place, BodyInstance& instance) {
+void drop(const Shot& shot, const BreakableBody& body, const SceneBody& place, BodyInstance& instance) {
     const glm::dquat rotation = turnOf(place) * glm::dquat(toGlm(shot.impact.tilt));
     const double lowest = lowestPoint(body, rotation);
     // Falls for some hundredths of a second, so that one sees it come.
@@ -63,6 +60,40 @@ std::optional<PresetPieces> presetPiecesOf(const Shot& shot) {
     const auto turns = traitsOf(shot.method).pattern_turns;
     if (!turns) return std::nullopt;
     return PresetPieces{shot.pattern.value_or(usualPattern(shot.method)), *turns};
+}
+
+bool isDropped(const Shot& shot) {
+    return shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
+}
+
+/// m/s, of what does not break: stress from hits of kVelocityRange stays a hundredth of its strength.
+constexpr double kNeverBreaks = 1e6;
+
+Material materialOf(const Shot& shot, const SceneBody& body) {
+    Material material = body.material ? body.material->material : shot.material;
+    if (body.breaks) return material;
+    material.critical_velocity = kNeverBreaks;
+    material.weibull_modulus = material.fracture_energy = 0;
+    material.tough_cells = 1;  // one preset piece
+    return material;
+}
+
+/// All but the substeps, which follow from the bodies.
+SolverParams paramsOf(const Shot& shot) {
+    SolverParams params;
+    const MethodTraits& method = traitsOf(shot.method);
+    params.frame_time = 1 / shot.fps;
+    params.scene_radius = shot.scene_radius;
+    params.seed = shot.seed;
+    params.hand_over = method.may_rest && shot.hand_over;
+    params.sleeping = method.may_rest && shot.sleeping;
+    params.smooth_cracks = method.smooth_cracks;
+    params.preset_pieces = presetPiecesOf(shot);
+    params.colliders = collidersOf(shot);
+    const bool settles = !isDropped(shot) && !params.preset_pieces;  // which steps bonds
+    params.settle_time = settles ? shot.settle_time * shot.settle_scale : 0;
+    params.settle_damping = SolverParams{}.settle_damping / shot.settle_scale;
+    return params;
 }
 
 }  // namespace
@@ -84,50 +115,42 @@ uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_sa
     return static_cast<uint32_t>(std::clamp(std::ceil(wanted), double{kLeastSubsteps}, kSubstepRange.most));
 }
 
-MeshPlacement placementOf(const Shot& shot) {
-    return {.height = shot.height, .repair = shot.repair};
-}
-
-uint32_t variantCount(const Shot& shot) {
-    uint32_t highest = 0;
-    for (const Placement& place : shot.bodies) highest = std::max(highest, place.variant);
-    return highest + 1;
-}
-
-SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const BreakableBody>>& variants) {
+SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
     SceneSetup setup;
-    setup.params.frame_time = 1 / shot.fps;
-    const MethodTraits& method = traitsOf(shot.method);
-    setup.params.substeps =
-        method.times_substeps * substepsFor(shot, *variants.at(0), setup.params.step_safety);
-    setup.params.scene_radius = shot.scene_radius;
-    setup.params.seed = shot.seed;
-    setup.params.hand_over = method.may_rest && shot.hand_over;
-    setup.params.sleeping = method.may_rest && shot.sleeping;
-    setup.params.smooth_cracks = method.smooth_cracks;
-    setup.params.preset_pieces = presetPiecesOf(shot);
-    setup.params.colliders = collidersOf(shot);
-    const bool dropped = shot.impact.kind == ImpactKind::kDrop && shot.impact.velocity > 0;
-    const bool settles = !dropped && !setup.params.preset_pieces;  // which steps bonds
-    setup.params.settle_time = settles ? shot.settle_time * shot.settle_scale : 0;
-    setup.params.settle_damping = SolverParams{}.settle_damping / shot.settle_scale;
-    const double share = lowestThresholdShare(shot, *variants[0]);
-    for (const Placement& place : placementsOf(shot)) {
+    setup.params = paramsOf(shot);
+    const std::vector<SceneBody> places = bodiesOf(shot);
+    const std::vector<size_t> alike = firstAlike(places);
+    const bool dropped = isDropped(shot);
+    std::vector<double> share(places.size());
+    uint32_t substeps = 0;
+    for (size_t b = 0; b < places.size(); ++b) {
+        const SceneBody& place = places[b];
+        if (alike[b] == b) {
+            const Shot of = asOf(shot, place);
+            share[b] = lowestThresholdShare(of, *bodies.at(b));
+            substeps = std::max(substeps, substepsFor(of, *bodies[b], setup.params.step_safety));
+        }
         BodyInstance instance;
-        instance.body = variants.at(place.variant);
-        instance.material = shot.material;
+        instance.body = bodies.at(b);
+        instance.material = materialOf(shot, place);
         instance.position = fromGlm(shot.height * toGlm(place.position));
         instance.rotation = fromGlm(turnOf(place));
-        instance.threshold_share = share;
+        instance.velocity = place.velocity;
+        instance.angular_velocity = place.spin;
+        instance.threshold_share = share[alike[b]];
         if (dropped) drop(shot, *instance.body, place, instance);
         setup.bodies.push_back(std::move(instance));
     }
+    setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
     return setup;
 }
 
-SceneBox sceneBox(const Shot& shot, const BreakableBody& body) {
+SceneBox sceneBox(const Shot& shot, const BodyList& bodies) {
     glm::dvec3 low(1e300), high(-1e300);
-    for (const Placement& place : placementsOf(shot))
+    const std::vector<SceneBody> places = bodiesOf(shot);
+    for (size_t b = 0; b < places.size(); ++b) {
+        const SceneBody& place = places[b];
+        const BreakableBody& body = *bodies.at(b);
         for (int corner = 0; corner < 8; ++corner) {
             const auto pick = [corner](int axis, double least, double most) {
                 return (corner >> axis & 1) != 0 ? most : least;
@@ -139,6 +162,7 @@ SceneBox sceneBox(const Shot& shot, const BreakableBody& body) {
             low = glm::min(low, placed);
             high = glm::max(high, placed);
         }
+    }
     return {fromGlm(low), fromGlm(high)};
 }
 

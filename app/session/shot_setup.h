@@ -22,21 +22,18 @@ inline constexpr double kDefaultFailureStrain = 0.011;
 /// bonds.
 uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_safety);
 
-/// How the shot's model is to be read.
-MeshPlacement placementOf(const Shot& shot);
+/// Cells of each body of the shot, in their order; of a shot without a list those of its one body.
+using BodyList = std::vector<std::shared_ptr<const BreakableBody>>;
 
-/// How many different fillings the shot's bodies ask for, at least 1.
-uint32_t variantCount(const Shot& shot);
+/// The bodies in their places, without projectiles: those are fired while the shot runs. So many substeps
+/// that no body is softer than its own material wants it.
+SceneSetup makeSetup(const Shot& shot, const BodyList& bodies);
 
-/// The bodies in their places, without projectiles: those are fired while the shot runs. One filling a
-/// variant; all of the same mesh.
-SceneSetup makeSetup(const Shot& shot, const std::vector<std::shared_ptr<const BreakableBody>>& variants);
-
-/// Box round all bodies of the shot as they stand, m. `body` is any of its fillings.
+/// Box round all bodies of the shot as they stand, m.
 struct SceneBox {
     Double3 low, high;
 };
-SceneBox sceneBox(const Shot& shot, const BreakableBody& body);
+SceneBox sceneBox(const Shot& shot, const BodyList& bodies);
 
 /// Camera that shows all bodies and the impact, for shots that name none.
 engine::Camera framedCamera(const SceneBox& box);

@@ -69,7 +69,12 @@ void addImpact(const Shot& shot, const BreakableBody& body, Hash& hash) {
     hash.add(impact.kind);
     if (impact.kind == ImpactKind::kDrop) return hash.add(impact.tilt);
     const TimedBall ball = fastestBall(shot);
-    if (ball.body < shot.bodies.size()) hash.add(shot.bodies[ball.body].yaw);
+    if (ball.body < shot.bodies.size()) {
+        const SceneBody& hit = shot.bodies[ball.body];
+        hash.add(hit.yaw);
+        for (const double part : {hit.turn.x, hit.turn.y, hit.turn.z})
+            if (part != 0) hash.add(part);
+    }
     hash.add(ball.radius.value_or(ballRadius(shot, body)));
     hash.add(ball.direction.value_or(impact.direction));
     hash.add(ball.height_fraction.value_or(impact.height_fraction));

@@ -153,6 +153,14 @@ void TomlReader::read(std::string_view path, std::string& value) {
     value = *text;
 }
 
+void TomlReader::read(std::string_view path, bool& value) {
+    const auto node = state_->at(path);
+    if (!node) return;
+    const auto truth = node.value_exact<bool>();
+    if (!truth) fail(path, "must be true or false");
+    value = *truth;
+}
+
 void TomlReader::read(std::string_view path, Double3& value, const Range& range) {
     const auto node = state_->at(path);
     if (!node) return;

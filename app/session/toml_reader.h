@@ -25,6 +25,7 @@ class TomlReader {
     void read(std::string_view path, double& value, const Range& range);
     void read(std::string_view path, uint32_t& value, const Range& range);
     void read(std::string_view path, std::string& value);
+    void read(std::string_view path, bool& value);
     void read(std::string_view path, Double3& value, const Range& range);  ///< of each of the three numbers
     void readColour(std::string_view path, float (&colour)[3]);            ///< linear, each 0..1
     void readVector(std::string_view path, glm::vec3& value, const Range& range);

@@ -25,6 +25,7 @@ void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, co
                         uint32_t command) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
+    bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
     layout_.setVertices(vertices, kVertexBytes);
     layout_.setIndices(indices);
     layout_.bind();

@@ -15,6 +15,7 @@ enum class StorageBinding : GLuint {
     kCrackEdges = 4,
     kExteriorVertices = 5,
     kTouchedTiles = 6,
+    kCellLooks = 7,
     // Of the passes that compute instead of drawing.
     kExteriorIndices = 2,
     kInteriorIndices = 3,
@@ -33,6 +34,9 @@ enum class StorageBinding : GLuint {
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);
+
+/// Location in all programs that draw bodies: a bit for each look of which the cells are left out.
+inline constexpr GLint kHiddenLooks = 30;
 
 class BodyGeometry {
   public:

@@ -21,13 +21,15 @@ CrackPass::CrackPass(const std::filesystem::path& shaders)
     layout_.setIndices(corners_);
 }
 
-void CrackPass::draw(const FractureMesh& mesh, float width) {
+void CrackPass::draw(const FractureMesh& mesh, float width, uint32_t hidden_looks) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     bindStorage(StorageBinding::kCrackList, mesh.stream(StreamId::kCrackEdges));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
+    bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
     program_.set(kWidth, width);
+    program_.set(kHiddenLooks, hidden_looks);
     program_.use();
     layout_.bind();
     glEnable(GL_BLEND);

@@ -14,7 +14,7 @@ class CrackPass {
     explicit CrackPass(const std::filesystem::path& shaders);
     /// Width in m; a line never gets thinner than about a pixel. The number of lines comes from the command
     /// buffer.
-    void draw(const FractureMesh& mesh, float width);
+    void draw(const FractureMesh& mesh, float width, uint32_t hidden_looks);
 
   private:
     gl::Program program_;

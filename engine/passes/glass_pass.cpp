@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "engine/render/shown.h"
+
 namespace demolish::engine {
 namespace {
 
@@ -24,7 +26,9 @@ std::string numbersFor(const RenderTargets& targets) {
 }  // namespace
 
 void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
-                           const SurfaceLook& look) {
+                           const FrameView& view) {
+    const std::vector<SurfaceLook> looks = looksOf(view);
+    const float frost = glassOf(view).frost;
     if (!shadow_sums_) {
         shadow_ = gl::Program(shaders_, {"glass_shadow.vert", "glass_shadow.frag"});
         shadow_sums_ = gl::Texture::make2d(GL_RG32F, kShadowTexels, kShadowTexels, kShadowLevels);
@@ -32,7 +36,7 @@ void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const g
         shadow_target_ = gl::Framebuffer({&shadow_sums_}, nullptr);
     }
     shadow_sums_.bind(kShadowUnit);
-    const ShadowKey key{mesh.version(), light_matrix, look.frost};
+    const ShadowKey key{mesh.version(), light_matrix, frost};
     if (key == shadow_key_) return;
     shadow_key_ = key;
     constexpr std::array<float, 4> kNothing{};
@@ -44,9 +48,10 @@ void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const g
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     shadow_.use();
+    shadow_.set(kHiddenLooks, hiddenUnless(true, looks));
     shadow_.set(kScattered, 0.0f);
     body.drawExterior(mesh);
-    shadow_.set(kScattered, -std::log(1 - 0.9f * look.frost));
+    shadow_.set(kScattered, -std::log(1 - 0.9f * frost));
     body.drawInterior(mesh);
     glDisable(GL_BLEND);
     glGenerateTextureMipmap(shadow_sums_.id());
@@ -84,9 +89,11 @@ GlassPass::PeelPrograms& GlassPass::peelFor(const RenderTargets& targets) {
     return programs;
 }
 
-void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look,
+void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
                      const RenderTargets& targets) {
     fit(targets);
+    const std::vector<SurfaceLook> looks = looksOf(view);
+    const SurfaceLook look = glassOf(view);
     PeelPrograms& programs = peelFor(targets);
     glEnable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
@@ -105,6 +112,7 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const Surface
         for (gl::Program* program : {&programs.exterior, &programs.interior}) {
             program->set(kNoise, glm::vec2(look.noise_scale, look.noise_strength));
             program->set(kFirst, k == 0 ? 1 : 0);
+            program->set(kHiddenLooks, hiddenUnless(true, looks));
         }
         programs.exterior.use();
         body.drawExterior(mesh);
@@ -129,7 +137,7 @@ void GlassPass::walk(const RenderTargets& targets, const FrameView& view, Pictur
     for (size_t k = 0; k < layers_.size(); ++k) layers_[k].texture.bind(kLayerUnit + static_cast<GLuint>(k));
     targets.depth.bind(kOpaqueUnit);
     scene_.bind(kSceneUnit);
-    program.set(kFrost, view.look.frost);
+    program.set(kFrost, glassOf(view).frost);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);
     program.use();

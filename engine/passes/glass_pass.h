@@ -23,11 +23,11 @@ class GlassPass {
     /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
     /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region.
     void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
-                    const SurfaceLook& look);
+                    const FrameView& view);
     /// Into which the light of all that is opaque goes, RGBA16F of the targets' size.
     GLuint scene(const RenderTargets& targets);
     /// Depth of what is opaque is the targets'. The depth range is 0..1, reversed, and stays so.
-    void peel(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look,
+    void peel(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
               const RenderTargets& targets);
     /// The finished picture into `framebuffer`. Bound are the shadow map, the noise volume, the surroundings
     /// and the sums of dust.

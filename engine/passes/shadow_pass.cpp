@@ -49,7 +49,8 @@ void ShadowPass::enter(int region) {
     body_.set(kRegion, region);
 }
 
-void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh) {
+void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks) {
+    body_.set(kHiddenLooks, hidden_looks);
     body_.use();
     body.drawExterior(mesh);
     body.drawInterior(mesh);

@@ -22,6 +22,7 @@ inline constexpr float kShadowSlopes = 1.1f, kShadowSteps = 2.0f;
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
     bool as_particles = false, with_grit = false, with_body = true;
+    uint32_t hidden_looks = 0;
     std::vector<float> spheres;  ///< position and radius of each
     std::vector<ColliderDraw> colliders;
     glm::mat4 light_matrix[2] = {glm::mat4(0), glm::mat4(0)};
@@ -40,7 +41,7 @@ class ShadowPass {
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    void drawBody(BodyGeometry& body, const FractureMesh& mesh);
+    void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;

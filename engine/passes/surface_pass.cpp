@@ -2,6 +2,8 @@
 // Two programs from one text: the branch between materials is made once a draw, not once a pixel.
 #include "engine/passes/surface_pass.h"
 
+#include "engine/render/shown.h"
+
 namespace demolish::engine {
 namespace {
 
@@ -41,14 +43,20 @@ SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture) {
     return programs;
 }
 
-void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look) {
-    Programs& programs = programsFor(look.texture);
-    for (gl::Program* program : {&programs.exterior, &programs.interior})
-        setBodyMaterial(*program, kMaterial, look);
-    programs.exterior.use();
-    body.drawExterior(mesh);
-    programs.interior.use();
-    body.drawInterior(mesh);
+void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view) {
+    const std::vector<SurfaceLook> looks = looksOf(view);
+    for (size_t k = 0; k < looks.size(); ++k) {
+        if (looks[k].isTransparent()) continue;
+        Programs& programs = programsFor(looks[k].texture);
+        for (gl::Program* program : {&programs.exterior, &programs.interior}) {
+            setBodyMaterial(*program, kMaterial, looks[k]);
+            program->set(kHiddenLooks, hiddenBut(k, looks));
+        }
+        programs.exterior.use();
+        body.drawExterior(mesh);
+        programs.interior.use();
+        body.drawInterior(mesh);
+    }
 }
 
 std::string textureDefine(SolidTexture texture) {

@@ -20,7 +20,8 @@ std::string textureDefine(SolidTexture texture);
 class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
-    void draw(BodyGeometry& body, const FractureMesh& mesh, const SurfaceLook& look);
+    /// Everything that is not transparent.
+    void draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view);
 
   private:
     struct Programs {

@@ -64,6 +64,7 @@ uint64_t FractureMesh::nextVersion() {
 
 FractureMesh::FractureMesh(const FractureMeshData& data)
     : crack_edges_(fixedBuffer(data.crack_edges)),
+      cell_looks_(fixedBuffer(std::as_bytes(data.cell_looks))),
       particle_count_(data.particle_count),
       particle_capacity_(std::max(data.particle_capacity, data.particle_count)) {
     for (size_t i = 0; i < streams_.size(); ++i) {

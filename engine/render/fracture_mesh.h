@@ -17,6 +17,7 @@ struct FractureMeshData {
     std::span<const uint32_t>
         exterior_indices;  ///< 3 per triangle; what is drawn until the stream says otherwise
     std::span<const std::byte> crack_edges;  ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
+    std::span<const uint32_t> cell_looks;    ///< one a cell, or none: all have look 0
     size_t particle_count = 0;               ///< cells, without projectiles
     size_t particle_capacity = 0;            ///< instances incl. projectiles
     size_t interior_vertex_capacity = 0;
@@ -37,6 +38,8 @@ class FractureMesh {
     const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
     const gl::Buffer& exteriorVertices() const { return stream(StreamId::kExteriorVertices); }
     const gl::Buffer& crackEdges() const { return crack_edges_; }
+    /// Of each cell, for shaders/common/cell_look.glsl.
+    const gl::Buffer& cellLooks() const { return cell_looks_; }
     /// Triangles as one of the stream's commands says, of what is bound.
     void drawCommanded(uint32_t command) const;
     /// What one of the effects' commands says, of what is bound; `mode` as glDrawArrays.
@@ -58,7 +61,7 @@ class FractureMesh {
 
   private:
     static uint64_t nextVersion();
-    gl::Buffer crack_edges_;
+    gl::Buffer crack_edges_, cell_looks_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
     size_t particle_count_ = 0, particle_capacity_ = 0;
     bool effects_shown_ = false, effects_fly_ = false;

@@ -7,6 +7,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "engine/render/shown.h"
 #include "engine/surroundings/own_surroundings.h"
 
 namespace demolish::engine {
@@ -153,8 +154,8 @@ FrameUniforms makeFrameUniforms(const FrameView& view, int shadow_texels) {
     frame.viewport = {width, height, 1.0f / width, 1.0f / height};
     frame.depth_range = {camera.near_plane, camera.far_plane, slope, aspect};
     frame.scene = glm::vec4(centre, view.scene_radius);
-    const auto& absorption = view.look.absorption;
-    frame.glass = {absorption[0], absorption[1], absorption[2], view.look.refraction_index};
+    const SurfaceLook glass = glassOf(view);
+    frame.glass = {glass.absorption[0], glass.absorption[1], glass.absorption[2], glass.refraction_index};
     return frame;
 }
 

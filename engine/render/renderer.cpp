@@ -155,9 +155,10 @@ struct Renderer::Passes {
     int max_samples = 1;
 };
 
-/// Software renderers compute as slowly as they draw. Colliders of triangles are drawn.
+/// Software renderers compute as slowly as they draw; computed pictures know one look and no colliders of triangles.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
-    if (!showsSolid(mesh, view) || view.quality != RenderQuality::kFull || colliders.hasTriangles())
+    if (!showsSolid(mesh, view) || !view.more_looks.empty() || colliders.hasTriangles() ||
+        view.quality != RenderQuality::kFull)
         return false;
     if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
         return false;
@@ -185,7 +186,8 @@ ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameV
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
     scene.with_grit = showsEffects(mesh, view);
-    scene.with_body = !showsGlass(mesh, view);
+    scene.with_body = showsSolid(mesh, view);
+    scene.hidden_looks = hiddenUnless(false, looksOf(view));
     for (const SphereDraw& sphere : sphere_draws) {
         scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
         scene.spheres.push_back(sphere.radius);
@@ -200,7 +202,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
-        if (showsSolid(mesh, view)) shadow.drawBody(body, *mesh);
+        if (showsSolid(mesh, view)) shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)));
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
         if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
@@ -217,14 +219,15 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view.look);
+    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     colliders.drawMaterials();
     clock.mark("body");
     if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
     clock.mark("grit");
-    if (showsSolid(mesh, view) && view.show_cracks) cracks.draw(*mesh, view.look.crack_width);
+    if (showsSolid(mesh, view) && view.show_cracks)
+        cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)));
     clock.mark("cracks");
 }
 
@@ -272,11 +275,11 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
-    if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view.look);
+    if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view);
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawMaterials(mesh, view);
-    if (kind.glass) glass.peel(body, *mesh, view.look, *targets);
+    if (kind.glass) glass.peel(body, *mesh, view, *targets);
     clock.mark("glass");
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -348,7 +351,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);
     p.noise.bind(kNoiseUnit);
-    p.bindSolid(view.look.texture);
+    for (const SurfaceLook& look : looksOf(view)) p.bindSolid(look.texture);
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
 

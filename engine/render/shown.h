@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What of a mesh a view shows.
 #pragma once
+#include <algorithm>
+#include <vector>
+
 #include "engine/render/fracture_mesh.h"
 #include "engine/scene/frame_view.h"
 
@@ -14,14 +17,46 @@ inline bool showsDust(const FractureMesh* mesh, const FrameView& view) {
     return showsEffects(mesh, view) && mesh->effectsFly();
 }
 
-/// A transparent body.
-inline bool showsGlass(const FractureMesh* mesh, const FrameView& view) {
-    return mesh != nullptr && view.mode == ViewMode::kSurface && view.look.isTransparent();
+/// All looks of a view, look 0 first.
+inline std::vector<SurfaceLook> looksOf(const FrameView& view) {
+    std::vector<SurfaceLook> looks{view.look};
+    looks.insert(looks.end(), view.more_looks.begin(), view.more_looks.end());
+    if (looks.size() > kMostLooks) looks.resize(kMostLooks);
+    return looks;
 }
 
+/// For kHiddenLooks: none of the looks but those which are transparent, or are not. 0 hides nothing.
+inline uint32_t hiddenUnless(bool transparent, const std::vector<SurfaceLook>& looks) {
+    uint32_t hidden = 0;
+    for (size_t k = 0; k < looks.size(); ++k)
+        if (looks[k].isTransparent() != transparent) hidden |= 1u << k;
+    return hidden;
+}
+/// All but look k.
+inline uint32_t hiddenBut(size_t k, const std::vector<SurfaceLook>& looks) {
+    return looks.size() == 1 ? 0 : ~(1u << k);
+}
+
+/// Whether some body is transparent, or is not.
+inline bool showsAny(bool transparent, const FractureMesh* mesh, const FrameView& view) {
+    if (mesh == nullptr || view.mode != ViewMode::kSurface) return false;
+    const std::vector<SurfaceLook> looks = looksOf(view);
+    return std::any_of(looks.begin(), looks.end(),
+                       [&](const SurfaceLook& look) { return look.isTransparent() == transparent; });
+}
+inline bool showsGlass(const FractureMesh* mesh, const FrameView& view) {
+    return showsAny(true, mesh, view);
+}
 /// A body that is drawn among the opaque things.
 inline bool showsSolid(const FractureMesh* mesh, const FrameView& view) {
-    return mesh != nullptr && view.mode == ViewMode::kSurface && !view.look.isTransparent();
+    return showsAny(false, mesh, view);
+}
+
+/// Of all transparent bodies: the optics of the first transparent look.
+inline SurfaceLook glassOf(const FrameView& view) {
+    for (const SurfaceLook& look : looksOf(view))
+        if (look.isTransparent()) return look;
+    return view.look;
 }
 
 }  // namespace demolish::engine

@@ -32,7 +32,9 @@ struct SphereDraw {
 struct FrameView {
     Camera camera;
     Lighting lighting;
-    SurfaceLook look;
+    SurfaceLook look;                     ///< of cells with look 0, and of grit and dust
+    std::vector<SurfaceLook> more_looks;  ///< of cells with look 1, 2, ... Transparent ones are of one glass:
+                                          ///< the optics of the first of them are those of all
     std::vector<ColliderDraw> colliders;  ///< at most kMostColliders are drawn
     ViewMode mode = ViewMode::kSurface;
     ColourMap colour_map = ColourMap::kFragment;
@@ -55,6 +57,9 @@ struct FrameView {
 
     bool operator==(const FrameView&) const = default;
 };
+
+/// What fits FractureMeshData::cell_looks and shows them one by one.
+inline constexpr size_t kMostLooks = 32;
 
 /// What was under a pixel.
 struct Pick {

@@ -69,7 +69,8 @@ TEST_P(SceneHashes, AreTheStoredOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneHashes,
                          testing::Values(HashedScene{"bunny", 400, 100}, HashedScene{"wolf", 500, 100},
-                                         HashedScene{"vase", 60, 100}, HashedScene{"column", 60, 100}),
+                                         HashedScene{"vase", 60, 100}, HashedScene{"column", 60, 100},
+                                         HashedScene{"arch", 60, 20}),
                          [](const auto& test) { return std::string(test.param.name); });
 
 }  // namespace

@@ -174,7 +174,7 @@ BlockBody::BlockBody(const BlockOptions& options) : options_(options) {
     }
 }
 
-FractureMesh BlockBody::makeMesh() const {
+FractureMesh BlockBody::makeMesh(std::span<const uint32_t> cell_looks) const {
     static_assert(sizeof(Vertex) == 24 && sizeof(CrackEdge) == 20);
     const size_t face_points = static_cast<size_t>(options_.subdivisions + 1) * (options_.subdivisions + 1);
     const size_t face_indices = size_t{6} * options_.subdivisions * options_.subdivisions;
@@ -182,6 +182,7 @@ FractureMesh BlockBody::makeMesh() const {
     data.exterior_vertices = std::as_bytes(std::span(exterior_));
     data.exterior_indices = exterior_indices_;
     data.crack_edges = std::as_bytes(std::span(crack_edges_));
+    data.cell_looks = cell_looks;
     data.particle_count = data.particle_capacity = cellCount();
     data.interior_vertex_capacity = interior_.size() * face_points;
     data.interior_index_capacity = interior_.size() * face_indices;

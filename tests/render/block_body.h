@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -40,7 +41,8 @@ class BlockBody {
     size_t crackEdgeCount() const { return crack_edges_.size(); }
 
     /// Buffers for the GPU; the context must be current.
-    FractureMesh makeMesh() const;
+    /// `cell_looks`: as FractureMeshData.
+    FractureMesh makeMesh(std::span<const uint32_t> cell_looks = {}) const;
     /// Groups cells: `slot_of(cell)` is the lowest cell of its fragment. `motion_of(slot)` moves it.
     /// `cracked(a, b)` lists the crack lines between two cells of one fragment. Writes all streams of the
     /// mesh.

@@ -2,6 +2,8 @@
 // What runs through a solid: the same on the outside and in the break, and alike by both ways of drawing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/render/gl_fixture.h"
@@ -133,6 +135,38 @@ TEST_F(CoatTest, GoesAsDeepAsItIsThick) {
         for (int y = 0; y < 100; ++y) dark += isDark(image, 100, y);
         EXPECT_NEAR(dark, 200 * coat, 3) << coat;
     }
+}
+
+using LooksTest = GlTest;
+
+/// Left red, right green, seen from the front; once the right is made of glass the floor is seen through it.
+TEST_F(LooksTest, EachCellHasItsOwn) {
+    Scene scene = makeScene("whole_block");
+    std::vector<uint32_t> looks;
+    for (uint32_t cell = 0; cell < scene.body->cellCount(); ++cell)
+        looks.push_back(scene.body->cellCentre(cell).x > 0 ? 1 : 0);
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
+        [](uint32_t, uint32_t) { return false; });
+    SurfaceLook red = scene.view.look, green = red;
+    std::copy_n(std::array{0.6f, 0.02f, 0.02f}.data(), 3, red.exterior_colour);
+    std::copy_n(std::array{0.02f, 0.6f, 0.02f}.data(), 3, green.exterior_colour);
+    scene.view.look = red;
+    scene.view.more_looks = {green};
+    const auto count = [&](int strong, int weak) {
+        const Image image = drawPicture(renderer(), scene);
+        int pixels = 0;
+        for (size_t p = 0; p < image.pixels.size(); p += 4)
+            pixels += image.pixels[p + strong] > 2 * image.pixels[p + weak] + 20;
+        return pixels;
+    };
+    const int reds = count(0, 1), greens = count(1, 0);
+    EXPECT_GT(reds, 500);
+    EXPECT_GT(greens, 500);
+    scene.view.more_looks[0].refraction_index = 1.5f;
+    EXPECT_GT(count(0, 1), reds / 2) << "what is not of glass stays";
+    EXPECT_LT(count(1, 0), greens / 20);
 }
 
 }  // namespace

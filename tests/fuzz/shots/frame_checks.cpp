@@ -156,15 +156,15 @@ void checkSurface(const WholeFrame& frame, const StreamSizes& sizes, size_t coun
 
 std::vector<std::string> faultsOfBody(const BuiltShot& built) {
     std::vector<std::string> faults;
-    const double volume = meshInfo(*built.mesh).volume;
-    const size_t wanted = particlesWanted(built.shot, *built.mesh, built.solver->onGpu());
+    const double volume = meshInfo(*built.cells.subject_mesh).volume;
+    const size_t wanted = particlesWanted(built.shot, *built.cells.subject_mesh, built.solver->onGpu());
     double mass = 0;
     size_t particles = 0;
     for (const BodyInstance& body : built.setup.bodies) {
         mass += body.material.density * volume;
         particles += wanted;
     }
-    for (const auto& body : built.variants) {
+    for (const auto& body : built.cells.of_body) {
         double cells = 0;
         for (const Particle& particle : body->particles) cells += particle.volume;
         if (!near(cells, volume, kVolumeTolerance))

@@ -17,7 +17,7 @@ double distance(const Float3& a, const Float3& b) {
 }
 
 void keepOnly(const std::vector<uint32_t>& kept, Shot& shot) {
-    std::vector<Placement> bodies;
+    std::vector<SceneBody> bodies;
     for (const uint32_t body : kept) bodies.push_back(shot.bodies.at(body));
     std::vector<TimedBall> balls;
     for (TimedBall ball : shot.balls) {

@@ -86,6 +86,19 @@ TEST(Scenes, OnlyTheBodyThatIsHitBreaks) {
     EXPECT_LT(run.stats().largest_fragment_fraction, 0.49);
 }
 
+TEST(Scenes, AnArchStandsWithoutMortarUntilItsKeystoneIsShot) {
+    Shot shot = smallScene("arch", 60);
+    bringForward(shot, {1.0, 1.0});
+    SceneRun run(shot);
+    const auto start = run.positions();
+    run.runTo(0.9);
+    EXPECT_EQ(run.stats().bonds_broken, 0u);
+    EXPECT_LT(farthest(start, run.positions()), 5e-3);
+    run.runTo(2);
+    EXPECT_GT(run.stats().bonds_broken, 0u);
+    EXPECT_GT(farthest(start, run.positions()), 0.5);
+}
+
 TEST(Scenes, AtVelocityZeroNothingIsHit) {
     Shot shot = smallScene("vase", 200, {4, 17});
     shot.impact.velocity = 0;

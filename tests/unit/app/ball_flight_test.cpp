@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -13,10 +14,19 @@
 namespace demolish {
 namespace {
 
+SceneBody standing(const Double3& position, double yaw, uint32_t variant) {
+    SceneBody body;
+    body.position = position;
+    body.yaw = yaw;
+    body.variant = variant;
+    return body;
+}
+
 using test::gridCube;
 
 SceneSetup cubes(const Shot& shot, int n) {
-    return makeSetup(shot, {std::make_shared<BreakableBody>(gridCube(n))});
+    const auto body = std::make_shared<const BreakableBody>(gridCube(n));
+    return makeSetup(shot, BodyList(std::max<size_t>(1, shot.bodies.size()), body));
 }
 
 /// Where a ball is `t` s after its start, and its velocity there.
@@ -84,7 +94,7 @@ TEST(BallFlight, ABallFindsItsBodyWhereItStands) {
     Shot shot;
     shot.impact.velocity = 10;
     shot.impact.direction = {-1, 0, 0};
-    shot.bodies = {{{0, 0, 0}, 0, 0}, {{4, 0, 2}, std::numbers::pi / 6, 0}};
+    shot.bodies = {standing({0, 0, 0}, 0, 0), standing({4, 0, 2}, std::numbers::pi / 6, 0)};
     TimedBall timed;
     timed.body = 1;
     timed.speed_share = 0.5;

@@ -42,7 +42,7 @@ TEST(RebuildWorker, BuildsAndReusesTheMesh) {
     const auto built = waitFor(worker);
     ASSERT_TRUE(built);
     EXPECT_EQ(built->body->particles.size(), 90u);
-    EXPECT_EQ(built->mesh, present.mesh);
+    EXPECT_EQ(built->cells.subject_mesh, present.cells.subject_mesh);
     EXPECT_FALSE(worker.take()) << "handed over once";
     EXPECT_NE(worker.progress().stage, "");
 }
@@ -68,7 +68,7 @@ TEST(RebuildWorker, CancelledBuildGivesNothingAndTheNextOneIsNotDisturbed) {
 /// A finished build holds a solver, gigabytes of GPU memory perhaps; nobody can take it any more.
 TEST(RebuildWorker, CancelLetsGoOfAFinishedBuild) {
     const BuiltShot present = buildShot(blockOf(60), {}, {});
-    const auto holders = present.mesh.use_count();
+    const auto holders = present.cells.subject_mesh.use_count();
     RebuildWorker worker;
     worker.start(blockOf(90), present);
     const auto patience = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -78,8 +78,8 @@ TEST(RebuildWorker, CancelLetsGoOfAFinishedBuild) {
     };
     waitWhile([&] { return worker.busy(); });
     worker.cancel();
-    waitWhile([&] { return present.mesh.use_count() > holders; });
-    EXPECT_EQ(present.mesh.use_count(), holders) << "the build shares its mesh";
+    waitWhile([&] { return present.cells.subject_mesh.use_count() > holders; });
+    EXPECT_EQ(present.cells.subject_mesh.use_count(), holders) << "the build shares its mesh";
     EXPECT_FALSE(worker.take());
 }
 

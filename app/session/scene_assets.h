@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Models and materials that a scene file names.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "app/session/scene_parts.h"
+#include "app/session/toml_reader.h"
+
+namespace demolish {
+
+/// Both throw InputFileError with file, line and key where there is no such file or it is wrong.
+/// A mesh beside the scene, else in assets.
+std::filesystem::path readModelPath(TomlReader& reader, const std::string& key);
+/// A preset, or a file beside the scene that ends in .toml: its path then, good wherever the program was
+/// started.
+OwnMaterial readOwnMaterial(TomlReader& reader, const std::string& key);
+
+/// A material's file. Throws InputFileError.
+OwnMaterial loadMaterial(const std::string& name, const std::filesystem::path& file);
+
+}  // namespace demolish

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+// body = [...] of a scene file: places, motion, and what a body has of its own.
+#include <algorithm>
+#include <glm/gtc/quaternion.hpp>
+#include <set>
+
+#include "app/session/scene_assets.h"
+#include "app/session/scene_parts_file.h"
+#include "app/session/shot_bodies.h"
+#include "app/session/shot_geometry.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kMostBodies = 1000;
+constexpr Range kDegrees{-360, 360};
+constexpr Range kSpeed{-200, 200};   // m/s, each coordinate
+constexpr Range kSpin{-1000, 1000};  // rad/s, each coordinate
+
+void readPlace(TomlReader& reader, const std::string& at, double height, SceneBody& body) {
+    Double3 metres, degrees;
+    reader.read(at + "position_m", metres, kPlaceRange);
+    body.position = fromGlm(toGlm(metres) / height);
+    double yaw = 0;
+    reader.read(at + "yaw_deg", yaw, kDegrees);
+    body.yaw = yaw * kDegree;
+    if (reader.has(at + "rotation_deg")) {
+        reader.read(at + "rotation_deg", degrees, kDegrees);
+        const glm::dquat turn(kDegree * toGlm(degrees));  // about x, then y, then z
+        body.turn = {turn.x, turn.y, turn.z, turn.w};
+    }
+    reader.read(at + "velocity_mps", body.velocity, kSpeed);
+    reader.read(at + "spin_radps", body.spin, kSpin);
+}
+
+void readFineness(TomlReader& reader, const std::string& at, const Fineness& usual, SceneBody& body) {
+    const bool by_size = reader.has(at + "particle_size_m"), by_number = reader.has(at + "particles");
+    if (by_size && by_number)
+        reader.fail(at + "particle_size_m", "and particles exclude each other: one follows from the other");
+    if (by_size) {
+        body.particle_size = OwnSize{0, usual.full};
+        reader.read(at + "particle_size_m", body.particle_size->metres, kParticleSizeRange);
+    }
+    uint32_t particles = usual.full;
+    reader.read(at + "particles", particles, {kMinParticles, kMaxParticles});
+    body.particles_share = static_cast<double>(particles) / usual.full;
+}
+
+void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneBody& body) {
+    if (reader.has(at + "model")) body.model = readModelPath(reader, at + "model");
+    if (!body.model && shot.model.empty())
+        reader.fail(at + "model", "is missing, and the scene names none for its bodies");
+    double height = shot.height;
+    reader.read(at + "height_m", height, kHeightRange);
+    body.height_share = height / shot.height;
+    if (reader.has(at + "material")) body.material = readOwnMaterial(reader, at + "material");
+    reader.read(at + "breaks", body.breaks);
+    readFineness(reader, at, shot.fineness, body);
+}
+
+bool moves(const SceneBody& body) {
+    return body.velocity != Double3{} || body.spin != Double3{};
+}
+
+void requireFewKinds(TomlReader& reader, const std::vector<SceneBody>& bodies) {
+    std::set<std::filesystem::path> models;
+    std::vector<const OwnMaterial*> materials;
+    for (const SceneBody& body : bodies) {
+        if (body.model) models.insert(*body.model);
+        const auto& own = body.material;
+        if (own && std::none_of(materials.begin(), materials.end(),
+                                [&](const OwnMaterial* known) { return *known == *own; }))
+            materials.push_back(&*own);
+    }
+    if (models.size() > kMaxModels)
+        reader.fail("body", "names " + std::to_string(models.size()) + " models; at most " +
+                                std::to_string(kMaxModels) + " are possible");
+    if (materials.size() >= kMaxMaterials)
+        reader.fail("body", "names " + std::to_string(materials.size()) + " materials; at most " +
+                                std::to_string(kMaxMaterials - 1) + " beside the scene's are possible");
+}
+
+}  // namespace
+
+std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot) {
+    std::vector<SceneBody> bodies(reader.count("body", kMostBodies));
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        const std::string at = "body[" + std::to_string(i) + "].";
+        readPlace(reader, at, shot.height, bodies[i]);
+        reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
+        readOwn(reader, at, shot, bodies[i]);
+        if (moves(bodies[i]) && shot.settle_time > 0)
+            reader.fail(at + (bodies[i].velocity != Double3{} ? "velocity_mps" : "spin_radps"),
+                        "needs solver.settle_s = 0: a body that moves would fall while the others settle");
+    }
+    requireFewKinds(reader, bodies);
+    return bodies;
+}
+
+}  // namespace demolish

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "app/session/shot_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "app/session/ball_flight.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+bool madeAlike(const SceneBody& a, const SceneBody& b) {
+    return a.height_share == b.height_share && a.breaks == b.breaks && a.particles_share == b.particles_share &&
+           a.particle_size == b.particle_size && a.model == b.model && a.material == b.material;
+}
+
+/// Of bodies that say nothing about it.
+uint32_t usualParticles(const Shot& shot, bool on_gpu) {
+    const Fineness& fine = shot.fineness;
+    return fine.particles ? *fine.particles : on_gpu ? fine.full : fine.draft;
+}
+
+}  // namespace
+
+std::vector<SceneBody> bodiesOf(const Shot& shot) {
+    return shot.bodies.empty() ? std::vector<SceneBody>(1) : shot.bodies;
+}
+
+std::vector<size_t> firstAlike(const std::vector<SceneBody>& bodies) {
+    std::vector<size_t> first, kinds;
+    for (size_t i = 0; i < bodies.size(); ++i) {
+        const auto known = std::find_if(kinds.begin(), kinds.end(),
+                                        [&](size_t kind) { return madeAlike(bodies[kind], bodies[i]); });
+        first.push_back(known == kinds.end() ? i : *known);
+        if (first[i] == i) kinds.push_back(i);
+    }
+    return first;
+}
+
+size_t subjectOf(const Shot& shot) {
+    const std::vector<size_t> first = firstAlike(bodiesOf(shot));
+    return first[std::min<size_t>(fastestBall(shot).body, first.size() - 1)];
+}
+
+Shot asOf(const Shot& shot, const SceneBody& body) {
+    Shot of = shot;
+    if (body.model) {
+        of.model = *body.model;
+        of.strength_row.clear();
+    }
+    if (body.material) {
+        of.material_name = body.material->name;
+        of.material = body.material->material;
+        of.look = body.material->look;
+    }
+    return of;
+}
+
+MeshPlacement placementOf(const Shot& shot, const SceneBody& body) {
+    return {.height = shot.height * body.height_share, .repair = shot.repair};
+}
+MeshPlacement placementOf(const Shot& shot) {
+    return placementOf(shot, bodiesOf(shot)[subjectOf(shot)]);
+}
+
+uint32_t particlesWanted(const Shot& shot, const SceneBody& body, const SolidMesh& mesh, bool on_gpu) {
+    if (shot.fineness.particle_size) return particlesForSize(mesh, *shot.fineness.particle_size);
+    const double usual = usualParticles(shot, on_gpu);
+    if (body.particle_size)
+        return particlesForSize(
+            mesh, body.particle_size->metres * std::cbrt(body.particle_size->usual_particles / usual));
+    if (body.particles_share == 1) return static_cast<uint32_t>(usual);
+    const double wanted = std::max(std::round(body.particles_share * usual), double{kMinParticles});
+    requireInRange("the number of particles of a body", wanted, {kMinParticles, kMaxParticles}, "");
+    return static_cast<uint32_t>(wanted);
+}
+uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
+    return particlesWanted(shot, bodiesOf(shot)[subjectOf(shot)], mesh, on_gpu);
+}
+
+void requireFewEnough(const std::vector<uint32_t>& particles) {
+    const uint64_t sum = std::accumulate(particles.begin(), particles.end(), uint64_t{0});
+    if (sum <= kMaxSceneParticles) return;
+    const auto [least, most] = std::minmax_element(particles.begin(), particles.end());
+    const std::string count = std::to_string(particles.size()),
+                      numbers = *least == *most ? std::to_string(*most)
+                                                : std::to_string(*least) + " to " + std::to_string(*most);
+    throw UsageError(count + " bodies of " + numbers + " particles are " + std::to_string(sum) +
+                     "; at most " + std::to_string(kMaxSceneParticles) + " are possible: choose at most " +
+                     std::to_string(kMaxSceneParticles / particles.size()) + " of each body");
+}
+
+ShotLooks looksOf(const Shot& shot) {
+    ShotLooks result{{shot.look}, {}, {}};
+    const std::vector<SceneBody> bodies = bodiesOf(shot);
+    std::vector<const OwnMaterial*> known{nullptr};
+    for (const SceneBody& body : bodies) {
+        const auto found = std::find_if(known.begin(), known.end(), [&](const OwnMaterial* material) {
+            return material == nullptr ? !body.material : body.material && *material == *body.material;
+        });
+        result.of_body.push_back(static_cast<uint32_t>(found - known.begin()));
+        if (found != known.end()) continue;
+        known.push_back(&*body.material);
+        result.looks.push_back(body.material->look);
+    }
+    for (uint32_t look = 0; look < result.looks.size(); ++look) {
+        const auto at = std::find(result.of_body.begin(), result.of_body.end(), look);
+        result.example.push_back(
+            at == result.of_body.end() ? 0 : static_cast<size_t>(at - result.of_body.begin()));
+    }
+    return result;
+}
+
+}  // namespace demolish
