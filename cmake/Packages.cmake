@@ -20,7 +20,7 @@ find_program(GLAD_PROGRAM glad HINTS /usr/bin REQUIRED)
 # Dear ImGui: Debian's static library brings the GLFW and OpenGL 3 backends and has no CMake file of its own.
 find_path(IMGUI_INCLUDE_DIR imgui.h PATH_SUFFIXES imgui REQUIRED)
 find_library(IMGUI_LIBRARY imgui REQUIRED)
-find_library(STB_LIBRARY NAMES libstb.a stb REQUIRED)  # reads Radiance pictures; Debian's static imgui leaves its font code to it
+find_library(STB_LIBRARY NAMES libstb.a stb REQUIRED)  # reads Radiance pictures and textures; Debian's static imgui leaves its font code to it
 add_library(imgui INTERFACE)
 target_include_directories(imgui SYSTEM INTERFACE ${IMGUI_INCLUDE_DIR} ${IMGUI_INCLUDE_DIR}/backends)
 find_package(Freetype)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
-// Body surface; INTERIOR: the broken material (common/body_material.glsl).
+// Body surface; INTERIOR: the broken material (common/body_material.glsl); LOOKS: the outside as its model file says.
 #include "common/frame.glsl"
 #include "common/gbuffer.glsl"
 #include "common/noise.glsl"
@@ -13,6 +13,10 @@ in vec3 rest;
 flat in vec4 rotation;
 #ifdef INTERIOR
 in vec2 relief;  // x: 0 at the outside .. 1 deep; y: -1 pit .. 1 ridge
+#endif
+#ifdef LOOKS
+#include "common/model_material.glsl"
+#include "common/drawn_look.glsl"
 #endif
 layout(location = 0) out vec4 material_out;
 layout(location = 1) out vec4 normals_out;
@@ -28,6 +32,16 @@ void main() {
     insideMaterial(s, rest, rotation, relief, coatAt(relief.x, dFdx(rest), dFdy(rest), deeper));
 #else
     outsideMaterial(s, rest);
+#endif
+#ifdef LOOKS
+    Looked look = drawnLook();
+    Laid laid = drawnLaid(world_position);
+    if (isCutOut(look, laid)) discard;
+    if (!gl_FrontFacing) {
+        s.normal = -s.normal;
+        s.geometric_normal = s.normal;
+    }
+    if (look.material != kNoLook) modelMaterial(s, look, laid);
 #endif
     turnToEye(s);
     material_out = packMaterial(s);

@@ -12,6 +12,13 @@ layout(location = 2) in uint cell;
 layout(location = 3) in vec2 relief_in;
 out vec2 relief;
 #endif
+#ifdef LOOKS
+#include "common/model_looks.glsl"
+layout(location = 4) in uint place;
+out vec2 look_uv;
+out vec4 look_colour;
+flat out uint look_material;
+#endif
 
 out vec3 world_position;
 out vec3 world_normal;
@@ -26,6 +33,12 @@ void main() {
     rotation = t.rotation;
 #ifdef INTERIOR
     relief = relief_in;
+#endif
+#ifdef LOOKS
+    Looked look = lookedAt(place, rest_position);
+    look_uv = look.uv;
+    look_colour = look.colour;
+    look_material = look.material;
 #endif
     gl_Position = unlessHidden(frame.view_projection * vec4(world_position, 1.0), cell);
 }

@@ -218,6 +218,11 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command
         .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
         ->type_name("NAME|FILE.toml");
+    command
+        .add_option("--looks", options.looks,
+                    "The outside as the model file says where it says something, or as the material")
+        ->type_name("file|material")
+        ->check(CLI::IsMember({"file", "material"}).description(""));
     command.add_option("--device", options.device, "Where to simulate; auto: on the GPU if there is one")
         ->type_name("auto|cpu|cuda")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))
@@ -253,6 +258,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
     applyRepair(options, shot);
     applyMaterialOptions(options, shot);
+    if (!options.looks.empty()) shot.looks = options.looks == "file" ? LooksOf::kFile : LooksOf::kMaterial;
     applyEffects(options, shot);
     applyMethod(options, shot);
     applyImpact(options, shot);

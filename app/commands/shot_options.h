@@ -20,7 +20,7 @@ struct PictureSize {
 };
 
 struct ShotOptions {
-    std::string scene, model, device = "auto", material, quality = "auto", size;
+    std::string scene, model, device = "auto", material, looks, quality = "auto", size;
     std::optional<double> height, drop, impact_velocity, break_at, particle_size, fps, slow_motion;
     std::optional<double> particles, seed, substeps,
         pieces;          ///< whole numbers, checked when the shot is made

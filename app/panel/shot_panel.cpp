@@ -28,6 +28,17 @@ void showModelField(PanelContext& context) {
     if ((entered || pressed) && path[0] != '\0') context.load_model = path;
 }
 
+void showLooks(PanelContext& context) {
+    bool of_file = context.shot.looks == LooksOf::kFile;
+    if (checkbox(context, "shot.looks", "Looks of the file", of_file,
+                 "The outside as the model file says; off: as the material")) {
+        context.shot.looks = of_file ? LooksOf::kFile : LooksOf::kMaterial;
+        context.changed = true;
+    }
+    for (const std::string& note : context.status.looks->notes)
+        ImGui::TextWrapped("Looks: %s.", note.c_str());
+}
+
 }  // namespace
 
 void showShotPanel(PanelContext& context) {
@@ -37,6 +48,7 @@ void showShotPanel(PanelContext& context) {
     if (scene >= 0) context.load_scene = context.scenes[static_cast<size_t>(scene)];
     showModelField(context);
     if (!context.status.repair.empty()) ImGui::TextWrapped("Repaired: %s.", context.status.repair.c_str());
+    if (context.status.looks != nullptr) showLooks(context);
     context.changed |= slider(
         context,
         {"shot.height", "Model height", "%.2f m", "Height that the model is scaled to. Rebuilds the body."},

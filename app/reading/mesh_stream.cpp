@@ -15,14 +15,19 @@ enum class Kind : uint32_t { kMesh = 1, kRefusal = 2 };
 
 struct Header {
     std::array<char, 8> magic{'D', 'e', 'm', 'o', 'M', 'e', 's', 'h'};
-    uint32_t version = 2;
+    uint32_t version = 3;
     Kind kind = Kind::kMesh;
     uint64_t text = 0, positions = 0, triangles = 0;
     uint32_t meshes = 0, materials = 0, textures = 0, is_in_metres = 0;
+    uint32_t has_looks = 0, has_colours = 0, look_materials = 0, images = 0, notes = 0, reserved = 0;
 };
-static_assert(sizeof(Header) == 56 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 20,
+struct ImageHeader {
+    uint32_t width = 0, height = 0;
+};
+static_assert(sizeof(Header) == 80 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 28,
               "no bytes between the members that nobody has set");
 
+constexpr uint32_t kMostNotes = 4096;
 constexpr uint64_t kPart = 1 << 16;  // elements that are sent, summed and made room for at a time
 
 /// FNV-1a over words of eight bytes; the last word of a part is filled up with zeros.
@@ -105,6 +110,8 @@ void requireBounded(const Header& header) {
     if (header.version != known.version) throw BrokenStream("this is another version");
     if (header.text > kMostText || header.positions > kMostTriangles || header.triangles > kMostTriangles)
         throw BrokenStream("there is too much of something");
+    if (header.look_materials > kMostMaterials || header.images > kMostImages || header.notes > kMostNotes)
+        throw BrokenStream("there are too many looks");
 }
 
 template <class... Numbers>
@@ -112,7 +119,7 @@ bool areFinite(Numbers... numbers) {
     return (std::isfinite(numbers) && ...);
 }
 
-void requireSound(const TriangleMesh& mesh) {
+void requireSound(const TriangleMesh& mesh, size_t materials) {
     for (const Double3& p : mesh.positions)
         if (!areFinite(p.x, p.y, p.z)) throw BrokenStream("a vertex is not a finite number");
     for (const auto& triangle : mesh.triangles)
@@ -122,6 +129,65 @@ void requireSound(const TriangleMesh& mesh) {
         for (const CornerAttributes& c : triangle)
             if (!areFinite(c.normal.x, c.normal.y, c.normal.z, c.uv.x, c.uv.y))
                 throw BrokenStream("a corner is not a finite number");
+            else if (c.material != kNoMaterial && c.material >= materials)
+                throw BrokenStream("a material is not there");
+}
+
+void requireSound(const ModelLooks& looks) {
+    for (const LookMaterial& m : looks.materials) {
+        for (const float value : {m.base_colour[0], m.base_colour[1], m.base_colour[2], m.base_colour[3],
+                                  m.emission[0], m.emission[1], m.emission[2], m.metallic, m.roughness,
+                                  m.normal_scale, m.occlusion_strength, m.alpha_cutoff})
+            if (!areFinite(value)) throw BrokenStream("a material is not a finite number");
+        for (const ImageUse& use :
+             {m.base_map, m.normal_map, m.metallic_map, m.roughness_map, m.occlusion_map, m.emission_map})
+            if ((use.image != kNoImage && use.image >= looks.images.size()) || use.channel > 3 ||
+                use.wrap_u > TextureWrap::kMirror || use.wrap_v > TextureWrap::kMirror)
+                throw BrokenStream("a picture is not there");
+    }
+}
+
+void writeLooks(const ModelLooks& looks, Writer& writer) {
+    writer.add(looks.materials);
+    for (size_t i = 0; i < std::min<size_t>(looks.notes.size(), kMostNotes); ++i) {
+        const std::string note = looks.notes[i].substr(0, kMostText);
+        const uint64_t length = note.size();
+        writer.part(bytesOf(&length, 1));
+        writer.add(note);
+    }
+    for (const LookImage& image : looks.images) {
+        const ImageHeader header{image.width, image.height};
+        writer.part(bytesOf(&header, 1));
+        writer.add(image.texels);
+    }
+}
+
+std::shared_ptr<const ModelLooks> readLooks(const Header& header, Reader& reader) {
+    auto looks = std::make_shared<ModelLooks>();
+    looks->has_colours = header.has_colours != 0;
+    reader.take(looks->materials, header.look_materials);
+    for (uint32_t i = 0; i < header.notes; ++i) {
+        uint64_t length = 0;
+        reader.part(&length, 1);
+        if (length > kMostText) throw BrokenStream("a note is too long");
+        reader.take(looks->notes.emplace_back(), length);
+    }
+    uint64_t bytes = 0;
+    for (uint32_t i = 0; i < header.images; ++i) {
+        ImageHeader size;
+        reader.part(&size, 1);
+        if (size.width == 0 || size.height == 0 || size.width > kMostImageEdge ||
+            size.height > kMostImageEdge)
+            throw BrokenStream("a picture has a wrong size");
+        const uint64_t own = uint64_t{4} * size.width * size.height;
+        bytes += own;
+        if (bytes > kMostImageBytes) throw BrokenStream("there is too much of pictures");
+        LookImage& image = looks->images.emplace_back();
+        image.width = size.width;
+        image.height = size.height;
+        reader.take(image.texels, own);
+    }
+    return looks;
 }
 
 }  // namespace
@@ -141,12 +207,20 @@ void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<c
     header.materials = contents.materials;
     header.textures = contents.textures;
     header.is_in_metres = contents.is_in_metres ? 1 : 0;
+    if (model.looks) {
+        header.has_looks = 1;
+        header.has_colours = model.looks->has_colours ? 1 : 0;
+        header.look_materials = static_cast<uint32_t>(model.looks->materials.size());
+        header.images = static_cast<uint32_t>(model.looks->images.size());
+        header.notes = static_cast<uint32_t>(std::min<size_t>(model.looks->notes.size(), kMostNotes));
+    }
     Writer writer(write);
     writer.part(bytesOf(&header, 1));
     writer.add(text);
     writer.add(mesh.positions);
     writer.add(mesh.triangles);
     writer.add(mesh.corners);
+    if (model.looks) writeLooks(*model.looks, writer);
     writer.finish();
 }
 
@@ -161,13 +235,17 @@ ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill) {
     reader.take(mesh.positions, header.positions);
     reader.take(mesh.triangles, header.triangles);
     reader.take(mesh.corners, header.triangles);
+    std::shared_ptr<const ModelLooks> looks;
+    if (header.has_looks != 0) looks = readLooks(header, reader);
     reader.finish();
     if (header.kind == Kind::kRefusal) return ModelRefusal{text};
     if (header.kind != Kind::kMesh) throw BrokenStream("this is neither a mesh nor a refusal");
-    requireSound(mesh);
+    if (looks) requireSound(*looks);
+    requireSound(mesh, looks ? looks->materials.size() : 0);
     mesh.name = std::move(text);
     return ImportedModel{std::move(mesh),
-                         {header.meshes, header.materials, header.textures, header.is_in_metres != 0}};
+                         {header.meshes, header.materials, header.textures, header.is_in_metres != 0},
+                         std::move(looks)};
 }
 
 }  // namespace demolish

@@ -27,13 +27,14 @@ struct BrokenStream : std::runtime_error {
     explicit BrokenStream(const std::string& why) : std::runtime_error(why) {}
 };
 
-/// Header (magic, version, kind, counts, contents), text, positions, triangles, corners as they lie in
-/// memory, checksum.
+/// Header (magic, version, kind, counts, contents), text, positions, triangles, corners, materials as they
+/// lie in memory, notes, pictures, checksum.
 void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write);
 
 /// `fill` fills all that it is given or throws. Arrays grow with what has come, not with what was announced.
 /// Throws BrokenStream: another magic or version, counts beyond those above, a wrong checksum, triangles of
-/// vertices that are not there, numbers that are not finite.
+/// vertices or materials that are not there, materials of pictures that are not there, pictures that are too
+/// large, numbers that are not finite.
 ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill);
 
 }  // namespace demolish

@@ -108,7 +108,8 @@ ImportedModel readModel(const fs::path& file, const ProgressCallback& progress) 
 
 std::shared_ptr<const SolidMesh> readSolidMesh(const fs::path& file, const MeshPlacement& placement,
                                                const ProgressCallback& progress) {
-    return makeSolidMesh(readModel(file, progress).mesh, file, placement);
+    ImportedModel model = readModel(file, progress);
+    return makeSolidMesh(std::move(model.mesh), file, placement, std::move(model.looks));
 }
 
 }  // namespace demolish

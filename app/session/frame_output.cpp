@@ -2,6 +2,7 @@
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
+#include "app/session/scene_looks.h"
 #include "app/session/shot_bodies.h"
 #include "engine/render/fracture_mesh.h"
 
@@ -27,8 +28,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     data.exterior_vertices = std::as_bytes(std::span(geometry.exterior));
     data.exterior_indices = geometry.exterior_indices;
     data.crack_edges = std::as_bytes(std::span(geometry.crack_edges));
-    const std::vector<uint32_t> looks = looksOfCells(built);
-    data.cell_looks = looks;
+    const std::vector<uint32_t> cell_looks = looksOfCells(built);
+    data.cell_looks = cell_looks;
     data.particle_count = built.solver->stats().particles;
     data.particle_capacity = sizes.particles;
     data.interior_vertex_capacity = sizes.interior_vertices;
@@ -36,6 +37,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     data.crack_capacity = sizes.crack_edges;
     data.grain_capacity = sizes.grains;
     data.puff_capacity = sizes.puffs;
+    const auto looks = sceneLooks(built.setup);
+    if (looks) data.looks = &*looks;
     mesh_ = std::make_unique<engine::FractureMesh>(data);
     bridge_ = makeFrameBridge(*mesh_, *built.solver);
 }

@@ -67,6 +67,22 @@ std::string sizeLine(const ModelCheck& check) {
     return line;
 }
 
+std::string looksLine(const ModelCheck& check) {
+    std::string line =
+        counted(check.contents.materials, "material") + ", " + counted(check.contents.textures, "texture");
+    if (!check.looks) return line + "; the file says no colours, so the outside is the material's";
+    uint32_t width = 0, height = 0;
+    size_t bytes = 0;
+    for (const LookImage& image : check.looks->images) {
+        width = std::max(width, image.width);
+        height = std::max(height, image.height);
+        bytes += image.texels.size();
+    }
+    if (bytes > 0)
+        line += printed(" (%.3g MB decoded, at most %u x %u px)", 1e-6 * double(bytes), width, height);
+    return check.looks->has_colours ? line + ", colours at the vertices" : line;
+}
+
 std::string wallLine(const ModelCheck& check) {
     return printed("2 %% of the surface lies over walls thinner than %.3g m, %.2g particles of %.3g m",
                    check.thin_wall, check.thin_wall / check.spacing, check.spacing);
@@ -88,7 +104,9 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
         ImportedModel model = readModel(shot.model, progress);
         check.contents = model.contents;
         check.size_in_file = sizeOf(model.mesh);
-        const auto mesh = makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot));
+        check.looks = model.looks;
+        const auto mesh =
+            makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot), std::move(model.looks));
         check.repair = repairReport(*mesh);
         check.solid = meshInfo(*mesh);
         check.thin_wall = thinWall(*mesh, kThinShare);
@@ -107,8 +125,9 @@ LabelledLines checkLines(const ModelCheck& check) {
         const RepairReport& repair = check.repair;
         say("holds", counted(repair.triangles, "triangle") + ", " + counted(repair.parts, "part") + ", " +
                          counted(repair.open_edges, "open edge"));
-        say("looks", counted(check.contents.materials, "material") + ", " +
-                         counted(check.contents.textures, "texture"));
+        say("looks", looksLine(check));
+        if (check.looks)
+            for (const std::string& note : check.looks->notes) say("looks", note);
         say("size", sizeLine(check));
         say("overlaps",
             printed("%.2g %% of the volume", 100 * repair.overlap) + (repair.united > 0 ? ", united" : ""));
@@ -133,6 +152,9 @@ nlohmann::ordered_json checkJson(const ModelCheck& check) {
             {"open_edges", repair.open_edges},
             {"materials", check.contents.materials},
             {"textures", check.contents.textures},
+            {"has_looks", check.looks != nullptr},
+            {"vertex_colours", check.looks && check.looks->has_colours},
+            {"looks_notes", check.looks ? check.looks->notes : std::vector<std::string>{}},
             {"unit_known", check.contents.is_in_metres},
             {"size_in_file", {check.size_in_file.x, check.size_in_file.y, check.size_in_file.z}},
             {"overlap", repair.overlap},

@@ -16,7 +16,8 @@ namespace demolish {
 struct ModelCheck {
     std::string file;
     ModelContents contents;
-    Double3 size_in_file;  ///< m where the format says its unit, else units of the file
+    std::shared_ptr<const ModelLooks> looks;  ///< null: the file says nothing of them
+    Double3 size_in_file;                     ///< m where the format says its unit, else units of the file
     RepairReport repair;
     SolidMeshInfo solid;     ///< as it stands; of the mesh that was filled
     double thin_wall = 0;    ///< m: a fiftieth of the surface lies over thinner walls

@@ -44,6 +44,7 @@ engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int wi
     const std::vector<engine::SurfaceLook> looks = sizedLooks(shot, bodies);
     view.look = looks[0];
     view.more_looks.assign(looks.begin() + 1, looks.end());
+    view.model_looks = shot.looks == LooksOf::kFile;
     view.width = width;
     view.height = height;
     view.quality = quality;

@@ -50,6 +50,9 @@ void readName(TomlReader& reader, const std::string& key, const std::vector<std:
 }
 
 void readMethod(TomlReader& reader, Shot& shot) {
+    readName(reader, "looks", {"file", "material"}, [&](const std::string& name) {
+        shot.looks = name == "file" ? LooksOf::kFile : LooksOf::kMaterial;
+    });
     readName(reader, "method", methodNames(),
              [&](const std::string& name) { shot.method = *methodOf(name); });
     readName(reader, "pattern", patternNames(),

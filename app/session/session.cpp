@@ -379,6 +379,7 @@ SessionStatus Session::status() const {
     status.full_colour_speed = speedOfFullColour(built_.setup);
     status.build_seconds = built_.build_seconds;
     status.repair = repairSentence(repairReport(*built_.cells.subject_mesh));
+    status.looks = modelLooks(*built_.cells.subject_mesh);
     status.waiting = debounce_.waiting();
     status.rebuilding = worker_.busy();
     status.rebuild = worker_.progress();

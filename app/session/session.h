@@ -40,6 +40,7 @@ struct SessionStatus {
     double full_colour_speed = 0;  ///< m/s, at the end of the speed colours
     double build_seconds = 0;
     std::string repair;                   ///< what was done to close the model, or ""
+    const ModelLooks* looks = nullptr;    ///< of the model file, until the next rebuild; null: none
     bool measuring = false;               ///< energies, after every simulated frame
     std::optional<EnergyBalance> energy;  ///< while measuring; none for a replayed frame
     bool waiting = false;                 ///< a change rests before its rebuild starts

@@ -30,6 +30,7 @@ void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
     to.material.tensile_strength = from.material.tensile_strength;
     to.phases = from.phases;
     to.look = from.look;
+    to.looks = from.looks;
     to.lighting = from.lighting;
     to.environment = from.environment;
     to.lens = from.lens;

@@ -20,6 +20,9 @@
 
 namespace demolish {
 
+/// Whose outside bodies show.
+enum class LooksOf { kFile, kMaterial };
+
 enum class ImpactKind { kNone, kBall, kDrop };
 
 struct Impact {
@@ -92,7 +95,8 @@ struct Shot {
     EffectsSettings effects{.on = true};
 
     engine::SurfaceLook look;
-    engine::Lighting lighting;  ///< but for what `environment` says
+    LooksOf looks = LooksOf::kFile;  ///< where the model file says something
+    engine::Lighting lighting;       ///< but for what `environment` says
     Environment environment;
     std::optional<engine::Camera> camera;  ///< none: framed on the body
     engine::Lens lens;

@@ -48,6 +48,25 @@ Texture Texture::make3d(GLenum format, int width, int height, int depth, int lev
     return texture;
 }
 
+Texture Texture::makeArray(GLenum format, int width, int height, int layers, int levels) {
+    Texture texture(newTexture(GL_TEXTURE_2D_ARRAY), width, height);
+    glTextureStorage3D(texture.id(), levels, format, width, height, layers);
+    texture.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
+    texture.setWrap(GL_REPEAT);
+    return texture;
+}
+
+void Texture::uploadLayer(int layer, const uint8_t* texels) {
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTextureSubImage3D(id(), 0, 0, 0, layer, width(), height(), 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
+}
+
+void Texture::makeMipMaps(float anisotropy) {
+    glGenerateTextureMipmap(id());
+    if (GLAD_GL_ARB_texture_filter_anisotropic != 0)
+        glTextureParameterf(id(), GL_TEXTURE_MAX_ANISOTROPY, anisotropy);
+}
+
 void Texture::setFilter(GLenum minify, GLenum magnify) {
     glTextureParameteri(id(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
     glTextureParameteri(id(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnify));

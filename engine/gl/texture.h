@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Owning textures (immutable storage) and samplers.
 #pragma once
+#include <cstdint>
+
 #include "engine/gl/object.h"
 
 namespace demolish::engine::gl {
@@ -21,6 +23,13 @@ class Texture {
     /// The texels of a makeTarget() texture, read as another format of the same size. Shares the memory.
     static Texture viewTarget(const Texture& target, GLenum format, int samples);
     static Texture make3d(GLenum format, int width, int height, int depth, int levels = 1);
+
+    /// RGBA of 8 bits; repeats, filtered between mip maps once these are made.
+    static Texture makeArray(GLenum format, int width, int height, int layers, int levels);
+    /// Of the array's size, RGBA, row after row.
+    void uploadLayer(int layer, const uint8_t* texels);
+    /// `anisotropy`: most texels of a footprint along its longer side, where the driver can.
+    void makeMipMaps(float anisotropy);
 
     void setFilter(GLenum minify, GLenum magnify);
     void setWrap(GLenum wrap);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// One vertex layout for the outside and the broken faces: 24 bytes, position, octahedral normal, uv, cell.
+// One vertex layout for the outside and the broken faces: 24 bytes, position, octahedral normal, place, cell.
 #include "engine/passes/body_geometry.h"
 
 namespace demolish::engine {
 namespace {
 
 constexpr GLsizei kVertexBytes = 24;
-constexpr GLuint kNormalOffset = 12, kUvOffset = 16, kCellOffset = 20;
+constexpr GLuint kNormalOffset = 12, kPlaceOffset = 16, kCellOffset = 20;
 
 }  // namespace
 
@@ -18,7 +18,8 @@ BodyGeometry::BodyGeometry() {
     layout_.floatAttribute(0, 3, GL_FLOAT, false, 0);
     layout_.floatAttribute(1, 2, GL_SHORT, true, kNormalOffset);
     layout_.integerAttribute(2, 1, GL_UNSIGNED_INT, kCellOffset);
-    layout_.floatAttribute(3, 2, GL_HALF_FLOAT, false, kUvOffset);
+    layout_.floatAttribute(3, 2, GL_HALF_FLOAT, false, kPlaceOffset);
+    layout_.integerAttribute(4, 1, GL_UNSIGNED_INT, kPlaceOffset);
 }
 
 void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,

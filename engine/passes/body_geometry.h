@@ -31,6 +31,7 @@ enum class StorageBinding : GLuint {
     kEffectCommands = 13,
     kPuffs = 14,
     kCount = 15,
+    kLooks = 15,  // of bodies that have them, beside the others: LookBuffers
 };
 
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);

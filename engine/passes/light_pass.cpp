@@ -31,8 +31,9 @@ void bindInputs(const RenderTargets& targets) {
 
 LightPass::LightPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-void LightPass::prepare(const FrameView& view, const PictureKind& kind) {
+void LightPass::prepare(const FrameView& view, const PictureKind& kind, bool with_looks) {
     kind_ = kind;
+    with_looks_ = with_looks;
     texture_ = view.look.texture;
     surroundings_.show(view.lighting.surroundings ? view.lighting.surroundings : usualSurroundings());
     surroundings_.bind();
@@ -41,6 +42,8 @@ void LightPass::prepare(const FrameView& view, const PictureKind& kind) {
 gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
     PictureKind kind = kind_;
     kind.samples = targets.samples;
+    kind.looks = with_looks_ && way == Way::kFound;
+    kind.glow = kind.glow && way != Way::kEmpty;
     const SolidTexture texture = way == Way::kFound ? texture_ : SolidTexture::kNone;
     gl::Program& program = programs_[{way, texture, kind}];
     if (program.id() != 0) return program;
@@ -79,7 +82,7 @@ void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& oc
     glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gl::Program& program = programFor(targets, Way::kFound);
-    setBodyMaterial(program, kBodyMaterial, look);
+    setBodyMaterial(program, kBodyMaterial, with_looks_ ? withoutCoat(look) : look);
     program.use();
     glDispatchCompute(kFoundGroups, 1, 1);
     glMemoryBarrier(kPictureBarriers);

@@ -18,8 +18,8 @@ namespace demolish::engine {
 class LightPass {
   public:
     explicit LightPass(const std::filesystem::path& shaders);
-    /// For the frames to come. Binds what surrounds them, for all passes.
-    void prepare(const FrameView& view, const PictureKind& kind);
+    /// For the frames to come; `with_looks`: of models. Binds what surrounds them, for all passes.
+    void prepare(const FrameView& view, const PictureKind& kind, bool with_looks);
     /// The shadow map and the noise volume are bound, here and in all. Writes the texture `picture`, of RGBA8
     /// or, for radiance, RGBA16F.
     void compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture);
@@ -42,6 +42,7 @@ class LightPass {
     std::filesystem::path shaders_;
     std::map<std::tuple<Way, SolidTexture, PictureKind>, gl::Program> programs_;  ///< made when first needed
     SolidTexture texture_ = SolidTexture::kNone;                                  ///< of the frames to come
+    bool with_looks_ = false;                                                     ///< likewise
     PictureKind kind_;                                                            ///< of the frames to come
     SurroundingsTextures surroundings_;
     gl::VertexArray no_attributes_;

@@ -29,6 +29,8 @@ std::string defines(const PictureKind& kind) {
     if (kind.colliders) text += "#define COLLIDERS\n";
     if (kind.transparent) text += "#define TRANSPARENT\n";
     if (kind.glass) text += "#define GLASS\n";
+    if (kind.glow) text += "#define GLOW\n";
+    if (kind.looks) text += "#define LOOKS\n";
     return text;
 }
 

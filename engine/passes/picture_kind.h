@@ -13,6 +13,8 @@ struct PictureKind {
     int samples = 1;
     bool colliders = false, transparent = false, radiance = false;
     bool glass = false;  ///< transparent bodies tint the sun, and come over the picture
+    bool glow = false;   ///< what model looks send out, or shade by a picture of occlusion
+    bool looks = false;  ///< of models: for what is computed
     FloorMaterial floor = FloorMaterial::kChecker;
     ToneCurve tone = ToneCurve::kFilm;
     auto operator<=>(const PictureKind&) const = default;

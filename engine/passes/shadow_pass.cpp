@@ -11,7 +11,7 @@ constexpr float kEmptyDepth = 1.0f;
 }  // namespace
 
 ShadowPass::ShadowPass(const std::filesystem::path& shaders)
-    : body_(shaders, {"shadow.vert", "shadow.frag"}), eraser_(shaders, kEmptyDepth) {
+    : shaders_(shaders), body_(shaders, {"shadow.vert", "shadow.frag"}), eraser_(shaders, kEmptyDepth) {
     for (gl::Sampler* sampler : {&compare_, &plain_}) {
         sampler->set(GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);  // no tap leaves its region
         sampler->set(GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
@@ -47,12 +47,21 @@ void ShadowPass::begin(int size, bool erase_tiles) {
 void ShadowPass::enter(int region) {
     glViewport(region * map_.height(), 0, map_.height(), map_.height());
     body_.set(kRegion, region);
+    region_ = region;
 }
 
-void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks) {
+void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool masked) {
     body_.set(kHiddenLooks, hidden_looks);
+    if (masked) {
+        if (masked_.id() == 0)
+            masked_ = gl::Program(shaders_, {"shadow.vert", "shadow_masked.frag"}, "#define LOOKS\n");
+        masked_.set(kRegion, region_);
+        masked_.set(kHiddenLooks, hidden_looks);
+        masked_.use();
+        body.drawExterior(mesh);
+    }
     body_.use();
-    body.drawExterior(mesh);
+    if (!masked) body.drawExterior(mesh);
     body.drawInterior(mesh);
 }
 

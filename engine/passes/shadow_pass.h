@@ -21,7 +21,7 @@ inline constexpr float kShadowSlopes = 1.1f, kShadowSteps = 2.0f;
 /// What the map shows: frames that agree in it share the map.
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
-    bool as_particles = false, with_grit = false, with_body = true;
+    bool as_particles = false, with_grit = false, with_body = true, with_looks = false;
     uint32_t hidden_looks = 0;
     std::vector<float> spheres;  ///< position and radius of each
     std::vector<ColliderDraw> colliders;
@@ -41,14 +41,17 @@ class ShadowPass {
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks);
+    /// `masked`: without what the models' looks cut out.
+    void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool masked);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;
     static void unbindMap();
 
   private:
-    gl::Program body_;
+    std::filesystem::path shaders_;
+    gl::Program body_, masked_;  ///< the second: made when first needed
+    int region_ = 0;
     gl::Texture map_;
     gl::Framebuffer framebuffer_;
     gl::Sampler compare_, plain_;

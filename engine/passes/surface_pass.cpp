@@ -32,31 +32,42 @@ float shareOf(SolidTexture texture) {
 
 SurfacePass::SurfacePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
 
-SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture) {
-    Programs& programs = programs_[texture];
+SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_looks) {
+    Programs& programs = programs_[{texture, with_looks}];
     if (programs.exterior.id() == 0) {
         const std::string solid = textureDefine(texture);
-        programs.exterior = gl::Program(shaders_, {"surface.vert", "surface.frag"}, solid);
+        programs.exterior = gl::Program(shaders_, {"surface.vert", "surface.frag"},
+                                        solid + (with_looks ? "#define LOOKS\n" : ""));
         programs.interior =
             gl::Program(shaders_, {"surface.vert", "surface.frag"}, solid + "#define INTERIOR\n");
     }
     return programs;
 }
 
-void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view) {
+void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
+                       bool with_looks) {
     const std::vector<SurfaceLook> looks = looksOf(view);
+    const bool both_sides = with_looks && mesh.looks()->isDoubleSided();
     for (size_t k = 0; k < looks.size(); ++k) {
         if (looks[k].isTransparent()) continue;
-        Programs& programs = programsFor(looks[k].texture);
+        Programs& programs = programsFor(looks[k].texture, with_looks);
+        const SurfaceLook shown = with_looks ? withoutCoat(looks[k]) : looks[k];
         for (gl::Program* program : {&programs.exterior, &programs.interior}) {
-            setBodyMaterial(*program, kMaterial, looks[k]);
+            setBodyMaterial(*program, kMaterial, shown);
             program->set(kHiddenLooks, hiddenBut(k, looks));
         }
         programs.exterior.use();
+        if (both_sides) glDisable(GL_CULL_FACE);
         body.drawExterior(mesh);
+        if (both_sides) glEnable(GL_CULL_FACE);
         programs.interior.use();
         body.drawInterior(mesh);
     }
+}
+
+SurfaceLook withoutCoat(SurfaceLook look) {
+    look.coat = 0;
+    return look;
 }
 
 std::string textureDefine(SolidTexture texture) {

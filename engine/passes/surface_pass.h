@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "engine/gl/program.h"
 #include "engine/passes/body_geometry.h"
@@ -14,22 +15,24 @@ namespace demolish::engine {
 
 /// Sets the uniforms of shaders/common/body_material.glsl, which begin at `location`.
 void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& look);
+/// Of bodies whose outside is not the material's: their broken faces show no rim of it.
+SurfaceLook withoutCoat(SurfaceLook look);
 /// Which texture such a shader is made for.
 std::string textureDefine(SolidTexture texture);
 
 class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
-    /// Everything that is not transparent.
-    void draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view);
+    /// Everything that is not transparent. `with_looks`: the outside as its model file says.
+    void draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks);
 
   private:
     struct Programs {
         gl::Program exterior, interior;
     };
-    Programs& programsFor(SolidTexture texture);
+    Programs& programsFor(SolidTexture texture, bool with_looks);
     std::filesystem::path shaders_;
-    std::map<SolidTexture, Programs> programs_;  ///< made when first needed
+    std::map<std::pair<SolidTexture, bool>, Programs> programs_;  ///< made when first needed
 };
 
 }  // namespace demolish::engine

@@ -72,6 +72,7 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
             gl::Buffer::resizable(std::max<size_t>(streamBytes(static_cast<StreamId>(i), data), 64));
         streams_[i].fill(0);
     }
+    if (data.looks != nullptr) looks_.emplace(*data.looks);
     // Until the first frame is written the body stands whole where it was made: all cells in slot 0, which
     // does not move.
     const float identity[8] = {0, 0, 0, 1, 0, 0, 0, 0};

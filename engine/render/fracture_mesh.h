@@ -4,9 +4,11 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "engine/gl/buffer.h"
+#include "engine/looks/look_buffers.h"
 #include "engine/render/stream_id.h"
 
 namespace demolish::engine {
@@ -24,6 +26,7 @@ struct FractureMeshData {
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;
     size_t grain_capacity = 0, puff_capacity = 0;
+    const BodyLooks* looks = nullptr;  ///< null: no model has its own
 };
 
 class FractureMesh {
@@ -37,6 +40,8 @@ class FractureMesh {
     }
     const gl::Buffer& stream(StreamId id) const { return streams_[static_cast<size_t>(id)]; }
     const gl::Buffer& exteriorVertices() const { return stream(StreamId::kExteriorVertices); }
+    /// Of the models themselves; null: none.
+    const LookBuffers* looks() const { return looks_ ? &*looks_ : nullptr; }
     const gl::Buffer& crackEdges() const { return crack_edges_; }
     /// Of each cell, for shaders/common/cell_look.glsl.
     const gl::Buffer& cellLooks() const { return cell_looks_; }
@@ -62,6 +67,7 @@ class FractureMesh {
   private:
     static uint64_t nextVersion();
     gl::Buffer crack_edges_, cell_looks_;
+    std::optional<LookBuffers> looks_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
     size_t particle_count_ = 0, particle_capacity_ = 0;
     bool effects_shown_ = false, effects_fly_ = false;

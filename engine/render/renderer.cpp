@@ -18,6 +18,7 @@
 #include "engine/passes/dust_pass.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/glass_pass.h"
+#include "engine/passes/glow_pass.h"
 #include "engine/passes/grit_pass.h"
 #include "engine/passes/id_pass.h"
 #include "engine/passes/light_pass.h"
@@ -30,6 +31,7 @@
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
+#include "engine/render/shadow_scene.h"
 #include "engine/render/shown.h"
 
 namespace demolish::engine {
@@ -62,6 +64,7 @@ struct Renderer::Passes {
           dust(shaders),
           sparks(shaders),
           glass(shaders),
+          glow(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
@@ -95,11 +98,14 @@ struct Renderer::Passes {
         colliders.setColliders(view.colliders);
         kind = pictureKind(view, colliders.count() > 0);
         kind.glass = showsGlass(mesh, view);
+        with_looks = showsModelLooks(mesh, view);
+        if (with_looks) mesh->looks()->bind();
+        kind.glow = with_looks && mesh->looks()->glows();
         dust.prepare(kind);
         sparks.prepare(kind);
         PictureKind lit = kind;
         lit.radiance = lit.radiance || kind.glass;  // glass mixes light, and comes after
-        light.prepare(view, lit);
+        light.prepare(view, lit, with_looks);
         occlusion.showColliders(colliders.count() > 0);
     }
 
@@ -107,7 +113,9 @@ struct Renderer::Passes {
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
     bool computes(const FractureMesh* mesh, const FrameView& view);
     bool readyToCompute();
-    ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const;
+    ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const {
+        return shadowSceneOf(mesh, view, sphere_draws, frame);
+    }
     void draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     void compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer);
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
@@ -141,6 +149,7 @@ struct Renderer::Passes {
     DustPass dust;
     SparkPass sparks;
     GlassPass glass;
+    GlowPass glow;
     std::optional<ComputedRaster> computed;  ///< made when first needed
     std::string refusal;
     DepthEraser eraser;
@@ -149,6 +158,7 @@ struct Renderer::Passes {
     gl::Buffer frame_block;
     FrameUniforms frame{};
     PictureKind kind;  ///< of the frame being drawn, as the next
+    bool with_looks = false;
     std::span<const SphereDraw> sphere_draws;
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
@@ -160,6 +170,7 @@ bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view)
     if (!showsSolid(mesh, view) || !view.more_looks.empty() || colliders.hasTriangles() ||
         view.quality != RenderQuality::kFull)
         return false;
+    if (showsModelLooks(mesh, view) && mesh->looks()->isMasked()) return false;  // names know no holes
     if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
         return false;
     return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
@@ -181,28 +192,14 @@ bool Renderer::Passes::readyToCompute() {
     return refusal.empty();
 }
 
-ShadowScene Renderer::Passes::shadowScene(const FractureMesh* mesh, const FrameView& view) const {
-    ShadowScene scene;
-    scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
-    scene.as_particles = view.mode == ViewMode::kParticles;
-    scene.with_grit = showsEffects(mesh, view);
-    scene.with_body = showsSolid(mesh, view);
-    scene.hidden_looks = hiddenUnless(false, looksOf(view));
-    for (const SphereDraw& sphere : sphere_draws) {
-        scene.spheres.insert(scene.spheres.end(), std::begin(sphere.position), std::end(sphere.position));
-        scene.spheres.push_back(sphere.radius);
-    }
-    scene.colliders = view.colliders;
-    std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), scene.light_matrix);
-    return scene;
-}
-
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
     if (shadow.holds(shadowScene(mesh, view), shadowMapSize(view.quality))) return clock.mark("shadow");
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
-        if (showsSolid(mesh, view)) shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)));
+        if (showsSolid(mesh, view))
+            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)),
+                            with_looks && mesh->looks()->isMasked());
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
         if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
@@ -219,13 +216,18 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view);
+    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view, with_looks);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     colliders.drawMaterials();
     clock.mark("body");
     if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
     clock.mark("grit");
+    if (kind.glow) {
+        glow.draw(body, *mesh, *targets);
+        targets->scene.bind();
+        clock.mark("glow");
+    }
     if (showsSolid(mesh, view) && view.show_cracks)
         cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)));
     clock.mark("cracks");
@@ -247,6 +249,7 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
         light.computeFound(*targets, visibility, view.look, picture);
         computed->leftEmpty();
     } else {
+        if (kind.glow) glow.bind();
         light.compute(*targets, visibility, picture);
         ShadowPass::unbindMap();
     }
@@ -322,6 +325,7 @@ void Renderer::Passes::drawSparks(const FractureMesh* mesh, const FrameView& vie
 void Renderer::Passes::drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     shadow.bindMap();
     addUpDust(mesh, view);
+    if (kind.glow) glow.bind();
     light.draw(*targets, framebuffer);
     ShadowPass::unbindMap();
     clock.mark("light");

@@ -59,4 +59,9 @@ inline SurfaceLook glassOf(const FrameView& view) {
     return view.look;
 }
 
+/// Whose outside looks as its model file says.
+inline bool showsModelLooks(const FractureMesh* mesh, const FrameView& view) {
+    return showsSolid(mesh, view) && view.model_looks && mesh->looks() != nullptr;
+}
+
 }  // namespace demolish::engine

@@ -11,11 +11,11 @@ enum class StreamId : uint32_t {
     kParticles,         ///< 32 B: position 3f, radius, value, fragment u32, 2 x u32
     kParticleFragment,  ///< u32 per particle
     kTransforms,        ///< 32 B: quaternion 4f, translation 3f, age u32
-    kInteriorVertices,  ///< 24 B, as kExteriorVertices
+    kInteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, depth and bend 2 x half, cell u32
     kInteriorIndices,   ///< u32
     kExteriorIndices,   ///< u32, into the exterior vertices
     kCrackEdges,        ///< u32
-    kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, uv 2 x half, cell u32
+    kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, triangle of its looks u32, cell u32
     kExteriorChunks,    ///< u32 per 64 exterior vertices: which were written last; nothing here reads it
     kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
     kGrains,            ///< 32 B: position 3f, size, quaternion 4 x snorm16 (of a spark: velocity 3 x half),

@@ -35,6 +35,7 @@ struct FrameView {
     SurfaceLook look;                     ///< of cells with look 0, and of grit and dust
     std::vector<SurfaceLook> more_looks;  ///< of cells with look 1, 2, ... Transparent ones are of one glass:
                                           ///< the optics of the first of them are those of all
+    bool model_looks = true;              ///< the outside as the model file says, where it says something
     std::vector<ColliderDraw> colliders;  ///< at most kMostColliders are drawn
     ViewMode mode = ViewMode::kSurface;
     ColourMap colour_map = ColourMap::kFragment;

@@ -23,7 +23,7 @@ bool isInterior(uint name) { return (name & kInteriorBit) != 0u; }
 
 struct BodyVertex {
     vec3 rest;  // m
-    uint normal, uv, cell;
+    uint normal, place, cell;
 };
 
 BodyVertex vertexFrom(uvec2 a, uvec2 b, uvec2 c) {

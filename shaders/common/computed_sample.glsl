@@ -11,6 +11,10 @@
 #define GRAIN_BINDING 12
 #include "common/grain.glsl"
 
+#ifdef LOOKS
+#include "common/model_material.glsl"
+#endif
+
 const bool kShowsBodies = true;
 
 float depthAt(ivec2 pixel, int i) { return uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)]); }
@@ -40,6 +44,29 @@ vec3 nearestInside(vec2 w) {
     return weights / (weights.x + weights.y + weights.z);
 }
 
+#ifdef LOOKS
+const float kLookStep = 1.0 / 16.0;  // px: a whole one leaves what is seen aslant
+
+// As its model file says. `ray`: through the middle of the pixel; `w`: weights of the second and third corner there.
+void lookOutside(BodyVertex v[3], Corners corners, vec3 weights, vec3 ray, vec2 w, inout Surface s) {
+    vec2 right = (weightsAt(corners, ray + 2.0 * kLookStep * frame.viewport.z * frame.ray_right.xyz) - w) / kLookStep;
+    vec2 up = (weightsAt(corners, ray + 2.0 * kLookStep * frame.viewport.w * frame.ray_up.xyz) - w) / kLookStep;
+    Looked of_corner[3];
+    for (int k = 0; k < 3; ++k) of_corner[k] = lookedAt(v[k].place, v[k].rest);
+    if (of_corner[2].material == kNoLook) return;
+    vec2 uv_1 = of_corner[1].uv - of_corner[0].uv, uv_2 = of_corner[2].uv - of_corner[0].uv;
+    Looked look = of_corner[2];
+    look.uv = of_corner[0].uv + weights.y * uv_1 + weights.z * uv_2;
+    look.colour = weights.x * of_corner[0].colour + weights.y * of_corner[1].colour + weights.z * of_corner[2].colour;
+    Laid laid = Laid(right.x * uv_1 + right.y * uv_2, up.x * uv_1 + up.y * uv_2, right.x * corners.to_1 + right.y * corners.to_2,
+                     up.x * corners.to_1 + up.y * corners.to_2);
+    modelMaterial(s, look, laid);
+#ifdef GLOW
+    s.glow = glowOf(look, laid);
+#endif
+}
+#endif
+
 void makeBody(ivec2 pixel, uint name, inout Surface s) {
     BodyVertex v[3];
     fetchTriangle(name, v);
@@ -56,7 +83,7 @@ void makeBody(ivec2 pixel, uint name, inout Surface s) {
     for (int k = 0; k < 3; ++k) {
         at_rest += weights[k] * v[k].rest;
         normal += weights[k] * decodeOctahedral(unpackSnorm2x16(v[k].normal));
-        vec2 of_corner = unpackHalf2x16(v[k].uv);
+        vec2 of_corner = unpackHalf2x16(v[k].place);
         relief += weights[k] * of_corner;
         deeper += of_corner.x * (k == 0 ? vec2(-right.x - right.y, -up.x - up.y) : vec2(right[k - 1], up[k - 1]));
     }
@@ -67,6 +94,9 @@ void makeBody(ivec2 pixel, uint name, inout Surface s) {
     s.metalness = 0.0;
     if (isInterior(name)) insideMaterial(s, at_rest, t.rotation, relief, coatAt(relief.x, edges * right, edges * up, deeper));
     else outsideMaterial(s, at_rest);
+#ifdef LOOKS
+    if (!isInterior(name)) lookOutside(v, corners, weights, ray, w, s);
+#endif
     turnToEye(s);
 }
 
@@ -94,6 +124,9 @@ Surface surfaceAt(ivec2 pixel, int i, vec3 position) {
     uint name = nameAt(pixel, i), steps = crackStepsAt(pixel, i);
     Surface s;
     s.position = position;
+#ifdef GLOW
+    s.glow = kNoGlow;
+#endif
     if ((name & kGrainBits) == kGrainBits) makeGrain(name, s);
     else if ((name & kSphereBits) == kSphereBits) makeBall(pixel, name, s);
     else makeBody(pixel, name, s);

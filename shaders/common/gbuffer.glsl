@@ -9,7 +9,14 @@ struct Surface {
     vec3 albedo;
     float roughness;
     float metalness;        // 0 or 1
+#ifdef GLOW
+    vec4 glow;              // rgb: light that it sends out; a: share of the surroundings' light that reaches it
+#endif
 };
+
+#ifdef GLOW
+const vec4 kNoGlow = vec4(0.0, 0.0, 0.0, 1.0);
+#endif
 
 vec2 encodeOctahedral(vec3 n) {
     n /= abs(n.x) + abs(n.y) + abs(n.z);

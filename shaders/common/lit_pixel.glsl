@@ -48,6 +48,12 @@ float visibilityAt(ivec2 pixel, float depth) {
 
 vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position[i]); }
 
+void withoutGlow(inout Surface s) {
+#ifdef GLOW
+    s.glow = kNoGlow;
+#endif
+}
+
 // What a sample shows: all but kDrawn were not drawn, they follow from the ray.
 const int kSky = 0, kFloor = 1, kDrawn = 2, kCollider = 3;
 
@@ -83,9 +89,11 @@ vec4 lit(ivec2 pixel, int i) {
 #ifdef COLLIDERS
     } else if (kind == kCollider) {
         s = colliderSurface(position, normal, along);
+        withoutGlow(s);
 #endif
     } else {
         s = floorSurface(position, ray);
+        withoutGlow(s);
 #if FLOOR == FLOOR_SHADOW
         return shadowOver(ray, lightLeft(s, visibilityAt(pixel, along), vec2(pixel)));
 #endif

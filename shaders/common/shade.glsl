@@ -31,6 +31,12 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
 #endif
     vec3 to_eye = normalize(frame.eye.xyz - s.position);
     float n_dot_v = max(dot(s.normal, to_eye), 0.02);
+#ifdef GLOW
+    visibility *= s.glow.a;
+    vec3 sent_out = s.glow.rgb;
+#else
+    const vec3 sent_out = vec3(0.0);
+#endif
     // Nothing solid is as dark as 2 %: such an albedo is a crack, which mirrors nothing either.
     float mirror_share = 0.04 * smoothstep(0.004, 0.02, max(s.albedo.r, max(s.albedo.g, s.albedo.b)));
     vec3 f0 = mix(vec3(mirror_share), s.albedo, s.metalness);
@@ -50,7 +56,7 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
     vec3 around = ambientRadiance(s.normal);
     vec3 mirrored_light = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness, around);
     vec3 ambient = (1.0 - share) * diffuse * around + share * mirrored_light;
-    return direct * mix(1.0, visibility, kDirectShare) + ambient * visibility;
+    return direct * mix(1.0, visibility, kDirectShare) + ambient * visibility + sent_out;
 }
 
 #if FLOOR == FLOOR_SHADOW

@@ -37,6 +37,8 @@ std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh);
 /// What was done to close it; thickness in metres of the placed body.
 const RepairReport& repairReport(const SolidMesh& mesh);
+/// Of the model file; null: it says nothing of its looks.
+const ModelLooks* modelLooks(const SolidMesh& mesh);
 
 /// m: `share` (0 to 1) of the surface lies over walls that are thinner than this, measured straight inwards
 /// at some 4,000 points.

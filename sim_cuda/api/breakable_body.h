@@ -2,10 +2,12 @@
 // What authoring makes of a mesh and a particle size: particles, bonds, geometry to draw. SI units, y up.
 #pragma once
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sim_cuda/api/fracture_geometry.h"
+#include "sim_cuda/api/model_looks.h"
 #include "sim_cuda/api/vectors.h"
 
 namespace demolish {
@@ -54,11 +56,12 @@ struct BreakableBody {
     std::vector<BondGeometry> bonds;  ///< sorted by (i, j); none below 0.02 h^2
     CellCorners corners;
     FractureGeometry geometry;
-    double spacing = 0;              ///< m, h = (V / N)^(1/3)
-    double mesh_volume = 0;          ///< m^3
-    double cells_volume = 0;         ///< m^3, sum over the cells; equals mesh_volume to 1e-9
-    double mesh_area = 0;            ///< m^2
-    Double3 bounds_min, bounds_max;  ///< m
+    std::shared_ptr<const ModelLooks> looks;  ///< of the model file; null: it has none
+    double spacing = 0;                       ///< m, h = (V / N)^(1/3)
+    double mesh_volume = 0;                   ///< m^3
+    double cells_volume = 0;                  ///< m^3, sum over the cells; equals mesh_volume to 1e-9
+    double mesh_area = 0;                     ///< m^2
+    Double3 bounds_min, bounds_max;           ///< m
     bool remeshed = false;    ///< filled within a new surface, since its cells came out unsound in the mesh's
     uint32_t open_cells = 0;  ///< with an unbalanced edge after the re-jitter fall-back; 0 unless logged
 };

@@ -12,7 +12,8 @@ namespace demolish {
 struct SurfaceVertex {
     Float3 position;  ///< m, rest position in the body frame
     uint32_t normal;  ///< octahedral, 2 x snorm16, x in the low half
-    uint32_t uv;      ///< 2 x float16, u in the low half
+    uint32_t place;   ///< outside: triangle of the mesh that its looks are of; broken faces: depth from the
+                      ///< outside 0..1 and bend -1 pit .. 1 ridge, 2 x float16, the depth in the low half
     uint32_t cell;    ///< particle id
 };
 static_assert(sizeof(SurfaceVertex) == 24);
@@ -79,10 +80,18 @@ inline constexpr uint32_t kNoPool = 0xffffffffu;
 struct MeshTriangle {
     Float3 corner[3];       ///< m
     uint32_t normal[3];     ///< octahedral
-    uint32_t uv[3];         ///< 2 x float16
+    uint32_t chart[3];      ///< differs at a corner from that of a neighbour whose looks do not go on there
     uint32_t neighbour[3];  ///< triangle beyond the side from corner k to k + 1, or kNoNeighbour
 };
 static_assert(sizeof(MeshTriangle) == 72);
+
+/// Looks of a triangle of the mesh.
+struct TriangleLook {
+    Float2 uv[3];
+    uint32_t colour[3];  ///< as CornerAttributes
+    uint32_t material;
+};
+static_assert(sizeof(TriangleLook) == 40);
 
 /// Where an exterior vertex belongs: its point, and the triangle of the mesh that its normal and UV are of.
 struct ExteriorHome {
@@ -113,6 +122,7 @@ struct FractureGeometry {
     std::vector<OutsidePoint> points;            ///< of the outside
     std::vector<ExteriorHome> exterior_home;     ///< per exterior vertex
     std::vector<MeshTriangle> mesh_triangles;    ///< as exterior_triangles
+    std::vector<TriangleLook> looks;             ///< likewise; empty where no triangle has a material
     std::vector<uint32_t> point_corner_start;    ///< CSR over points: corners of parts of the outside there
     std::vector<uint32_t> point_corner_next;     ///< point that follows round that part
     std::vector<uint32_t> point_corner_previous;

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/model_looks.h"
 #include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
@@ -23,13 +24,15 @@ struct ModelContents {
 struct ImportedModel {
     TriangleMesh mesh;
     ModelContents contents = {};
+    std::shared_ptr<const ModelLooks> looks = {};  ///< null: the file says nothing of them
 };
 
 /// Reads every triangle of the file's scene (node transforms applied, in metres where the format says its
 /// unit), welds vertices of equal position and drops triangles that lost a corner by it. Not checked yet
-/// whether it is closed. Throws InputFileError: no plain file, unreadable, no triangles, faces of vertices
-/// that are not there, numbers that are not finite. A damaged file may still end the process, by a fault in
-/// the library that reads it.
+/// whether it is closed. Pictures are decoded, embedded or beside the file; those that are missing, damaged
+/// or too large are left out, with a note. Throws InputFileError: no plain file, unreadable, no triangles,
+/// faces of vertices that are not there, numbers that are not finite. A damaged file may still end the
+/// process, by a fault in the library that reads it.
 ImportedModel importModel(const std::filesystem::path& file);
 /// The mesh alone.
 TriangleMesh importTriangles(const std::filesystem::path& file);
@@ -38,7 +41,9 @@ TriangleMesh importTriangles(const std::filesystem::path& file);
 /// (lowest y = 0, centred in x and z). Throws InputFileError with one sentence that names `file`: no
 /// triangles, still not closed (with the count of open edges), triangles that are there twice, zero or
 /// negative volume, too large or too small to be scaled; UsageError for a height that is not positive.
+/// `looks`: what the corners' materials are numbers in.
 std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
-                                               const MeshPlacement& placement = {});
+                                               const MeshPlacement& placement = {},
+                                               std::shared_ptr<const ModelLooks> looks = {});
 
 }  // namespace demolish

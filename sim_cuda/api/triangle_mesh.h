@@ -10,9 +10,14 @@
 
 namespace demolish {
 
+inline constexpr uint32_t kNoMaterial = 0xffffffffu;
+inline constexpr uint32_t kWhite = 0xffffffffu;
+
 struct CornerAttributes {
-    Float3 normal;  ///< unit; the face normal where the file has none
-    Float2 uv;      ///< zero where the file has none
+    Float3 normal;                    ///< unit; the face normal where the file has none
+    Float2 uv;                        ///< v upwards in the picture; zero where the file has none
+    uint32_t colour = kWhite;         ///< RGBA of 8 bits, red lowest, sRGB; white where the file has none
+    uint32_t material = kNoMaterial;  ///< of ModelLooks, the same at all corners of a triangle
 };
 
 struct TriangleMesh {

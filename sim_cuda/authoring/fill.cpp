@@ -79,7 +79,10 @@ std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOp
     body->bonds = makeBonds(complex, spacing);
     body->corners = cellCorners(complex, spacing);
     stages.enter("Making crack surfaces", 0.78, 1);
-    if (options.draw_geometry) body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds);
+    if (options.draw_geometry) {
+        body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds);
+        body->looks = solid.looks();
+    }
 
     body->spacing = spacing;
     body->mesh_volume = info.volume;

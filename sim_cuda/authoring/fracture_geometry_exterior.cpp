@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "sim_cuda/authoring/corner_looks.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/fracture_geometry_parts.h"
 #include "sim_cuda/physics/vertex_packing.h"
@@ -16,7 +17,7 @@ namespace {
 constexpr uint32_t kCellsPerChunk = 64;  // fixed, so that the result does not depend on the threads
 constexpr uint32_t kEmpty = 0xffffffffu;
 
-/// Merges the corners of one cell that agree in position (by vertex id), normal and UV: open addressing.
+/// Merges the corners of one cell that agree in position (by vertex id), normal and looks: open addressing.
 class CornerMerger {
   public:
     void startCell(size_t most_corners) {
@@ -25,28 +26,31 @@ class CornerMerger {
     }
 
     /// Index of the vertex in `vertices`, appended when it is new; the cell's vertices start at `first`.
-    uint32_t merge(uint32_t complex_vertex, const SurfaceVertex& vertex, std::vector<SurfaceVertex>& vertices,
-                   uint32_t first) {
+    uint32_t merge(uint32_t complex_vertex, const SurfaceVertex& vertex, uint32_t chart,
+                   std::vector<SurfaceVertex>& vertices, uint32_t first) {
         const size_t mask = slots_.size() - 1;
         const uint32_t hash =
-            (complex_vertex * 0x9e3779b1u ^ vertex.normal * 0x85ebca6bu) ^ vertex.uv * 0xc2b2ae35u;
+            (complex_vertex * 0x9e3779b1u ^ vertex.normal * 0x85ebca6bu) ^ chart * 0xc2b2ae35u;
         for (size_t slot = (hash ^ hash >> 15) & mask;; slot = (slot + 1) & mask) {
             const uint32_t at = slots_[slot];
             if (at == kEmpty) {
                 slots_[slot] = static_cast<uint32_t>(vertices.size());
-                ids_.push_back(complex_vertex);
+                ids_.push_back({complex_vertex, chart});
                 vertices.push_back(vertex);
                 return slots_[slot];
             }
-            if (ids_[at - first] == complex_vertex && vertices[at].normal == vertex.normal &&
-                vertices[at].uv == vertex.uv)
+            if (ids_[at - first] == Id{complex_vertex, chart} && vertices[at].normal == vertex.normal)
                 return at;
         }
     }
 
   private:
+    struct Id {
+        uint32_t complex_vertex, chart;
+        bool operator==(const Id&) const = default;
+    };
     std::vector<uint32_t> slots_;  ///< vertex index or kEmpty
-    std::vector<uint32_t> ids_;    ///< complex vertex of each of the cell's vertices
+    std::vector<Id> ids_;          ///< of each of the cell's vertices
 };
 
 /// What a run of cells gives, with vertex numbers counted from the run's first vertex.
@@ -55,23 +59,35 @@ struct ExteriorChunk {
     std::vector<CrackEdge> cracks;
 };
 
+double blend(const Double3& weight, double at_a, double at_b, double at_c) {
+    return at_a * weight.x + at_b * weight.y + at_c * weight.z;
+}
+
 SurfaceVertex cornerVertex(const TriangleMesh& mesh, const CellComplex& complex, const ExteriorPiece& piece,
                            uint32_t corner) {
     const Double3 weight = complex.exterior_barycentrics[piece.first + corner];
     const auto& [a, b, c] = mesh.corners[piece.triangle];
-    const auto blend = [&](double at_a, double at_b, double at_c) {
-        return at_a * weight.x + at_b * weight.y + at_c * weight.z;
-    };
-    const Double3 normal =
-        normalized({blend(a.normal.x, b.normal.x, c.normal.x), blend(a.normal.y, b.normal.y, c.normal.y),
-                    blend(a.normal.z, b.normal.z, c.normal.z)});
+    const Double3 normal = normalized({blend(weight, a.normal.x, b.normal.x, c.normal.x),
+                                       blend(weight, a.normal.y, b.normal.y, c.normal.y),
+                                       blend(weight, a.normal.z, b.normal.z, c.normal.z)});
     const Double3& p = complex.vertices[complex.exterior_loop[piece.first + corner]].position;
     return {{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)},
             packOctahedral(static_cast<float>(normal.x), static_cast<float>(normal.y),
                            static_cast<float>(normal.z)),
-            packHalf2(static_cast<float>(blend(a.uv.x, b.uv.x, c.uv.x)),
-                      static_cast<float>(blend(a.uv.y, b.uv.y, c.uv.y))),
+            piece.triangle,
             piece.cell};
+}
+
+uint32_t chartAt(const TriangleMesh& mesh, const CellComplex& complex, const ExteriorPiece& piece,
+                 uint32_t corner) {
+    const Double3 weight = complex.exterior_barycentrics[piece.first + corner];
+    const auto& [a, b, c] = mesh.corners[piece.triangle];
+    CornerAttributes blended = a;
+    blended.uv = {static_cast<float>(blend(weight, a.uv.x, b.uv.x, c.uv.x)),
+                  static_cast<float>(blend(weight, a.uv.y, b.uv.y, c.uv.y))};
+    if (a.colour != b.colour || a.colour != c.colour)
+        blended.colour = blendColours({a.colour, b.colour, c.colour}, {weight.x, weight.y, weight.z});
+    return chartOf(blended);
 }
 
 /// Vertices of one convex piece, and the crack edges along it that its cell owns. `ring`: the vertices'
@@ -81,7 +97,8 @@ void addPiece(const TriangleMesh& mesh, const CellComplex& complex, const BondLo
               ExteriorChunk& chunk) {
     for (uint32_t corner = 0; corner < piece.count; ++corner)
         ring[corner] = merger.merge(complex.exterior_loop[piece.first + corner],
-                                    cornerVertex(mesh, complex, piece, corner), chunk.vertices, first);
+                                    cornerVertex(mesh, complex, piece, corner),
+                                    chartAt(mesh, complex, piece, corner), chunk.vertices, first);
     for (uint32_t corner = 0; corner < piece.count; ++corner) {
         const uint32_t across = complex.exterior_across[piece.first + corner];
         if (across == kNoCell || across <= piece.cell) continue;  // the lower cell draws it

@@ -53,7 +53,7 @@ SplitEdges splitVoronoiEdges(const CellComplex& complex, double longest);
 std::vector<uint32_t> tessellateFaces(const CellComplex& complex, const SplitEdges& split,
                                       const BondLookup& bonds, FractureGeometry& geometry);
 
-/// Fills points, exterior_home, mesh_triangles, point_corner_* and point_crack*. `corner_vertex` as
+/// Fills points, exterior_home, mesh_triangles, looks, point_corner_* and point_crack*. `corner_vertex` as
 /// makeExterior(), `pool_of_vertex` as tessellateFaces() returns it.
 void listOutsidePoints(const TriangleMesh& mesh, const CellComplex& complex,
                        const std::vector<uint32_t>& corner_vertex,

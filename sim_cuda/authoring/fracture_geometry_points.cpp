@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "sim_cuda/authoring/corner_looks.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/fracture_geometry_parts.h"
 #include "sim_cuda/authoring/symmetric_axes.h"
@@ -110,12 +111,20 @@ void listTriangles(const TriangleMesh& mesh, FractureGeometry& geometry) {
             const CornerAttributes& corner = mesh.corners[t][k];
             triangle.corner[k] = toFloat(mesh.positions[mesh.triangles[t][k]]);
             triangle.normal[k] = packOctahedral(corner.normal.x, corner.normal.y, corner.normal.z);
-            triangle.uv[k] = packHalf2(corner.uv.x, corner.uv.y);
+            triangle.chart[k] = chartOf(corner);
             const Side wanted{keyOf(mesh.triangles[t][(k + 1) % 3], mesh.triangles[t][k]), 0};
             const auto beyond = std::lower_bound(sides.begin(), sides.end(), wanted, less);
             const bool found = beyond != sides.end() && beyond->key == wanted.key;
             triangle.neighbour[k] = found ? beyond->triangle : kNoNeighbour;
         }
+}
+
+void listLooks(const TriangleMesh& mesh, FractureGeometry& geometry) {
+    const bool any = std::any_of(mesh.corners.begin(), mesh.corners.end(),
+                                 [](const auto& corners) { return corners[0].material != kNoMaterial; });
+    if (!any) return;
+    for (const auto& [a, b, c] : mesh.corners)
+        geometry.looks.push_back({{a.uv, b.uv, c.uv}, {a.colour, b.colour, c.colour}, a.material});
 }
 
 /// Rows of a CSR from (row, entry) in the order given.
@@ -180,6 +189,7 @@ void listOutsidePoints(const TriangleMesh& mesh, const CellComplex& complex,
                        const std::vector<uint32_t>& pool_of_vertex, FractureGeometry& geometry) {
     numberPoints(mesh, complex, corner_vertex, pool_of_vertex, geometry);
     listTriangles(mesh, geometry);
+    listLooks(mesh, geometry);
     listCorners(geometry);
     listCracks(geometry);
 }

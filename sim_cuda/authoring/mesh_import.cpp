@@ -4,6 +4,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <bit>
 #include <cctype>
@@ -14,6 +15,7 @@
 
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/double3.h"
+#include "sim_cuda/authoring/looks/material_import.h"
 #include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/unused_vertices.h"
 
@@ -98,8 +100,38 @@ Float2 cornerUv(const aiMesh& mesh, unsigned vertex) {
     return std::isfinite(uv.x) && std::isfinite(uv.y) ? Float2{float(uv.x), float(uv.y)} : Float2{};
 }
 
-void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform,
-             const std::filesystem::path& file) {
+/// sRGB of 8 bits. glTF's colours are linear, those of others are meant for the screen.
+uint32_t cornerColour(const aiMesh& mesh, unsigned vertex, bool are_linear, bool has_alpha) {
+    if (!mesh.HasVertexColors(0)) return kWhite;
+    const aiColor4D& c = mesh.mColors[0][vertex];
+    uint32_t packed = 0;
+    for (int k = 0; k < 4; ++k) {
+        float value = std::isfinite(c[k]) ? std::clamp(float(c[k]), 0.0f, 1.0f) : 1.0f;
+        if (are_linear && k < 3)
+            value = value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f;
+        packed |= uint32_t(std::lround(255 * value)) << 8 * k;
+    }
+    return has_alpha ? packed : packed | 0xff000000u;
+}
+
+/// Of colours without opacity assimp leaves it at 0.
+bool hasAlpha(const aiMesh& mesh) {
+    const aiColor4D* colours = mesh.mColors[0];
+    return mesh.HasVertexColors(0) &&
+           std::any_of(colours, colours + mesh.mNumVertices, [](const aiColor4D& c) { return c.a != 0; });
+}
+
+/// What is the same for all meshes of a file.
+struct FileFacts {
+    const std::filesystem::path& file;
+    uint32_t materials = 0;  ///< 0: looks do not matter
+    bool linear_colours = false;
+};
+
+void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform, const FileFacts& facts) {
+    const std::filesystem::path& file = facts.file;
+    const bool has_looks = mesh.mMaterialIndex < facts.materials;
+    const bool has_alpha = has_looks && hasAlpha(mesh);
     const bool mirrored = transform.determinant() < 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
@@ -120,22 +152,26 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform,
         const Double3 flat = normalized(cross(points[1] - points[0], points[2] - points[0]));
         if (!isFinite(flat)) refuseModel(file, "is too large to be a body; export it in a smaller unit");
         std::array<CornerAttributes, 3> corners;
-        for (int k = 0; k < 3; ++k)
+        for (int k = 0; k < 3; ++k) {
             corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, ids[k])};
+            if (!has_looks) continue;
+            corners[k].colour = cornerColour(mesh, ids[k], facts.linear_colours, has_alpha);
+            corners[k].material = mesh.mMaterialIndex;
+        }
         welder.add(points, corners);
     }
 }
 
 void addNode(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& parent,
-             const std::filesystem::path& file) {
+             const FileFacts& facts) {
     const Transform transform = chained(parent, node.mTransformation);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= scene.mNumMeshes)
-            refuseModel(file, "names a part that is not there; the file is damaged, export it again");
-        addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, file);
+            refuseModel(facts.file, "names a part that is not there; the file is damaged, export it again");
+        addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, facts);
     }
     for (unsigned i = 0; i < node.mNumChildren; ++i)
-        addNode(welder, scene, *node.mChildren[i], transform, file);
+        addNode(welder, scene, *node.mChildren[i], transform, facts);
 }
 
 /// What assimp said, as one line without a closing full stop.
@@ -169,10 +205,15 @@ uint32_t textureCount(const aiScene& scene) {
     return uint32_t(pictures.size());
 }
 
-/// Formats whose unit assimp knows; aiProcess_GlobalScale then makes metres of it.
-bool saysItsUnit(const std::filesystem::path& file) {
+std::string lowerEnding(const std::filesystem::path& file) {
     std::string ending = file.extension().string();
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
+
+/// Formats whose unit assimp knows; aiProcess_GlobalScale then makes metres of it.
+bool saysItsUnit(const std::filesystem::path& file) {
+    const std::string ending = lowerEnding(file);
     return ending == ".gltf" || ending == ".glb" || ending == ".fbx" || ending == ".dae";
 }
 
@@ -187,10 +228,14 @@ ImportedModel importModel(const std::filesystem::path& file) {
         refuseModel(file, "could not be read (" + reasonOf(importer) +
                               "); use a format such as OBJ, PLY, STL, glTF or FBX");
     Welder welder(file.stem().string());
-    addNode(welder, *scene, *scene->mRootNode, {}, file);
+    std::shared_ptr<const ModelLooks> looks = importLooks(file, *scene);
+    const std::string ending = lowerEnding(file);
+    addNode(welder, *scene, *scene->mRootNode, {},
+            {file, looks ? uint32_t(looks->materials.size()) : 0, ending == ".glb" || ending == ".gltf"});
     if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
     ImportedModel model{std::move(welder).take(),
-                        {scene->mNumMeshes, scene->mNumMaterials, textureCount(*scene), saysItsUnit(file)}};
+                        {scene->mNumMeshes, scene->mNumMaterials, textureCount(*scene), saysItsUnit(file)},
+                        std::move(looks)};
     dropUnusedVertices(model.mesh);  // those of dropped triangles
     return model;
 }

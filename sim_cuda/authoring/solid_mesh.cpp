@@ -25,7 +25,9 @@ SolidMesh::SolidMesh(TriangleMesh mesh) : mesh_(std::move(mesh)), queries_(mesh_
              bounds.upper};
 }
 
-SolidMesh::SolidMesh(RepairedMesh repaired, RepairMode mode) : SolidMesh(std::move(repaired.mesh)) {
+SolidMesh::SolidMesh(RepairedMesh repaired, RepairMode mode, std::shared_ptr<const ModelLooks> looks)
+    : SolidMesh(std::move(repaired.mesh)) {
+    looks_ = std::move(looks);
     repair_ = repaired.report;
     source_ = std::move(repaired.source);
     may_remesh_ =
@@ -37,13 +39,14 @@ std::shared_ptr<const SolidMesh> SolidMesh::withNewSurface() const {
     std::call_once(remesh_once_, [this] {
         RepairedMesh surface = demolish::withNewSurface({mesh_, source_, repair_}, RemeshCause::kCells);
         if (isSolid(surface.mesh))
-            remeshed_ = std::make_shared<const SolidMesh>(std::move(surface), RepairMode::kOff);
+            remeshed_ = std::make_shared<const SolidMesh>(std::move(surface), RepairMode::kOff, looks_);
     });
     return remeshed_;
 }
 
 std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::filesystem::path& file,
-                                               const MeshPlacement& placement) {
+                                               const MeshPlacement& placement,
+                                               std::shared_ptr<const ModelLooks> looks) {
     if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
     const double scale = placementScale(mesh, placement);  // of the file's mesh, whatever the repair adds
     RepairOptions options = placement.repair;
@@ -52,12 +55,13 @@ std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::fil
     repaired.report.thickness *= scale;
     requireSolid(repaired.mesh, file);
     standOnFloor(repaired.mesh, file, scale);
-    return std::make_shared<const SolidMesh>(std::move(repaired), options.mode);
+    return std::make_shared<const SolidMesh>(std::move(repaired), options.mode, std::move(looks));
 }
 
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement) {
-    return makeSolidMesh(importTriangles(file), file, placement);
+    ImportedModel model = importModel(file);
+    return makeSolidMesh(std::move(model.mesh), file, placement, std::move(model.looks));
 }
 
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh) {
@@ -66,6 +70,10 @@ const SolidMeshInfo& meshInfo(const SolidMesh& mesh) {
 
 const RepairReport& repairReport(const SolidMesh& mesh) {
     return mesh.repair();
+}
+
+const ModelLooks* modelLooks(const SolidMesh& mesh) {
+    return mesh.looks().get();
 }
 
 uint32_t particlesForSize(const SolidMesh& mesh, double particle_size_m) {

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/model_looks.h"
 #include "sim_cuda/authoring/mesh_queries.h"
 #include "sim_cuda/authoring/repair/repair.h"
 
@@ -15,13 +16,15 @@ class SolidMesh {
     /// open or without volume is nothing.
     explicit SolidMesh(TriangleMesh mesh);
     /// The same, and with RepairMode::kAuto or kRemesh such a mesh may be given a new surface.
-    SolidMesh(RepairedMesh repaired, RepairMode mode);
+    SolidMesh(RepairedMesh repaired, RepairMode mode, std::shared_ptr<const ModelLooks> looks);
 
     const TriangleMesh& mesh() const { return mesh_; }
     const MeshQueries& queries() const { return queries_; }
     const DistanceGrid& grid() const { return grid_; }
     const SolidMeshInfo& info() const { return info_; }
     const RepairReport& repair() const { return repair_; }
+    /// Null: none.
+    const std::shared_ptr<const ModelLooks>& looks() const { return looks_; }
     /// By triangle, as RepairedMesh::source.
     const std::vector<uint32_t>& source() const { return source_; }
 
@@ -35,6 +38,7 @@ class SolidMesh {
     DistanceGrid grid_;
     SolidMeshInfo info_;
     RepairReport repair_;
+    std::shared_ptr<const ModelLooks> looks_;
     std::vector<uint32_t> source_;
     bool may_remesh_ = false;
     mutable std::once_flag remesh_once_;

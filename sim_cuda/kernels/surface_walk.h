@@ -18,7 +18,7 @@ struct SurfaceWalk {
     Span<const MeshTriangle> triangles;
 
     /// The last triangle on the way to `to`, and its weights there; negative where the way ends before: at a
-    /// fold, or with `within_chart` where neighbours do not share normals and UVs.
+    /// fold, or with `within_chart` where neighbours do not share normals and looks.
     DEM_FN MeshPlace find(uint32_t start, const Vec3<float>& to, bool within_chart) const {
         uint32_t before = kNoNeighbour;
         MeshPlace place{start, {}};
@@ -78,7 +78,7 @@ struct SurfaceWalk {
             bool same = false;
             for (uint32_t k = 0; k < 3; ++k)
                 same = same || (one.corner[corner] == other.corner[k] &&
-                                one.normal[corner] == other.normal[k] && one.uv[corner] == other.uv[k]);
+                                one.normal[corner] == other.normal[k] && one.chart[corner] == other.chart[k]);
             if (!same) return false;
         }
         return true;

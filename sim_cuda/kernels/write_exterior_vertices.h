@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The outside's vertices where their points are now, with the normal and UV that the model has there.
+// The outside's vertices where their points are now, with the normal that the model has there and the
+// triangle that its looks are of.
 #pragma once
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/backend/atomics.h"
@@ -43,23 +44,10 @@ struct WriteExteriorVertices {
         vertex.position = now;
         const SurfaceWalk walk{mesh.triangles};
         MeshPlace place = walk.find(home[v].triangle, toVec3(now), true);
-        for (float& weight : place.weight) weight = clampTo(weight, -kBeyond, 1.0f + kBeyond);
-        vertex.uv = uvAt(place);
+        vertex.place = place.triangle;
         SurfaceWalk::clampInside(place);
         vertex.normal = normalAt(place);
         return vertex;
-    }
-    /// Past the end of its chart a UV goes on as it was, so far, in triangles.
-    static constexpr float kBeyond = 2.0f;
-
-    DEM_FN uint32_t uvAt(const MeshPlace& place) const {
-        float u = 0, v = 0;
-        for (uint32_t k = 0; k < 3; ++k) {
-            const uint32_t packed = mesh.triangles[place.triangle].uv[k];
-            u = madd(place.weight[k], unpackHalf(packed & 0xffffu), u);
-            v = madd(place.weight[k], unpackHalf(packed >> 16), v);
-        }
-        return packHalf2(u, v);
     }
     DEM_FN uint32_t normalAt(const MeshPlace& place) const {
         Vec3<float> sum;

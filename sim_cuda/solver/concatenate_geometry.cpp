@@ -30,9 +30,12 @@ void append(const std::vector<uint32_t>& from, uint32_t offset, std::vector<uint
 void appendExterior(const FractureGeometry& from, const Offsets& offsets, FractureGeometry& to) {
     const uint32_t first_vertex = count(to.exterior);
     to.exterior.insert(to.exterior.end(), from.exterior.begin(), from.exterior.end());
-    for (uint32_t v = first_vertex; v < to.exterior.size(); ++v) to.exterior[v].cell += offsets.cell;
     const uint32_t first_index = count(to.exterior_indices), first_rim = count(to.exterior_rim);
     const uint32_t first_cell = count(to.exterior_cells), first_triangle = count(to.exterior_triangles);
+    for (uint32_t v = first_vertex; v < to.exterior.size(); ++v) {
+        to.exterior[v].cell += offsets.cell;
+        to.exterior[v].place += first_triangle;
+    }
     for (ExteriorTriangle triangle : from.exterior_triangles) {
         triangle.first_index += first_index;
         triangle.first_rim += first_rim;

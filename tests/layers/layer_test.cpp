@@ -37,6 +37,7 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"engine/scene", {"engine"}},
     {"engine/render", {"engine"}},
     {"engine/surroundings", {"engine"}},
+    {"engine/looks", {"engine"}},
     {"engine/passes", {"engine"}},
     {"engine/image", {"engine"}},
     {"app/bridge", {"engine", "sim_cuda/api"}},
@@ -61,7 +62,8 @@ const std::vector<GuardedHeader> kGuarded = {
     {std::regex(R"(^(GL|EGL|glad|GLFW)/)"), {"engine", "app/bridge", "app/commands", "app/panel"}},
     {std::regex(R"(imgui)"), {"app/panel", "app/commands"}},
     {std::regex(R"(^assimp/)"), {"sim_cuda/authoring"}},
-    {std::regex(R"(^(Imf|stb/))"), {"engine/surroundings"}},
+    {std::regex(R"(^Imf)"), {"engine/surroundings"}},
+    {std::regex(R"(^stb/)"), {"engine/surroundings", "engine/looks", "sim_cuda/authoring/looks"}},
 };
 
 bool startsWith(const std::string& text, const std::string& prefix) {

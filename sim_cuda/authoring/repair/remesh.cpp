@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "sim_cuda/authoring/corner_looks.h"
 #include "sim_cuda/authoring/repair/doubles.h"
 #include "sim_cuda/authoring/repair/dual_contouring.h"
 #include "sim_cuda/authoring/repair/inside_field.h"
@@ -31,14 +32,21 @@ std::array<double, 3> barycentrics(const RepairMesh& mesh, uint32_t triangle, co
     return {u, v, 1 - u - v};
 }
 
-/// The original's normal by barycentrics held within the triangle, or the face's own where they disagree.
-Float3 normalAt(const Corners& corners, std::array<double, 3> weights, const Double3& of_face) {
+/// Barycentrics held within the triangle.
+std::array<double, 3> within(std::array<double, 3> weights) {
     double sum = 0;
     for (double& weight : weights) sum += weight = std::clamp(weight, 0.0, 1.0);
+    for (double& weight : weights) weight /= sum;
+    return weights;
+}
+
+/// The original's normal within the triangle, or the face's own where they disagree.
+Float3 normalAt(const Corners& corners, const std::array<double, 3>& weights, const Double3& of_face) {
+    const std::array<double, 3> held = within(weights);
     Double3 mean;
     for (size_t k = 0; k < 3; ++k) {
         const Float3& n = corners[k].normal;
-        mean += Double3{n.x, n.y, n.z} * (weights[k] / sum);
+        mean += Double3{n.x, n.y, n.z} * held[k];
     }
     mean = normalized(mean);
     return toFloat(dot(mean, of_face) < kLeastAgreement ? of_face : mean);
@@ -55,6 +63,8 @@ void takeLooks(RepairMesh& surface, const RepairMesh& original, const MeshQuerie
             const auto weights = barycentrics(original, nearest.triangle, surface.at(t, int(k)));
             CornerAttributes& corner = surface.mesh.corners[t][k];
             corner.uv = {};
+            corner.colour = blendColours({from[0].colour, from[1].colour, from[2].colour}, within(weights));
+            corner.material = from[0].material;
             for (size_t i = 0; i < 3; ++i) {
                 corner.uv.x += float(weights[i] * from[i].uv.x);
                 corner.uv.y += float(weights[i] * from[i].uv.y);

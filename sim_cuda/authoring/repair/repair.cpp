@@ -9,6 +9,7 @@
 #include "sim_cuda/authoring/mesh_checks.h"
 #include "sim_cuda/authoring/repair/disjoint_sets.h"
 #include "sim_cuda/authoring/repair/doubles.h"
+#include "sim_cuda/authoring/repair/dress_caps.h"
 #include "sim_cuda/authoring/repair/holes.h"
 #include "sim_cuda/authoring/repair/junctions.h"
 #include "sim_cuda/authoring/repair/orientation.h"
@@ -64,6 +65,7 @@ class Repair {
             if (repair_.size() > 0 && isSolid(repair_.mesh)) settleInside();
         }
         report_.triangles_after = repair_.size();
+        if (!report_.untouched) dressCaps(repair_);
         RepairedMesh result;
         result.mesh = std::move(repair_.mesh);
         if (!report_.untouched) result.source = std::move(repair_.source);

@@ -12,6 +12,7 @@
 #include "tests/fuzz/files/picture_seeds.h"
 #include "tests/fuzz/support/child_program.h"
 #include "tests/unit/app/run_program.h"
+#include "tests/unit/looks/look_files.h"
 #include "tests/unit/mesh/mesh_files.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
@@ -81,6 +82,27 @@ FileFormat pictureFormat(const std::string& name, const std::vector<std::string>
                 const fs::path file = at / ("surroundings." + name);
                 write(file, bytes);
                 return bench({"block", "--environment", file.string()});
+            }};
+}
+
+/// Beside a cube that names it.
+FileFormat textureFormat(const std::string& extension, const std::string& seed) {
+    return {"texture_" + extension, {seed}, [extension](const std::string& bytes, const fs::path& at) {
+                write(at / ("skin." + extension), bytes);
+                write(at / "cube.mtl", "newmtl skin\nmap_Kd skin." + extension + "\n");
+                write(at / "cube.obj", test::cubeObj("cube.mtl"));
+                return bench({"--model", (at / "cube.obj").string()});
+            }};
+}
+
+/// A picture and all that a material can say, in one file.
+FileFormat texturedGlbFormat() {
+    const std::string material =
+        R"({"alphaMode":"MASK","emissiveFactor":[1,0,0],"pbrMetallicRoughness":{"baseColorTexture":{"index":0},"metallicRoughnessTexture":{"index":0}},"normalTexture":{"index":0},"occlusionTexture":{"index":0}})";
+    const std::string glb = test::cubeGlb(material, test::pngOf(2, 2, test::fourTexels()), true);
+    return {"glb_textured", {glb}, [](const std::string& bytes, const fs::path& at) {
+                write(at / "model.glb", bytes);
+                return bench({"--model", (at / "model.glb").string()});
             }};
 }
 
@@ -179,6 +201,9 @@ std::vector<FileFormat> fileFormats(const fs::path& folder) {
             modelFormat("fbx_binary", "fbx", binaryFbx),
             pictureFormat("hdr", hdrSeeds()),
             pictureFormat("exr", exrSeeds(folder)),
+            textureFormat("png", test::pngOf(2, 2, test::fourTexels())),
+            textureFormat("tga", test::tgaOf(2, 2, test::fourTexels())),
+            texturedGlbFormat(),
             assetFormat("scene", "scenes", "damaged.toml", {"damaged"}),
             assetFormat("material", "materials", "damaged.toml", {"block", "--material", "damaged"}),
             assetFormat("strength", "strength", "thresholds.toml",

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/double3.h"
 #include "tests/unit/draw/fragment_surfaces.h"
 #include "tests/unit/draw/slab_complex.h"
 #include "tests/unit/draw/vertex_unpacking.h"
@@ -26,6 +27,20 @@ TriangleMesh texturedCube() {
         }
     }
     return mesh;
+}
+
+/// As shaders/common/model_looks.glsl finds it.
+Float2 uvAt(const FractureGeometry& geometry, const SurfaceVertex& vertex) {
+    const MeshTriangle& t = geometry.mesh_triangles[vertex.place];
+    const auto point = [](const Float3& p) { return Double3{p.x, p.y, p.z}; };
+    const Double3 a = point(t.corner[0]), ab = point(t.corner[1]) - a, ac = point(t.corner[2]) - a;
+    const Double3 normal = cross(ab, ac), from = point(vertex.position) - a;
+    const double squared = dot(normal, normal);
+    const double v = dot(normal, cross(from, ac)) / squared, w = dot(normal, cross(ab, from)) / squared;
+    EXPECT_NEAR(dot(from, normal), 0, 1e-6) << "it lies in its triangle";
+    const auto& uv = geometry.looks[vertex.place].uv;
+    return {static_cast<float>((1 - v - w) * uv[0].x + v * uv[1].x + w * uv[2].x),
+            static_cast<float>((1 - v - w) * uv[0].y + v * uv[1].y + w * uv[2].y)};
 }
 
 std::vector<BondGeometry> bondsOfSlabs(uint32_t cells) {
@@ -72,14 +87,18 @@ TEST(FractureGeometry, CrackEdgesOfTwoHalvesRunRoundTheBodyOnTheLowerSide) {
 }
 
 TEST(FractureGeometry, TextureAndNormalsAreInterpolatedOnACube) {
-    const TriangleMesh mesh = texturedCube();
+    TriangleMesh mesh = texturedCube();
+    for (auto& corners : mesh.corners)
+        for (CornerAttributes& corner : corners) corner.material = 0;
     const CellComplex complex = test::makeSlabComplex(mesh, {-0.45, -0.2, 0.1, 0.43});
     const FractureGeometry geometry = makeFractureGeometry(mesh, complex, bondsOfSlabs(4));
     std::set<uint32_t> cells;
     for (const SurfaceVertex& vertex : geometry.exterior) {
         const Float3& p = vertex.position;
-        EXPECT_NEAR(test::unpackHalf(vertex.uv & 0xffffu), 0.5 + 0.25 * p.x + 0.125 * p.y, 5e-4);
-        EXPECT_NEAR(test::unpackHalf(vertex.uv >> 16), 1.0 + p.z - 0.5 * p.x, 1e-3);
+        ASSERT_LT(vertex.place, mesh.triangles.size());
+        const Float2 uv = uvAt(geometry, vertex);
+        EXPECT_NEAR(uv.x, 0.5 + 0.25 * p.x + 0.125 * p.y, 1e-6) << "to the last digits, however it was cut";
+        EXPECT_NEAR(uv.y, 1.0 + p.z - 0.5 * p.x, 1e-6);
         float x, y, z;
         test::unpackOctahedral(vertex.normal, x, y, z);
         EXPECT_NEAR(std::abs(x) + std::abs(y) + std::abs(z), 1, 1e-4);
@@ -88,6 +107,26 @@ TEST(FractureGeometry, TextureAndNormalsAreInterpolatedOnACube) {
         cells.insert(vertex.cell);
     }
     EXPECT_EQ(cells.size(), 4u);
+}
+
+TEST(FractureGeometry, VerticesPartWhereMaterialsMeet) {
+    TriangleMesh mesh = test::makeCube(1);
+    for (auto& corners : mesh.corners)
+        for (CornerAttributes& corner : corners) corner.uv = {};
+    const CellComplex complex = test::makeSlabComplex(mesh, {-0.3, 0.35});
+    const size_t of_one = makeFractureGeometry(mesh, complex, {}).exterior.size();
+    EXPECT_EQ(of_one, 2u * (4 + 4 * 5));
+    for (size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (CornerAttributes& corner : mesh.corners[t]) corner.material = static_cast<uint32_t>(t % 2);
+    const FractureGeometry geometry = makeFractureGeometry(mesh, complex, {});
+    EXPECT_EQ(geometry.exterior.size(), of_one + 2u * (2 + 4 * 2)) << "two more on each diagonal of a side";
+    for (size_t i = 0; i < geometry.exterior_indices.size(); i += 3) {
+        const auto material = [&](size_t k) {
+            return geometry.looks[geometry.exterior[geometry.exterior_indices[i + k]].place].material;
+        };
+        EXPECT_EQ(material(0), material(1));
+        EXPECT_EQ(material(0), material(2));
+    }
 }
 
 TEST(FractureGeometry, SlabsAreClosedAndHaveTheirVolumes) {

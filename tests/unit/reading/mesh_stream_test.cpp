@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstring>
+#include <functional>
 #include <limits>
 
 #include "app/reading/mesh_stream.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Bytes = std::vector<uint8_t>;
 
-constexpr size_t kHeaderBytes = 56;
+constexpr size_t kCountsEnd = 40;  // of the header
 
 Bytes bytesOf(const ModelAnswer& answer) {
     Bytes bytes;
@@ -60,6 +61,58 @@ TEST(MeshStream, KeepsEveryBit) {
     expectSameBits(got.corners, sent.corners);
 }
 
+ModelLooks someLooks() {
+    ModelLooks looks;
+    looks.materials.resize(2);
+    looks.materials[1].metallic = 0.5f;
+    looks.materials[1].base_map = {1, 2, TextureWrap::kMirror, TextureWrap::kClamp};
+    looks.images = {{1, 1, {1, 2, 3, 4}}, {300, 301, std::vector<uint8_t>(4 * 300 * 301, 7)}};
+    looks.has_colours = true;
+    looks.notes = {"one", "another"};
+    return looks;
+}
+
+ImportedModel lookedCube(const ModelLooks& looks) {
+    ImportedModel model{test::makeCube(1)};
+    for (auto& corners : model.mesh.corners)
+        for (CornerAttributes& corner : corners) corner.material = 1;
+    model.looks = std::make_shared<ModelLooks>(looks);
+    return model;
+}
+
+TEST(MeshStream, KeepsLooks) {
+    const ModelLooks sent = someLooks();
+    const auto model = std::get<ImportedModel>(answerIn(bytesOf(lookedCube(sent))));
+    ASSERT_NE(model.looks, nullptr);
+    EXPECT_EQ(model.looks->materials, sent.materials);
+    EXPECT_EQ(model.looks->notes, sent.notes);
+    EXPECT_TRUE(model.looks->has_colours);
+    ASSERT_EQ(model.looks->images.size(), 2u);
+    for (size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(model.looks->images[i].width, sent.images[i].width);
+        EXPECT_EQ(model.looks->images[i].height, sent.images[i].height);
+        EXPECT_EQ(model.looks->images[i].texels, sent.images[i].texels);
+    }
+    EXPECT_EQ(std::get<ImportedModel>(answerIn(bytesOf(ImportedModel{test::makeCube(1)}))).looks, nullptr);
+}
+
+TEST(MeshStream, LooksThatWouldCrashTheirUserAreRefused) {
+    const auto expectRefused = [](const std::function<void(ModelLooks&)>& spoil) {
+        ModelLooks looks = someLooks();
+        spoil(looks);
+        EXPECT_THROW(answerIn(bytesOf(lookedCube(looks))), BrokenStream);
+    };
+    expectRefused([](ModelLooks& looks) { looks.materials[1].base_map.image = 2; });
+    expectRefused([](ModelLooks& looks) { looks.materials[0].normal_map = {0, 4}; });
+    expectRefused([](ModelLooks& looks) { looks.materials[0].emission[1] = std::nanf(""); });
+    expectRefused([](ModelLooks& looks) { looks.materials.pop_back(); });  // the cube's own
+    expectRefused([](ModelLooks& looks) { looks.images[0].width = 0; });
+    expectRefused([](ModelLooks& looks) { looks.images[0].width = kMostImageEdge + 1; });
+    expectRefused([](ModelLooks& looks) { looks.images[1].height = 302; });  // fewer texels than it says
+    expectRefused(
+        [](ModelLooks& looks) { looks.materials[0].base_map.wrap_u = static_cast<TextureWrap>(3); });
+}
+
 TEST(MeshStream, ARefusalIsItsSentence) {
     EXPECT_EQ(std::get<ModelRefusal>(answerIn(bytesOf(ModelRefusal{"No."}))).sentence, "No.");
     const auto longest = std::get<ModelRefusal>(answerIn(bytesOf(ModelRefusal{std::string(100000, 'a')})));
@@ -86,7 +139,7 @@ Bytes withCount(size_t at, uint64_t count) {
 }
 
 TEST(MeshStream, AnnouncedCountsMakeNoRoom) {
-    for (const size_t at : {kHeaderBytes - 24, kHeaderBytes - 16, kHeaderBytes - 8})
+    for (const size_t at : {kCountsEnd - 24, kCountsEnd - 16, kCountsEnd - 8})
         for (const uint64_t count : {~uint64_t{0}, uint64_t{1} << 40, kMostTriangles + 1, kMostTriangles}) {
             size_t most = 0;
             EXPECT_THROW(answerIn(withCount(at, count), &most), BrokenStream);

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a frame casts shadow.
+#pragma once
+#include <span>
+
+#include "engine/passes/shadow_pass.h"
+#include "engine/render/frame_uniforms.h"
+
+namespace demolish::engine {
+
+ShadowScene shadowSceneOf(const FractureMesh* mesh, const FrameView& view,
+                          std::span<const SphereDraw> spheres, const FrameUniforms& frame);
+
+}  // namespace demolish::engine

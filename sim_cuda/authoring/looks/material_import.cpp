@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+// Formats that know metal and roughness say so; of the others the shininess becomes a roughness.
+#include "sim_cuda/authoring/looks/material_import.h"
+
+#include <assimp/GltfMaterial.h>
+#include <assimp/material.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <initializer_list>
+#include <set>
+#include <utility>
+
+#include "sim_cuda/authoring/looks/image_import.h"
+
+namespace demolish {
+namespace {
+
+constexpr float kAssimpsGrey = 0.6f;  // of files that name no colour
+constexpr float kLeastRoughness = 0.08f;
+constexpr float kUsualCutoff = 0.5f;
+
+struct TextureSlot {
+    aiTextureType type;
+    uint8_t channel = 0;
+};
+
+class MaterialReader {
+  public:
+    MaterialReader(const aiMaterial& material, bool is_gltf, ImageImport& images)
+        : material_(material), is_gltf_(is_gltf), images_(images) {}
+
+    LookMaterial read() {
+        readMaps();
+        readColours();
+        readSurface();
+        readAlpha();
+        int two_sided = 0;
+        material_.Get(AI_MATKEY_TWOSIDED, two_sided);
+        look_.is_double_sided = two_sided != 0 ? 1 : 0;
+        return look_;
+    }
+
+  private:
+    void readMaps() {
+        look_.base_map = use({{aiTextureType_BASE_COLOR}, {aiTextureType_DIFFUSE}});
+        look_.normal_map = use({{aiTextureType_NORMALS}, {aiTextureType_NORMAL_CAMERA}});
+        if (look_.normal_map.image == kNoImage) look_.normal_map = bumpThatBends();
+        look_.emission_map = use({{aiTextureType_EMISSION_COLOR}, {aiTextureType_EMISSIVE}});
+        // glTF packs roughness into green and metal into blue; occlusion is red.
+        const uint8_t rough = is_gltf_ ? 1 : 0, metal = is_gltf_ ? 2 : 0;
+        look_.roughness_map = use({{aiTextureType_DIFFUSE_ROUGHNESS, rough}});
+        look_.metallic_map = use({{aiTextureType_METALNESS, metal}});
+        if (is_gltf_ && look_.metallic_map.image == kNoImage) {
+            look_.roughness_map = use({{aiTextureType_UNKNOWN, rough}});
+            look_.metallic_map = use({{aiTextureType_UNKNOWN, metal}});
+        }
+        look_.occlusion_map = is_gltf_ ? use({{aiTextureType_LIGHTMAP}, {aiTextureType_AMBIENT_OCCLUSION}})
+                                       : use({{aiTextureType_AMBIENT_OCCLUSION}});
+    }
+
+    /// The first of these that the material has.
+    ImageUse use(std::initializer_list<TextureSlot> slots) {
+        for (const TextureSlot& slot : slots) {
+            aiString path;
+            if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
+            int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
+            material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
+            if (uv_set != 0) {
+                images_.note(std::string("the texture '") + path.C_Str() +
+                             "' lies on a second set of UVs and is left out");
+                return {};
+            }
+            material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
+            material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
+            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v)};
+        }
+        return {};
+    }
+    static TextureWrap wrapOf(int mode) {
+        return mode == aiTextureMapMode_Mirror                                    ? TextureWrap::kMirror
+               : mode == aiTextureMapMode_Clamp || mode == aiTextureMapMode_Decal ? TextureWrap::kClamp
+                                                                                  : TextureWrap::kRepeat;
+    }
+
+    /// Normal maps are often named where heights belong: they are blue.
+    ImageUse bumpThatBends() {
+        const ImageUse bump = use({{aiTextureType_HEIGHT}});
+        if (bump.image == kNoImage) return bump;
+        const std::vector<uint8_t>& texels = images_.at(bump.image).texels;
+        uint64_t red = 0, blue = 0;
+        for (size_t i = 0; i < texels.size(); i += 4) {
+            red += texels[i];
+            blue += texels[i + 2];
+        }
+        return blue > red + red / 4 ? bump : ImageUse{};
+    }
+
+    void readColours() {
+        aiColor4D colour(1, 1, 1, 1);
+        if (material_.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS)
+            material_.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
+        const bool has_map = look_.base_map.image != kNoImage;
+        // Exporters write black or assimp's grey beside a picture and do not mean it.
+        const float lightest = std::max({colour.r, colour.g, colour.b});
+        const bool unmeant = has_map && !is_gltf_ && (lightest == 0 || isAssimpsGrey(colour));
+        if (unmeant) colour = aiColor4D(1, 1, 1, colour.a);
+        setNumbers(look_.base_colour, {colour.r, colour.g, colour.b, colour.a}, 1);
+        aiColor4D glow(0, 0, 0, 1);
+        float intensity = 1;
+        material_.Get(AI_MATKEY_COLOR_EMISSIVE, glow);
+        material_.Get(AI_MATKEY_EMISSIVE_INTENSITY, intensity);
+        const bool black = glow.r == 0 && glow.g == 0 && glow.b == 0;
+        if (!is_gltf_ && black && look_.emission_map.image != kNoImage) glow = aiColor4D(1, 1, 1, 1);
+        setNumbers(look_.emission, {glow.r * intensity, glow.g * intensity, glow.b * intensity}, 100);
+    }
+
+    static bool isAssimpsGrey(const aiColor4D& colour) {
+        return colour.r == kAssimpsGrey && colour.g == kAssimpsGrey && colour.b == kAssimpsGrey;
+    }
+
+    void readSurface() {
+        float shininess = 0, metallic = 0, roughness = 1;
+        material_.Get(AI_MATKEY_SHININESS, shininess);
+        const bool knows_metal = material_.Get(AI_MATKEY_METALLIC_FACTOR, metallic) == aiReturn_SUCCESS;
+        const bool knows_roughness = material_.Get(AI_MATKEY_ROUGHNESS_FACTOR, roughness) == aiReturn_SUCCESS;
+        if (!knows_metal) metallic = look_.metallic_map.image != kNoImage ? 1.0f : 0.0f;
+        if (!knows_roughness)
+            roughness = look_.roughness_map.image != kNoImage ? 1.0f
+                        : shininess > 0                       ? std::sqrt(2 / (shininess + 2))
+                                                              : 0.6f;
+        setNumbers(&look_.metallic, {metallic}, 1);
+        setNumbers(&look_.roughness, {roughness}, 1);
+        look_.roughness = std::max(look_.roughness, kLeastRoughness);
+        float scale = 1, strength = 1;
+        material_.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
+        material_.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), strength);
+        setNumbers(&look_.normal_scale, {scale}, 10);
+        setNumbers(&look_.occlusion_strength, {strength}, 1);
+    }
+
+    /// What is blended in the file is cut out here where its picture has holes.
+    void readAlpha() {
+        aiString mode;
+        float cutoff = kUsualCutoff;
+        material_.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+        material_.Get(AI_MATKEY_GLTF_ALPHAMODE, mode);
+        const std::string said = mode.C_Str();
+        aiString opacity, base;
+        const bool by_map = material_.GetTexture(aiTextureType_OPACITY, 0, &opacity) == aiReturn_SUCCESS &&
+                            material_.GetTexture(aiTextureType_DIFFUSE, 0, &base) == aiReturn_SUCCESS &&
+                            opacity == base;
+        const bool cut =
+            said == "MASK" || ((said == "BLEND" || by_map) && look_.base_colour[3] > kUsualCutoff);
+        if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
+    }
+    bool hasHoles() const {
+        if (look_.base_map.image == kNoImage) return false;
+        const std::vector<uint8_t>& texels = images_.at(look_.base_map.image).texels;
+        for (size_t i = 3; i < texels.size(); i += 4)
+            if (texels[i] < 255) return true;
+        return false;
+    }
+
+    /// Files may hold anything.
+    static void setNumbers(float* to, std::initializer_list<float> values, float most) {
+        for (const float value : values) *to++ = std::isfinite(value) ? std::clamp(value, 0.0f, most) : 0.0f;
+    }
+
+    const aiMaterial& material_;
+    bool is_gltf_;
+    ImageImport& images_;
+    LookMaterial look_;
+};
+
+bool saysColour(const LookMaterial& look) {
+    const auto* c = look.base_colour;
+    const bool grey = c[0] == c[1] && c[1] == c[2];
+    return !(grey && (c[0] == 1 || c[0] == kAssimpsGrey)) ||
+           std::any_of(std::begin(look.emission), std::end(look.emission), [](float e) { return e > 0; });
+}
+
+bool namesTexture(const aiMaterial& material) {
+    for (int type = aiTextureType_NONE + 1; type <= AI_TEXTURE_TYPE_MAX; ++type)
+        if (material.GetTextureCount(aiTextureType(type)) > 0) return true;
+    return false;
+}
+
+}  // namespace
+
+std::shared_ptr<const ModelLooks> importLooks(const std::filesystem::path& model, const aiScene& scene) {
+    std::string ending = model.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    const bool is_gltf = ending == ".gltf" || ending == ".glb";
+    auto looks = std::make_shared<ModelLooks>();
+    std::set<unsigned> used;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
+        used.insert(scene.mMeshes[i]->mMaterialIndex);
+        looks->has_colours = looks->has_colours || scene.mMeshes[i]->HasVertexColors(0);
+    }
+    ImageImport images(model, scene);
+    bool any = looks->has_colours;
+    const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
+    for (unsigned m = 0; m < count; ++m) {
+        looks->materials.emplace_back();
+        if (used.count(m) == 0) continue;
+        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, images).read();
+        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
+    }
+    if (!any) return nullptr;
+    looks->images = images.takeImages();
+    looks->notes = images.takeNotes();
+    return looks;
+}
+
+}  // namespace demolish
