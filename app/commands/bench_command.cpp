@@ -145,13 +145,14 @@ void refuseForMethods(const BenchOptions& options) {
 
 void runMethodsBench(const BenchOptions& options) {
     refuseForMethods(options);
+    const std::vector<Method> methods = methodsToCompare(options.methods);
     Shot shot = makeShot(options.shot, "paper");
     if (options.shot.effects.empty()) shot.effects.on = false;
     const BenchPlan plan = planFor(options, shot);
     const PictureSize size = pictureSize(options.shot, kDefaultSize);
     const InterruptWatch interrupts;
     MethodsPlace place{shot.scene, "nobody", 0, 0, plan.frames};
-    const std::vector<MethodRow> rows = compareMethods(shot, plan, options.shot, size, place);
+    const std::vector<MethodRow> rows = compareMethods(shot, methods, plan, options.shot, size, place);
     LastFiles files;
     files.write(options.files.at("--json"), [&] { return methodsJson(rows, place); });
     std::fputs(methodsTable(rows, place).c_str(), stdout);
@@ -161,7 +162,7 @@ void runMethodsBench(const BenchOptions& options) {
 void runBench(const BenchOptions& options) {
     requireWritable(options.files);
     if (options.kernel) return runKernelBench(options);
-    if (options.methods) return runMethodsBench(options);
+    if (!options.methods.empty()) return runMethodsBench(options);
     Shot shot = makeShot(options.shot, "paper");
     if (options.shot.effects.empty()) shot.effects.on = false;  // what the paper times has none
     const BenchPlan plan = planFor(options, shot);
@@ -218,8 +219,10 @@ void addBenchCommand(CLI::App& app, BenchOptions& options) {
     command->add_flag(
         "--kernel", options.kernel,
         "Time the substep alone, of blocks of 2,000 to 1,000,000 particles, beside the machine's floors");
-    command->add_flag("--methods", options.methods,
-                      "The shot by every method of the paper's comparison, in one table");
+    command->add_flag(
+        "--methods{all}", options.methods,
+        "The shot by every method of the paper's comparison, in one table; --methods=ours,heavy: "
+        "by these");
     setExamples(*command,
                 {"bench vase --json vase.json --curve vase.svg", "bench bunny --particles 2000 --no-draw",
                  "bench --kernel --device cuda", "bench bunny --methods"});

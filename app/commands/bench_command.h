@@ -2,6 +2,7 @@
 // demolish bench: how fast it runs, phase by phase, beside the paper's numbers; or the substep alone.
 #pragma once
 #include <optional>
+#include <string>
 
 #include "app/commands/run_files.h"
 #include "app/commands/shot_options.h"
@@ -13,7 +14,8 @@ struct BenchOptions {
     std::optional<double> frames;  ///< none: to the end of the shot's last phase
     double warmup = 10;
     RunFiles files{RunCommand::kBench};
-    bool no_draw = false, draw_only = false, record = false, kernel = false, methods = false;
+    bool no_draw = false, draw_only = false, record = false, kernel = false;
+    std::string methods;  ///< to compare: names with commas, or "all"; empty: no comparison
 };
 
 void addBenchCommand(CLI::App& app, BenchOptions& options);

@@ -3,11 +3,15 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
+#include <iterator>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 
 #include "app/commands/interrupt.h"
+#include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
@@ -36,24 +40,32 @@ class Comparison {
 
     MethodRow rowOf(Shot shot) {
         MethodRow row;
-        row.method = shot.method;
-        if (cells_.body) shot.fineness.particles = static_cast<uint32_t>(cells_.body->particles.size());
-        spdlog::info("method {}", methodName(shot.method));
         const std::vector<uint32_t> map = timed(shot, row);
         requireNoInterrupt();
+        shot.fineness.particles = particlesOfABody();
         const std::vector<uint32_t> turned = fromTheSide(shot, row);
         row.moved = mapDistance(map, turned);
         row.turned_pieces = pieceSizes(turned).pieces;
         return row;
     }
 
+    /// For a shot that another device has run: only what it takes here is new.
+    MethodRow timesOf(const Shot& shot, MethodRow row) {
+        timed(shot, row);
+        return row;
+    }
+
   private:
+    uint32_t particlesOfABody() const { return static_cast<uint32_t>(cells_.body->particles.size()); }
     BuildOptions optionsFor(bool ledger) const {
         return {.draw_geometry = draws(), .ledger = ledger, .reuse = cells_.body ? &cells_ : nullptr};
     }
     bool draws() const { return plan_.mode != BenchMode::kSimulateOnly; }
 
-    std::vector<uint32_t> timed(const Shot& shot, MethodRow& row) {
+    std::vector<uint32_t> timed(Shot shot, MethodRow& row) {
+        row.method = shot.method;
+        if (cells_.body) shot.fineness.particles = particlesOfABody();
+        spdlog::info("method {}", methodName(shot.method));
         BuiltShot built = buildWithBar(shot, optionsFor(false));
         cells_ = cellsOf(built);
         std::unique_ptr<BenchStage> stage;
@@ -65,6 +77,7 @@ class Comparison {
         addTimes(run.samples, shot.phases, row);
         tellPlace(session, stage.get());
         row.device = session.solver().deviceName();
+        row.state_hash = session.solver().stateHash();
         if (draws()) row.outline = outlineOf(session);
         std::vector<uint32_t> map = fragmentMap(session);
         row.sizes = pieceSizes(map);
@@ -100,30 +113,46 @@ class Comparison {
 
 }  // namespace
 
-std::vector<MethodRow> compareMethods(const Shot& shot, const BenchPlan& plan, const ShotOptions& options,
-                                      PictureSize size, MethodsPlace& place) {
-    const bool on_gpu = choosesCuda(shot);
-    Shot first = shot;
+std::vector<Method> methodsToCompare(const std::string& names) {
+    if (names == "all") return {std::begin(kPaperOrder), std::end(kPaperOrder)};
+    std::vector<Method> named;
+    std::istringstream list(names);
+    for (std::string name; std::getline(list, name, ',');) {
+        const auto method = methodOf(name);
+        if (!method) throw UsageError("--methods knows no method '" + name + "'");
+        named.push_back(*method);
+    }
+    std::vector<Method> methods;
+    for (const Method method : kPaperOrder)
+        if (std::find(named.begin(), named.end(), method) != named.end()) methods.push_back(method);
+    if (methods.empty()) throw UsageError("--methods names no method");
+    return methods;
+}
+
+std::vector<MethodRow> compareMethods(const Shot& shot, std::span<const Method> methods,
+                                      const BenchPlan& plan, const ShotOptions& options, PictureSize size,
+                                      MethodsPlace& place) {
     Comparison comparison(plan, options, size, place);
-    std::vector<MethodRow> rows;
-    size_t cores = 0;
-    for (const Method method : kPaperOrder) {
-        if (method == Method::kCores) {
-            cores = rows.size();
-            if (!on_gpu) {
-                rows.emplace_back();
-                continue;
-            }
+    std::vector<MethodRow> rows(methods.size());
+    const MethodRow* ours = nullptr;
+    const auto ask = [&](size_t at) {
+        Shot asked = shot;
+        asked.method = methods[at];
+        const bool on_cores = asked.method == Method::kCores;
+        if (on_cores) asked.device = DeviceChoice::kAuto;
+        if (!on_cores || ours == nullptr) {
+            rows[at] = comparison.rowOf(asked);
+        } else {
+            rows[at] = *ours;
+            if (choosesCuda(shot)) rows[at] = comparison.timesOf(asked, rows[at]);
         }
-        first.method = method;
-        if (traitsOf(method).on_cpu) first.device = DeviceChoice::kAuto;
-        rows.push_back(comparison.rowOf(first));
-        first.device = shot.device;
-    }
-    if (!on_gpu) {
-        rows[cores] = rows.back();
-        rows[cores].method = Method::kCores;
-    }
+        rows[at].method = asked.method;
+        if (asked.method == Method::kOurs) ours = &rows[at];
+    };
+    for (size_t at = 0; at < methods.size(); ++at)
+        if (methods[at] != Method::kCores) ask(at);
+    for (size_t at = 0; at < methods.size(); ++at)
+        if (methods[at] == Method::kCores) ask(at);
     return rows;
 }
 

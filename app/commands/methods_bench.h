@@ -16,11 +16,16 @@ struct MethodsPlace {
     uint32_t particles = 0, bodies = 0;
     uint64_t frames = 0;
 };
+/// Those that are named, "all" or with commas, in the order of the paper's figure. Throws UsageError.
+std::vector<Method> methodsToCompare(const std::string& names);
+
 /// Each method runs the plan, timed, without the energy ledger; then the same frames hit from another side,
-/// with it and not drawn. All have the same cells. Without a GPU ours is what runs on the CPU's cores: one
-/// run stands for both. Fills in the place. Throws Interrupted, NumericalError and the errors of buildShot().
-std::vector<MethodRow> compareMethods(const Shot& shot, const BenchPlan& plan, const ShotOptions& options,
-                                      PictureSize size, MethodsPlace& place);
+/// with it and not drawn. All have the same cells. Ours on the CPU's cores gives the bits of ours: beside it
+/// it is timed alone, and without a GPU not even that. Fills in the place. Throws Interrupted, NumericalError
+/// and the errors of buildShot().
+std::vector<MethodRow> compareMethods(const Shot& shot, std::span<const Method> methods,
+                                      const BenchPlan& plan, const ShotOptions& options, PictureSize size,
+                                      MethodsPlace& place);
 
 std::string methodsTable(std::span<const MethodRow> rows, const MethodsPlace& place);
 std::string methodsJson(std::span<const MethodRow> rows, const MethodsPlace& place);

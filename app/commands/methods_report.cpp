@@ -66,7 +66,8 @@ Json rowJson(const MethodRow& row) {
                  {"largest_share", row.sizes.largest},
                  {"map_distance", row.moved},
                  {"pieces_from_the_side", row.turned_pieces},
-                 {"energy_closure", row.closure}};
+                 {"energy_closure", row.closure},
+                 {"state_hash", formatted("0x%016llx", static_cast<unsigned long long>(row.state_hash))}};
     if (row.outline.length > 0)
         json["outline"] = {{"deviation_h", row.outline.deviation},
                            {"turning_rad_per_h", row.outline.turning},

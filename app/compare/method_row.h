@@ -23,6 +23,7 @@ struct MethodRow {
     double moved = 0;          ///< distance of the maps when the impact is turned
     size_t turned_pieces = 0;  ///< of that run
     double closure = 1;        ///< of its energy books
+    uint64_t state_hash = 0;   ///< at the end
 };
 
 /// The frames before the first phase's end and of the last phase; of a shot without phases those before the

@@ -10,7 +10,7 @@ void showPattern(PanelContext& context) {
     Shot& shot = context.shot;
     const Pattern pattern = shot.pattern.value_or(usualPattern(shot.method));
     const int chosen = combo(context, "pattern", "Pattern", patternNames(), patternName(pattern),
-                             "Of the pieces; their mean size is that of the body's tough cells");
+                             "Of the pieces; about as many as the body has tough cells");
     if (chosen < 0) return;
     shot.pattern = static_cast<Pattern>(chosen);
     context.changed = true;

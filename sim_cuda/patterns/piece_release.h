@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "sim_cuda/api/solver.h"
+#include "sim_cuda/patterns/fit_pattern.h"
 #include "sim_cuda/patterns/release_pieces.h"
 #include "sim_cuda/physics/random.h"
 
@@ -81,6 +83,16 @@ PieceRelease<Backend, Real>::PieceRelease(Backend& backend, const SceneSetup& se
     backend.synchronize();  // the host copies go out of scope
 }
 
+/// How the pattern of a body lies until something turns it: upright; one that an impact will turn is fitted
+/// as if that came from the side.
+inline PatternFrame frameAtRest(const BreakableBody& body, bool at_impact) {
+    const Double3 &low = body.bounds_min, &high = body.bounds_max;
+    const auto middle = [](double a, double b) { return static_cast<float>((a + b) / 2); };
+    const Vec3<float> centre{middle(low.x, high.x), middle(low.y, high.y), middle(low.z, high.z)};
+    if (!at_impact) return patternFrame(centre, {0, 1, 0});
+    return patternFrame({static_cast<float>(low.x), centre.y, centre.z}, {1, 0, 0});
+}
+
 template <class Backend, class Real>
 void PieceRelease<Backend, Real>::uploadPatterns(const SceneSetup& setup, const PresetPieces& preset) {
     std::vector<PiecePattern> pattern;
@@ -90,17 +102,15 @@ void PieceRelease<Backend, Real>::uploadPatterns(const SceneSetup& setup, const 
         const BreakableBody& body = *setup.bodies[b].body;
         const uint32_t pieces = std::max(1u, setup.bodies[b].material.tough_cells);
         double volume = 0;
+        const size_t first = rest.size();
         for (const Particle& p : body.particles) {
             volume += p.volume;
             rest.push_back({float(p.seed.x), float(p.seed.y), float(p.seed.z), 0.0f});
         }
-        pattern.push_back({preset.pattern, static_cast<float>(std::cbrt(volume / pieces)),
-                           static_cast<uint32_t>(counterHash(setup.params.seed, b))});
-        const Double3 &low = body.bounds_min, &high = body.bounds_max;
-        frame.push_back(
-            patternFrame({static_cast<float>((low.x + high.x) / 2), static_cast<float>((low.y + high.y) / 2),
-                          static_cast<float>((low.z + high.z) / 2)},
-                         {0, 1, 0}));
+        frame.push_back(frameAtRest(body, preset.at_impact));
+        const PiecePattern guess{preset.pattern, static_cast<float>(std::cbrt(volume / pieces)),
+                                 static_cast<uint32_t>(counterHash(setup.params.seed, b))};
+        pattern.push_back(fittedPattern(guess, frame.back(), std::span(rest).subspan(first), pieces));
     }
     pattern_ = backend_.uploaded(pattern);
     frame_ = backend_.uploaded(frame);

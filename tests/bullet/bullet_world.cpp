@@ -106,8 +106,21 @@ glm::dvec3 World::centre(size_t piece) const {
     const btVector3& at = parts_->bodies.at(piece + 1)->getWorldTransform().getOrigin();
     return {at.x(), at.y(), at.z()};
 }
+glm::dquat World::turn(size_t piece) const {
+    const btQuaternion q = parts_->bodies.at(piece + 1)->getWorldTransform().getRotation();
+    return {q.w(), q.x(), q.y(), q.z()};
+}
 size_t World::pieces() const {
     return parts_->pieces;
+}
+std::vector<World::Ball> World::balls() const {
+    std::vector<Ball> balls;
+    for (size_t body = parts_->pieces + 1; body < parts_->bodies.size(); ++body) {
+        const btVector3& at = parts_->bodies[body]->getWorldTransform().getOrigin();
+        const auto& sphere = static_cast<const btSphereShape&>(*parts_->shapes[body]);
+        balls.push_back({{at.x(), at.y(), at.z()}, double(sphere.getRadius())});
+    }
+    return balls;
 }
 
 }  // namespace demolish::bullet

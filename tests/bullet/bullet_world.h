@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Convex pieces, balls and a floor in Bullet's rigid-body world, as its manual sets one up.
 #pragma once
+#include <glm/gtc/quaternion.hpp>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "tests/bullet/piece_hulls.h"
 
@@ -22,7 +24,13 @@ class World {
 
     double energy() const;                  ///< J, kinetic and potential, balls included
     glm::dvec3 centre(size_t piece) const;  ///< m
+    glm::dquat turn(size_t piece) const;    ///< since the start
     size_t pieces() const;
+    struct Ball {
+        glm::dvec3 centre{0};  ///< m
+        double radius = 0;     ///< m
+    };
+    std::vector<Ball> balls() const;
 
   private:
     struct Parts;

@@ -14,9 +14,10 @@ glm::dvec3 toGlm(const Float3& v) {
     return {v.x, v.y, v.z};
 }
 
-/// Adds a body whose cells are numbered from `first` on in the scene.
-void addBody(const BodyInstance& instance, std::span<const uint32_t> fragment,
+/// fragment: of the body's cells.
+void addBody(const SceneSetup& setup, uint32_t number, std::span<const uint32_t> fragment,
              std::map<uint32_t, Piece>& pieces) {
+    const BodyInstance& instance = setup.bodies[number];
     const Quaternion& q = instance.rotation;
     const glm::dquat turn(q.w, q.x, q.y, q.z);
     const auto placed = [&](const glm::dvec3& rest) { return toGlm(instance.position) + turn * rest; };
@@ -25,6 +26,8 @@ void addBody(const BodyInstance& instance, std::span<const uint32_t> fragment,
         const Particle& particle = body.particles[cell];
         Piece& piece = pieces[fragment[cell]];
         const double mass = instance.material.density * particle.volume;
+        piece.fragment = fragment[cell];
+        piece.body = number;
         piece.mass += mass;
         piece.centre += mass * placed(toGlm(particle.centroid));
         piece.friction = instance.material.friction;
@@ -49,9 +52,10 @@ void addBody(const BodyInstance& instance, std::span<const uint32_t> fragment,
 std::vector<Piece> piecesOf(const SceneSetup& setup, std::span<const uint32_t> fragment) {
     std::map<uint32_t, Piece> pieces;
     size_t first = 0;
-    for (const BodyInstance& instance : setup.bodies) {
-        addBody(instance, fragment.subspan(first, instance.body->particles.size()), pieces);
-        first += instance.body->particles.size();
+    for (uint32_t body = 0; body < setup.bodies.size(); ++body) {
+        const size_t cells = setup.bodies[body].body->particles.size();
+        addBody(setup, body, fragment.subspan(first, cells), pieces);
+        first += cells;
     }
     std::vector<Piece> list;
     for (auto& [slot, piece] : pieces) {

@@ -14,6 +14,8 @@ struct Piece {
     glm::dvec3 centre{0};             ///< m, in the scene
     double mass = 0;                  ///< kg
     double friction = 0, restitution = 0;
+    uint32_t fragment = 0;  ///< its name in the frames of our solver
+    uint32_t body = 0;      ///< of the setup, that it is part of
 };
 
 /// One for each fragment. fragment: of every cell of the bodies, which stand as the setup places them.

@@ -186,6 +186,21 @@ TEST_F(Bench, AComparisonTakesNoMethodAndOneFile) {
     EXPECT_EQ(bench({"--methods", "--method", "heavy"}).exit_code, 2);
     EXPECT_EQ(bench({"--methods", "--csv", folder_.path() / "rows.csv"}).exit_code, 2);
     EXPECT_EQ(bench({"--method", "magic"}).exit_code, 2);
+    for (const char* list : {"--methods=magic", "--methods=", "--methods=ours,,heavy", "--methods=,"}) {
+        const ProgramRun run = bench({list});
+        EXPECT_EQ(run.exit_code, 2) << list;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+}
+
+TEST_F(Bench, SomeMethodsAreCompared) {
+    const ProgramRun run = bench({"--methods=ours,pattern", "--no-draw"});
+    ASSERT_EQ(run.exit_code, 0) << run.out;
+    const auto rows = read()["methods"];
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rows[0]["name"], "pattern") << "in the paper's order";
+    EXPECT_EQ(rows[1]["name"], "ours");
+    EXPECT_NE(rows[0]["state_hash"], rows[1]["state_hash"]);
 }
 
 TEST_F(Bench, TheSubstepAloneIsTimedBesideTheMachinesFloor) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What patterns of pieces promise: sizes, shapes, and that they turn with their frame.
-#include "sim_cuda/patterns/piece_pattern.h"
+#include "sim_cuda/patterns/fit_pattern.h"
 
 #include <gtest/gtest.h>
 
@@ -69,6 +69,33 @@ TEST(PiecePattern, PiecesHaveTheSizeThatIsAskedFor) {
     EXPECT_NEAR(meanOf(piecesIn(Pattern::kUniform, 3), 3).volume, 1, 0.15);
     EXPECT_NEAR(meanOf(piecesIn(Pattern::kBricks, 3), 3).volume, 1, 0.15);
     EXPECT_NEAR(meanOf(piecesIn(Pattern::kSplinters, 5), 5).volume, 1, 0.2);
+}
+
+/// A plate 1 m wide and high and 0.02 m thick, a point every 0.02 m: 2,500.
+std::vector<Vec4<float>> plate() {
+    std::vector<Vec4<float>> places;
+    for (int x = 0; x < 50; ++x)
+        for (int y = 0; y < 50; ++y) places.push_back({0.02f * float(x), 0.02f * float(y), 0, 0});
+    return places;
+}
+
+TEST(PiecePattern, AThinWallComesApartIntoAsManyAsAreAskedFor) {
+    const std::vector<Vec4<float>> places = plate();
+    for (const Pattern kind : {Pattern::kUniform, Pattern::kRadial, Pattern::kBricks, Pattern::kSplinters})
+        for (const uint32_t pieces : {6u, 20u, 60u}) {
+            const PiecePattern by_volume{kind, static_cast<float>(std::cbrt(0.02 / pieces)), 5};
+            const PatternFrame frame = patternFrame({0.5f, 0.5f, 0}, {0, 1, 0});
+            const PiecePattern fitted = fittedPattern(by_volume, frame, places, pieces);
+            EXPECT_NEAR(double(countPieces(fitted, frame, places)), pieces, 1 + 0.15 * pieces)
+                << int(kind) << ", by volume " << countPieces(by_volume, frame, places);
+            EXPECT_GT(countPieces(by_volume, frame, places), 1.3 * pieces);
+        }
+}
+
+TEST(PiecePattern, WhatCannotBeCutSoFinelyIsCutAsFinelyAsCanBe) {
+    const std::vector<Vec4<float>> few{{0.5f, 0.5f, 0, 0}};
+    const PatternFrame frame = patternFrame({}, {0, 1, 0});
+    EXPECT_EQ(countPieces(fittedPattern({Pattern::kUniform, 0.1f, 5}, frame, few, 100), frame, few), 1u);
 }
 
 TEST(PiecePattern, SplintersAreLongAndBricksLieFlat) {
