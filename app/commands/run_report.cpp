@@ -171,7 +171,7 @@ void addState(const BuiltShot& built, const RunReport& report, Json& json) {
     json["open_cells"] = built.body->open_cells;
     json["repair"] = repairLines(repairReport(*built.cells.subject_mesh));
     if (built.body->remeshed) json["repair"].push_back("cells cut within a new surface");
-    if (const ModelLooks* looks = modelLooks(*built.mesh)) json["looks_notes"] = looks->notes;
+    if (const ModelLooks* looks = modelLooks(*built.cells.subject_mesh)) json["looks_notes"] = looks->notes;
     json["linear_momentum"] = vectorJson(stats.linear_momentum);
     json["angular_momentum"] = vectorJson(stats.angular_momentum);
     if (report.energy) json["energy"] = balanceJson(*report.energy);

@@ -42,7 +42,7 @@ struct SceneBody {
     std::optional<std::filesystem::path> model;
     double height_share = 1;  ///< its height, times the shot's
     std::optional<OwnMaterial> material;
-    bool breaks = true;       ///< false: whole whatever hits it, rigid when nothing swings in it
+    bool breaks = true;                    ///< false: whole whatever hits it, rigid when nothing swings in it
     double particles_share = 1;            ///< its number of particles, times the shot's
     std::optional<OwnSize> particle_size;  ///< in place of that
 

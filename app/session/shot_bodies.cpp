@@ -12,8 +12,9 @@ namespace demolish {
 namespace {
 
 bool madeAlike(const SceneBody& a, const SceneBody& b) {
-    return a.height_share == b.height_share && a.breaks == b.breaks && a.particles_share == b.particles_share &&
-           a.particle_size == b.particle_size && a.model == b.model && a.material == b.material;
+    return a.height_share == b.height_share && a.breaks == b.breaks &&
+           a.particles_share == b.particles_share && a.particle_size == b.particle_size &&
+           a.model == b.model && a.material == b.material;
 }
 
 /// Of bodies that say nothing about it.

@@ -126,6 +126,7 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameVi
 void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
                      GLuint framebuffer) {
     kind.samples = targets.samples;
+    kind.glow = false;  // of what is opaque, which is lit already
     const bool draft = view.quality == RenderQuality::kDraft;
     gl::Program& program = walk_[{kind, across_, draft}];
     if (program.id() == 0) {

@@ -32,6 +32,7 @@ void GlowPass::draw(BodyGeometry& body, const FractureMesh& mesh, const RenderTa
     if (both_sides) glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_GEQUAL);
+    targets.scene.bind();
 }
 
 void GlowPass::bind() const {

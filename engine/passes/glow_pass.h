@@ -14,7 +14,8 @@ namespace demolish::engine {
 class GlowPass {
   public:
     explicit GlowPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
-    /// The mesh has looks that glow, and they are bound. Depth tests are on and reversed.
+    /// The mesh has looks that glow, and they are bound. Depth tests are on and reversed; what is drawn next
+    /// goes into the targets again.
     void draw(BodyGeometry& body, const FractureMesh& mesh, const RenderTargets& targets);
     /// Unit 19, for shaders/common/drawn_sample.glsl.
     void bind() const;

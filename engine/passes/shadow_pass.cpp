@@ -50,7 +50,9 @@ void ShadowPass::enter(int region) {
     region_ = region;
 }
 
-void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool masked) {
+void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks,
+                          bool with_looks) {
+    const bool masked = with_looks && mesh.looks()->isMasked();
     body_.set(kHiddenLooks, hidden_looks);
     if (masked) {
         if (masked_.id() == 0)

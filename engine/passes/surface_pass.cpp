@@ -44,8 +44,7 @@ SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_
     return programs;
 }
 
-void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
-                       bool with_looks) {
+void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks) {
     const std::vector<SurfaceLook> looks = looksOf(view);
     const bool both_sides = with_looks && mesh.looks()->isDoubleSided();
     for (size_t k = 0; k < looks.size(); ++k) {

@@ -4,9 +4,7 @@
 #include "engine/render/renderer.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
 #include <optional>
 
 #include "engine/gl/error.h"
@@ -165,7 +163,8 @@ struct Renderer::Passes {
     int max_samples = 1;
 };
 
-/// Software renderers compute as slowly as they draw; computed pictures know one look and no colliders of triangles.
+/// Software renderers compute as slowly as they draw; computed pictures know one look and no colliders of
+/// triangles.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
     if (!showsSolid(mesh, view) || !view.more_looks.empty() || colliders.hasTriangles() ||
         view.quality != RenderQuality::kFull)
@@ -198,8 +197,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
         if (showsSolid(mesh, view))
-            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)),
-                            with_looks && mesh->looks()->isMasked());
+            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
         if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
@@ -223,11 +221,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("body");
     if (showsEffects(mesh, view)) grit.draw(*mesh, view.look);
     clock.mark("grit");
-    if (kind.glow) {
-        glow.draw(body, *mesh, *targets);
-        targets->scene.bind();
-        clock.mark("glow");
-    }
+    if (kind.glow) glow.draw(body, *mesh, *targets);
     if (showsSolid(mesh, view) && view.show_cracks)
         cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)));
     clock.mark("cracks");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The way back from vertex_packing.h; the same bits on host and device.
 #pragma once
-#include <bit>
 #include <cstdint>
 
 #include "sim_cuda/physics/vector.h"
@@ -21,15 +20,6 @@ DEM_FN Vec3<float> unpackOctahedral(uint32_t packed) {
         n.y = (1.0f - au) * (v < 0.0f ? -1.0f : 1.0f);
     }
     return normalized(n);
-}
-
-/// A finite half from packHalf().
-DEM_FN float unpackHalf(uint32_t half) {
-    const uint32_t magnitude = half & 0x7fffu, sign = (half & 0x8000u) << 16;
-    // As if its exponent were a float's: 2^112 too small, subnormals included.
-    const float small = std::bit_cast<float>(magnitude << 13);
-    const float value = small * 5192296858534827628530496329220096.0f;  // 2^112
-    return std::bit_cast<float>(std::bit_cast<uint32_t>(value) | sign);
 }
 
 }  // namespace demolish

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/session/picture.h"
+#include "engine/render/fracture_mesh.h"
 
 namespace demolish::bullet {
 namespace {
@@ -41,8 +42,8 @@ Pictures::Pictures(Session& session, HeadlessStage& stage, const std::filesystem
     : session_(session),
       stage_(stage),
       files_(filesIn(folder, width, height, frames)),
-      view_(
-          makeFrameView(session.shot(), *session.built().body, width, height, engine::RenderQuality::kFull)),
+      view_(makeFrameView(session.shot(), session.built().cells.of_body, width, height,
+                          engine::RenderQuality::kFull)),
       target_(width, height,
               [this](uint64_t frame, engine::Image image) { files_.add(frame, std::move(image)); }) {}
 

@@ -63,7 +63,7 @@ const std::vector<GuardedHeader> kGuarded = {
     {std::regex(R"(imgui)"), {"app/panel", "app/commands"}},
     {std::regex(R"(^assimp/)"), {"sim_cuda/authoring"}},
     {std::regex(R"(^Imf)"), {"engine/surroundings"}},
-    {std::regex(R"(^stb/)"), {"engine/surroundings", "engine/looks", "sim_cuda/authoring/looks"}},
+    {std::regex(R"(^stb/)"), {"engine/surroundings", "engine/looks", "sim_cuda/authoring"}},
 };
 
 bool startsWith(const std::string& text, const std::string& prefix) {

@@ -156,22 +156,23 @@ void checkSurface(const WholeFrame& frame, const StreamSizes& sizes, size_t coun
 
 std::vector<std::string> faultsOfBody(const BuiltShot& built) {
     std::vector<std::string> faults;
-    const double volume = meshInfo(*built.cells.subject_mesh).volume;
-    const size_t wanted = particlesWanted(built.shot, *built.cells.subject_mesh, built.solver->onGpu());
     double mass = 0;
     size_t particles = 0;
-    for (const BodyInstance& body : built.setup.bodies) {
-        mass += body.material.density * volume;
-        particles += wanted;
-    }
-    for (const auto& body : built.cells.of_body) {
+    for (const BodyFillings::Filling& filling : built.cells.fillings) {
+        const double volume = meshInfo(*filling.mesh).volume;
+        for (const BodyInstance& body : built.setup.bodies) {
+            if (body.body != filling.body) continue;
+            mass += body.material.density * volume;
+            particles += filling.options.particles;
+        }
         double cells = 0;
-        for (const Particle& particle : body->particles) cells += particle.volume;
+        for (const Particle& particle : filling.body->particles) cells += particle.volume;
         if (!near(cells, volume, kVolumeTolerance))
             faults.push_back(differs("the volume of all cells", cells, volume));
-        if (body->particles.size() != wanted)
-            faults.push_back(differs("the number of cells", static_cast<double>(body->particles.size()),
-                                     static_cast<double>(wanted)));
+        if (filling.body->particles.size() != filling.options.particles)
+            faults.push_back(differs("the number of cells",
+                                     static_cast<double>(filling.body->particles.size()),
+                                     static_cast<double>(filling.options.particles)));
     }
     const FrameStats& stats = built.solver->stats();
     if (!near(stats.mass, mass, kMassTolerance)) faults.push_back(differs("the mass", stats.mass, mass));

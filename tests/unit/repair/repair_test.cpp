@@ -183,7 +183,8 @@ TEST(RepairedSolid, CellsWithoutVolumeAskForANewSurface) {
     EXPECT_THROW(fillWithParticles(*makeSolidMesh(mesh, "lobes.obj", exact), {.particles = 200}),
                  InputFileError);
     // put together at one vertex, so that it counts as one part and is not looked through before
-    const auto solid = std::make_shared<const SolidMesh>(RepairedMesh{mesh, {}, {}}, RepairMode::kAuto);
+    const auto solid =
+        std::make_shared<const SolidMesh>(RepairedMesh{mesh, {}, {}}, RepairMode::kAuto, nullptr);
     const auto body = fillWithParticles(*solid, {.particles = 200});
     EXPECT_TRUE(body->remeshed);
     EXPECT_EQ(body->open_cells, 0u);
