@@ -86,6 +86,7 @@ void DustPass::addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Pro
     const auto& colour = view.look.dust_colour;
     program.set(kDust, glm::vec4(colour[0], colour[1], colour[2], 1 / (kLumpWaves * view.look.noise_scale)));
     program.set(kPixels, static_cast<float>(part));
+    program.use();  // not the last pass's: drivers hold it against the shadow map even as they clear
     clearSums(sums_->framebuffer);
     glViewport(0, 0, sums_->texture.width(), sums_->texture.height());
     run(program, mesh);
