@@ -72,6 +72,6 @@ struct RigidConstants {
 
 inline constexpr uint32_t kActiveCount = 0, kFragmentCount = 1, kBondedCount = 2, kCarriedCount = 3,
                           kAsleepCount = 4, kAwakeBodies = 5, kAwakeCount = 6, kMustBondCount = 7,
-                          kLargeCount = 8, kHitsLater = 9, kWorkWords = 10;
+                          kLargeCount = 8, kHitsLater = 9, kBondedShots = 10, kWorkWords = 11;
 
 }  // namespace demolish

@@ -95,6 +95,9 @@ struct WriteWork {
     DEM_FN void operator()(uint32_t k) const {
         if (k == 0) tellLengths();
         if (k < places.in_bodies && label[k] == k) countAwake(k);
+        if (k >= places.in_bodies && own_constants[k].takesPart() &&
+            regime[label[k]] == wordOf(Regime::kBonded))
+            atomicMaxU32(&words[kBondedShots], 1);
         if (marked(0, k)) active[sum(0, k)] = places.particleAt(k);
         if (marked(2, k)) bonded[sum(2, k)] = k;
         if (marked(3, k)) bonded[sum(2, places.total) + sum(3, k)] = k;

@@ -73,7 +73,11 @@ class Regimes {
 
     const RigidWork& rigid() const { return moved_.rigid(); }
     RigidConstants<Real> rigidConstants() { return moved_.rigidConstants(); }
-    bool movesBonds() const { return moved_.count(kBondedCount) > 0 || bonded_shots_; }
+    /// A ball about to hit hard is stepped so even before what it hits is awake, or nothing would move.
+    bool movesBonds() const {
+        return moved_.count(kBondedCount) > 0 || bonded_shots_ ||
+               (moved_.count(kBondedShots) > 0 && !movesRigid());
+    }
     /// Something is rigid or sleeps, so that what meets it has to be known beforehand.
     bool leavesBonds() const { return movesRigid() || moved_.count(kAsleepCount) > 0; }
     bool movesRigid() const { return moved_.count(kFragmentCount) > 0; }

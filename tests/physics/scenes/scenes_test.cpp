@@ -108,5 +108,12 @@ TEST(Scenes, AtVelocityZeroNothingIsHit) {
     EXPECT_EQ(run.stats().fragments, 2u);
 }
 
+/// Four hundred sleeping bricks: the one that is hit wakes after the ball has been made ready to hit it.
+TEST(Scenes, ABallDoesNotHangBeforeWhatSleeps) {
+    SceneRun run(smallScene("wall", 24));
+    run.runTo(0.75);
+    EXPECT_GT(run.stats().bonds_broken, 0u);
+}
+
 }  // namespace
 }  // namespace demolish::tests
