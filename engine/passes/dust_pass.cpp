@@ -24,12 +24,6 @@ void beginSums() {
     glBlendFunc(GL_ONE, GL_ONE);
 }
 
-void clearSums(const gl::Framebuffer& framebuffer) {
-    const float nothing[4] = {0, 0, 0, 0};
-    glClearNamedFramebufferfv(framebuffer.id(), GL_COLOR, 0, nothing);
-    framebuffer.bind();
-}
-
 }  // namespace
 
 DustPass::DustPass(const std::filesystem::path& shaders)
@@ -59,9 +53,13 @@ void DustPass::fit(int width, int height) {
     sums_->framebuffer = gl::Framebuffer({&sums_->texture}, nullptr);
 }
 
-void DustPass::run(const gl::Program& program, const FractureMesh& mesh) {
+void DustPass::run(const gl::Program& program, const FractureMesh& mesh, const Sums& sums) {
+    const float nothing[4] = {0, 0, 0, 0};
+    program.use();  // first: some drivers hold the last pass's program against the shadow map as they clear
+    glClearNamedFramebufferfv(sums.framebuffer.id(), GL_COLOR, 0, nothing);
+    sums.framebuffer.bind();
+    glViewport(0, 0, sums.texture.width(), sums.texture.height());
     bindStorage(StorageBinding::kPuffs, mesh.stream(StreamId::kPuffs));
-    program.use();
     no_attributes_.bind();
     mesh.drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
 }
@@ -75,9 +73,7 @@ void DustPass::castShadows(const FractureMesh* mesh) {
         shadow_sums_->framebuffer = gl::Framebuffer({&shadow_sums_->texture}, nullptr);
     }
     beginSums();
-    clearSums(shadow_sums_->framebuffer);
-    glViewport(0, 0, kShadowTexels, kShadowTexels);
-    run(shadows_, *mesh);
+    run(shadows_, *mesh, *shadow_sums_);
     glDisable(GL_BLEND);
     shadow_sums_->texture.bind(kDustShadowUnit);
 }
@@ -86,10 +82,7 @@ void DustPass::addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Pro
     const auto& colour = view.look.dust_colour;
     program.set(kDust, glm::vec4(colour[0], colour[1], colour[2], 1 / (kLumpWaves * view.look.noise_scale)));
     program.set(kPixels, static_cast<float>(part));
-    program.use();  // not the last pass's: drivers hold it against the shadow map even as they clear
-    clearSums(sums_->framebuffer);
-    glViewport(0, 0, sums_->texture.width(), sums_->texture.height());
-    run(program, mesh);
+    run(program, mesh, *sums_);
 }
 
 void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const RenderTargets& targets,

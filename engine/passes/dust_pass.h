@@ -39,7 +39,8 @@ class DustPass {
     void fit(int width, int height);
     gl::Program& puffsFor(const RenderTargets& targets, bool full);
     void addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Program& program, int part);
-    void run(const gl::Program& program, const FractureMesh& mesh);
+    /// All puffs, into sums that are 0 before.
+    void run(const gl::Program& program, const FractureMesh& mesh, const Sums& sums);
 
     std::filesystem::path shaders_;
     gl::Program shadows_;

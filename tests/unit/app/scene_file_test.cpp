@@ -7,26 +7,16 @@
 
 #include "app/session/data_folder.h"
 #include "sim_cuda/api/errors.h"
+#include "tests/unit/app/scene_texts.h"
 #include "tests/unit/app/temporary_folder.h"
 
 namespace demolish {
 namespace {
 
+using test::complaintAbout;
+using test::kHead;
 using test::TemporaryFolder;
 using testing::HasSubstr;
-
-const std::string kHead = "version = 1\nmodel = \"models/block.obj\"\n";
-
-/// The sentence of the error that reading this text ends in.
-std::string complaintAbout(const std::string& text) {
-    const TemporaryFolder folder;
-    try {
-        loadSceneFile(folder.write("scene.toml", text));
-    } catch (const InputFileError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 TEST(SceneFile, ReadsWhatIsWritten) {
     const TemporaryFolder folder;
