@@ -4,6 +4,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -24,13 +25,18 @@ inline size_t countPieces(const PiecePattern& pattern, const PatternFrame& frame
 
 /// The pattern with the size by which countPieces() comes nearest to `pieces`, from its own size as a guess.
 /// Numbers fall with sizes, but not evenly: of the sizes that a bisection meets, the best. Square roots and
-/// no logarithms, which differ between machines.
+/// no logarithms, which differ between machines. One piece is of endless size: the middle of a pattern is
+/// where pieces meet, so that a body about it would be cut by pieces of any other size.
 inline PiecePattern fittedPattern(const PiecePattern& guess, const PatternFrame& frame,
                                   std::span<const Vec4<float>> rest, uint32_t pieces) {
     constexpr int kLooks = 9;
     float finer = 0.25f, coarser = 16;  // times the guess
     double best_miss = 1e30;
     PiecePattern best = guess, pattern = guess;
+    if (pieces <= 1) {
+        best.size = std::numeric_limits<float>::infinity();
+        return best;
+    }
     for (int look = 0; look < kLooks; ++look) {
         const float middle = std::sqrt(finer * coarser);
         pattern.size = middle * guess.size;

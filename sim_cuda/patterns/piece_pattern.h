@@ -24,7 +24,7 @@ DEM_FN PatternFrame patternFrame(const Vec3<float>& centre, const Vec3<float>& a
 
 struct PiecePattern {
     Pattern kind = Pattern::kUniform;
-    float size = 1;     ///< m, of the mean piece
+    float size = 1;     ///< m, of the mean piece; infinity: all is one
     uint32_t seed = 0;  ///< of the places of pieces
 };
 

@@ -92,6 +92,17 @@ TEST(PiecePattern, AThinWallComesApartIntoAsManyAsAreAskedFor) {
         }
 }
 
+TEST(PiecePattern, OnePieceIsAllOfTheBody) {
+    const std::vector<Vec4<float>> places = plate();
+    for (const Pattern kind :
+         {Pattern::kUniform, Pattern::kRadial, Pattern::kSlabs, Pattern::kBricks, Pattern::kSplinters})
+        for (const Vec3<float>& centre : {Vec3<float>{0.5f, 0.5f, 0}, Vec3<float>{0, 0.5f, 0}}) {
+            const PatternFrame frame = patternFrame(centre, {1, 0, 0});
+            EXPECT_EQ(countPieces(fittedPattern({kind, 0.3f, 5}, frame, places, 1), frame, places), 1u)
+                << int(kind);
+        }
+}
+
 TEST(PiecePattern, WhatCannotBeCutSoFinelyIsCutAsFinelyAsCanBe) {
     const std::vector<Vec4<float>> few{{0.5f, 0.5f, 0, 0}};
     const PatternFrame frame = patternFrame({}, {0, 1, 0});
