@@ -49,4 +49,14 @@ GLuint writableTexture(GLuint framebuffer, int width, int height, GLenum format)
     return fits ? texture : 0;
 }
 
+GLuint tilesAlong(int pixels) {
+    return static_cast<GLuint>(pixels + 7) / 8;
+}
+
+void computePicture(GLuint picture, GLenum format, int width, int height) {
+    glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, format);
+    glDispatchCompute(tilesAlong(width), tilesAlong(height), 1);
+    glMemoryBarrier(kPictureBarriers);
+}
+
 }  // namespace demolish::engine::gl

@@ -30,4 +30,12 @@ class Framebuffer {
 /// single-sample, of exactly this size and format, level 0. 0 when it is anything else (the window, say).
 GLuint writableTexture(GLuint framebuffer, int width, int height, GLenum format);
 
+/// What reads or copies a picture that was computed waits for these.
+inline constexpr GLbitfield kPictureBarriers = GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
+                                               GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
+/// Groups of 8 along so many pixels.
+GLuint tilesAlong(int pixels);
+/// Runs the program in use, with groups of 8 x 8 pixels, on a texture as its image 0.
+void computePicture(GLuint picture, GLenum format, int width, int height);
+
 }  // namespace demolish::engine::gl

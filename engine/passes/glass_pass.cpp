@@ -123,27 +123,43 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameVi
     glDepthFunc(GL_LESS);
 }
 
-void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
-                     GLuint framebuffer) {
+gl::Program& GlassPass::walkFor(const RenderTargets& targets, PictureKind kind, bool drawn) {
     kind.samples = targets.samples;
     kind.glow = false;  // of what is opaque, which is lit already
-    const bool draft = view.quality == RenderQuality::kDraft;
-    gl::Program& program = walk_[{kind, across_, draft}];
-    if (program.id() == 0) {
-        program = gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"},
-                              defines(kind) + numbersFor(targets) + "#define LAYERS " +
-                                  std::to_string(kLayers) + (draft ? "\n#define DRAFT\n" : "\n"));
-        setTone(program, kind.tone);
-    }
+    gl::Program& program = walk_[{kind, across_, drawn}];
+    if (program.id() != 0) return program;
+    const std::string numbers = defines(kind) + numbersFor(targets) + "#define LAYERS " +
+                                std::to_string(kLayers) + (drawn ? "\n#define DRAFT\n" : "\n");
+    program = drawn ? gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"}, numbers)
+                    : gl::Program(shaders_, {"glass_walk.comp"}, numbers);
+    setTone(program, kind.tone);
+    return program;
+}
+
+void GlassPass::bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view) {
     for (size_t k = 0; k < layers_.size(); ++k) layers_[k].texture.bind(kLayerUnit + static_cast<GLuint>(k));
     targets.depth.bind(kOpaqueUnit);
     scene_.bind(kSceneUnit);
     program.set(kFrost, glassOf(view).frost);
+    program.use();
+}
+
+void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
+                     GLuint framebuffer) {
+    bindWalk(walkFor(targets, kind, true), targets, view);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);
-    program.use();
     no_attributes_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void GlassPass::computeWalk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
+                            GLuint framebuffer) {
+    const GLenum format = kind.radiance ? GL_RGBA16F : GL_RGBA8;
+    const GLuint target = gl::writableTexture(framebuffer, targets.width, targets.height, format);
+    bindWalk(walkFor(targets, kind, false), targets, view);
+    gl::computePicture(target != 0 ? target : targets.display.id(), format, targets.width, targets.height);
+    if (target == 0) targets.show(framebuffer);
 }
 
 }  // namespace demolish::engine

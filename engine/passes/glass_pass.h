@@ -32,6 +32,9 @@ class GlassPass {
     /// The finished picture into `framebuffer`. Bound are the shadow map, the noise volume, the surroundings
     /// and the sums of dust.
     void walk(const RenderTargets& targets, const FrameView& view, PictureKind kind, GLuint framebuffer);
+    /// The same by computing: on data-centre GPUs only few multiprocessors draw, but all of them compute.
+    void computeWalk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
+                     GLuint framebuffer);
 
   private:
     static constexpr int kLayers = 4;
@@ -50,10 +53,12 @@ class GlassPass {
     };
     void fit(const RenderTargets& targets);
     PeelPrograms& peelFor(const RenderTargets& targets);
+    gl::Program& walkFor(const RenderTargets& targets, PictureKind kind, bool drawn);
+    void bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view);
 
     std::filesystem::path shaders_;
     std::map<std::pair<int, int>, PeelPrograms> peel_;  ///< by samples, and layer texels across a pixel
-    std::map<std::tuple<PictureKind, int, bool>, gl::Program> walk_;
+    std::map<std::tuple<PictureKind, int, bool>, gl::Program> walk_;  ///< by layer texels across; drawn
     gl::Program shadow_;
     gl::Texture shadow_sums_, scene_, depth_;
     gl::Framebuffer shadow_target_, scene_target_;

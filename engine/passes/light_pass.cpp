@@ -12,14 +12,8 @@ namespace {
 constexpr GLint kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
 
-constexpr GLbitfield kPictureBarriers = GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
-                                        GL_PIXEL_BUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
 /// Enough to fill any GPU; each goes on to further tiles.
 constexpr GLuint kFoundGroups = 16384;
-
-GLuint tilesAlong(int pixels) {
-    return static_cast<GLuint>(pixels + 7) / 8;
-}
 
 void bindInputs(const RenderTargets& targets) {
     targets.material_bits.bind(kMaterialUnit);
@@ -62,30 +56,24 @@ gl::Program& LightPass::programFor(const RenderTargets& targets, Way way) {
     return program;
 }
 
-void LightPass::bindPicture(const gl::Texture& occlusion, GLuint picture) {
-    occlusion.bind(kOcclusionUnit);
-    glBindImageTexture(0, picture, 0, GL_FALSE, 0, GL_WRITE_ONLY, kind_.radiance ? GL_RGBA16F : GL_RGBA8);
-}
-
 void LightPass::compute(const RenderTargets& targets, const gl::Texture& occlusion, GLuint picture) {
     programFor(targets, Way::kComputed).use();
     bindInputs(targets);
-    bindPicture(occlusion, picture);
-    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
-    glMemoryBarrier(kPictureBarriers);
+    occlusion.bind(kOcclusionUnit);
+    gl::computePicture(picture, pictureFormat(), targets.width, targets.height);
 }
 
 void LightPass::computeFound(const RenderTargets& targets, const gl::Texture& occlusion,
                              const SurfaceLook& look, GLuint picture) {
-    bindPicture(occlusion, picture);
+    occlusion.bind(kOcclusionUnit);
     programFor(targets, Way::kEmpty).use();
-    glDispatchCompute(tilesAlong(targets.width), tilesAlong(targets.height), 1);
+    gl::computePicture(picture, pictureFormat(), targets.width, targets.height);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     gl::Program& program = programFor(targets, Way::kFound);
     setBodyMaterial(program, kBodyMaterial, with_looks_ ? withoutCoat(look) : look);
     program.use();
     glDispatchCompute(kFoundGroups, 1, 1);
-    glMemoryBarrier(kPictureBarriers);
+    glMemoryBarrier(gl::kPictureBarriers);
 }
 
 void LightPass::draw(const RenderTargets& targets, GLuint framebuffer) {

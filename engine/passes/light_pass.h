@@ -38,7 +38,7 @@ class LightPass {
   private:
     enum class Way { kDrawn, kComputed, kEmpty, kFound };
     gl::Program& programFor(const RenderTargets& targets, Way way);
-    void bindPicture(const gl::Texture& occlusion, GLuint picture);
+    GLenum pictureFormat() const { return kind_.radiance ? GL_RGBA16F : GL_RGBA8; }
     std::filesystem::path shaders_;
     std::map<std::tuple<Way, SolidTexture, PictureKind>, gl::Program> programs_;  ///< made when first needed
     SolidTexture texture_ = SolidTexture::kNone;                                  ///< of the frames to come

@@ -25,4 +25,9 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
     }
 }
 
+void RenderTargets::show(GLuint framebuffer) const {
+    glBlitNamedFramebuffer(resolved.id(), framebuffer, 0, 0, width, height, 0, 0, width, height,
+                           GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
 }  // namespace demolish::engine

@@ -24,6 +24,8 @@ struct RenderTargets {
     gl::Texture depth;                       ///< 32 bit float, reversed
     gl::Texture display;                     ///< RGBA8, sRGB encoded, single sample
     gl::Framebuffer scene, depth_only, resolved;
+    /// What is in `display`, into a framebuffer of the same size.
+    void show(GLuint framebuffer) const;
     std::array<glm::vec2, 4> sample_position;  ///< inside the pixel, 0..1, as the driver puts them
 };
 

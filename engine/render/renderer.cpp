@@ -249,8 +249,7 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
     }
     clock.mark("light");
     if (target != 0) return;
-    glBlitNamedFramebuffer(targets->resolved.id(), framebuffer, 0, 0, view.width, view.height, 0, 0,
-                           view.width, view.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    targets->show(framebuffer);
     clock.mark("present");
 }
 
@@ -296,7 +295,10 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
 
 void Renderer::Passes::drawGlass(const FrameView& view, GLuint framebuffer) {
     shadow.bindMap();
-    glass.walk(*targets, view, kind, framebuffer);
+    if (view.quality == RenderQuality::kDraft)
+        glass.walk(*targets, view, kind, framebuffer);
+    else
+        glass.computeWalk(*targets, view, kind, framebuffer);
     ShadowPass::unbindMap();
     clock.mark("walk");
 }
