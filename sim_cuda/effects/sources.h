@@ -47,7 +47,8 @@ DEM_FN Grain thrown(const Source& source, float size, float drag, float elapsed,
     grain.velocity = source.velocity + (source.violence * share * squareRoot(share)) * draws.direction();
     grain.position = axpy(elapsed * draws.uniform(), grain.velocity - source.velocity, source.position);
     grain.rotation = draws.orientation();
-    grain.spin = (20.0f + 60.0f * draws.uniform()) * draws.direction();
+    const float turning = 20.0f + 60.0f * draws.uniform();  // drawn first, whatever a compiler would do
+    grain.spin = turning * draws.direction();
     grain.seed = draws.word();
     grain.drag = drag;
     return grain;
