@@ -10,7 +10,7 @@ layout(local_size_x = 128) in;
 layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
 const float kLeastTexels = 0.7;  // as grit_shadow.vert
 
-// A face close to the eye is larger than the edges of fill_lane.glsl are exact for.
+// A large face, or one close to the eye, is larger than the edges of fill_lane.glsl are exact for.
 void fillFar(Flat f, uint name) {
     ivec2 box = boxOf(f);
     Edges e = edgesFrom(f, f.low);
@@ -21,6 +21,16 @@ void fillFar(Flat f, uint name) {
             if (covers(e, kGrid * away + sample_at[i])) covered |= 1u << i;
         }
         if (covered != 0u) putCamera(f, f.low + away, covered, name);
+    }
+}
+
+void fillFarShadow(Flat f, int region) {
+    ivec2 box = boxOf(f);
+    Edges e = edgesFrom(f, f.low);
+    float shift = shadowShift(f);
+    for (int k = 0; k < box.x * box.y; ++k) {
+        ivec2 away = ivec2(k % box.x, k / box.x), texel = f.low + away;
+        if (covers(e, kGrid * away + kGrid / 2)) putShadow(texel, region, depthAt(f, kGrid * texel + kGrid / 2) + shift);
     }
 }
 
@@ -42,7 +52,9 @@ void seeFromSun(Grain g, GrainFace face, int region) {
     vec3 p[3];
     for (int k = 0; k < 3; ++k) p[k] = g.position_size.xyz + g.position_size.w * face.corner[k];
     Flat f = shadowFlat(p, region);
-    if (f.shows && isNear(f)) fillShadow(f, region);
+    if (!f.shows) return;
+    if (isNear(f)) fillShadow(f, region);
+    else fillFarShadow(f, region);
 }
 
 void main() {

@@ -47,25 +47,28 @@ TEST_P(EffectsPicture, WithoutAnyThePictureIsTheSameToTheLastBit) {
 }
 
 TEST_P(EffectsPicture, AGrainHasTheBrokenMaterialAndAShadow) {
-    Scene with = scene();
-    with.mesh.reset();
-    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 0.001f});
-    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
-    const Image none = picture(with);
-    const float(&inside)[3] = with.view.look.interior_colour;
-    ASSERT_GT(inside[0], 1.5f * inside[2]);  // a warm colour, unlike the floor's
-    // A seed without a coat on any face.
-    writeEffects(*with.mesh, {{{0, 0.42f, 0}, 0.6f, {0, 0x7fff0000u}, 1}}, {});
-    const Image one = picture(with);
-    const Colour middle = middleOf(one);
-    EXPECT_GT(middle.red, middle.blue + 10);
-    size_t darker = 0;  // of the floor: as cool as the sky, and less than it was
-    for (int y = one.height / 2; y < one.height; ++y)
-        for (int x = 0; x < one.width; ++x) {
-            const uint8_t *now = one.at(x, y), *before = none.at(x, y);
-            darker += now[1] + 25 < before[1] && now[2] >= now[0];
-        }
-    EXPECT_GT(darker, 300u);
+    for (const Rasteriser rasteriser : {Rasteriser::kDraw, Rasteriser::kCompute}) {
+        Scene with = scene();
+        with.view.rasteriser = rasteriser;
+        with.mesh.reset();
+        with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 0.001f});
+        with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+        const Image none = picture(with);
+        const float(&inside)[3] = with.view.look.interior_colour;
+        ASSERT_GT(inside[0], 1.5f * inside[2]);  // a warm colour, unlike the floor's
+        // A seed without a coat on any face. So large that its shadow is, too.
+        writeEffects(*with.mesh, {{{0, 0.42f, 0}, 0.6f, {0, 0x7fff0000u}, 1}}, {});
+        const Image one = picture(with);
+        const Colour middle = middleOf(one);
+        EXPECT_GT(middle.red, middle.blue + 10);
+        size_t darker = 0;  // of the floor: as cool as the sky, and less than it was
+        for (int y = one.height / 2; y < one.height; ++y)
+            for (int x = 0; x < one.width; ++x) {
+                const uint8_t *now = one.at(x, y), *before = none.at(x, y);
+                darker += now[1] + 25 < before[1] && now[2] >= now[0];
+            }
+        EXPECT_GT(darker, 300u) << "by computing: " << (rasteriser == Rasteriser::kCompute);
+    }
 }
 
 TEST_P(EffectsPicture, AGrainBehindTheBlockIsNotSeen) {
