@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cstdint>
+#include <vector>
 
 namespace demolish::engine::gl {
 namespace {
@@ -33,6 +34,12 @@ Buffer Buffer::resizable(size_t size, GLenum usage) {
     return buffer;
 }
 
+Buffer Buffer::zeros(size_t size, GLenum usage) {
+    Buffer buffer = resizable(size, usage);
+    buffer.upload(std::vector<std::byte>(size));
+    return buffer;
+}
+
 void Buffer::resize(size_t size) {
     assert(usage_ != 0);
     size_ = size;
@@ -44,10 +51,6 @@ void Buffer::upload(std::span<const std::byte> data, size_t offset) {
     if (data.empty()) return;
     glNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                          data.data());
-}
-
-void Buffer::fill(uint32_t word) {
-    glClearNamedBufferData(id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, &word);
 }
 
 void Buffer::download(std::span<std::byte> data, size_t offset) const {

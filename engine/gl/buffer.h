@@ -23,12 +23,14 @@ class Buffer {
     /// undefined.
     static Buffer resizable(size_t size, GLenum usage = GL_DYNAMIC_COPY);
 
+    /// The same, of zeros. They are uploaded: NVIDIA's driver has cleared large buffers
+    /// (glClearNamedBufferData) after what was uploaded into them next, and so lost it.
+    static Buffer zeros(size_t size, GLenum usage = GL_DYNAMIC_COPY);
+
     /// Throws away the contents; only for resizable buffers.
     void resize(size_t size);
     /// Copies into the buffer from `offset` bytes on; resizable, or immutable with GL_DYNAMIC_STORAGE_BIT.
     void upload(std::span<const std::byte> data, size_t offset = 0);
-    /// Fills the buffer with one 32-bit word.
-    void fill(uint32_t word);
     /// Reads back; waits for the GPU. For tests and rare queries.
     void download(std::span<std::byte> data, size_t offset = 0) const;
 

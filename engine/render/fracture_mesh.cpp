@@ -55,6 +55,12 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
     return 0;
 }
 
+/// Is it read before a frame is written? Of the others commands say how much there is, which is nothing.
+bool isReadUnwritten(StreamId id) {
+    return id == StreamId::kParticles || id == StreamId::kParticleFragment || id == StreamId::kTransforms ||
+           id == StreamId::kCommands || id == StreamId::kEffectCommands || id == StreamId::kExteriorChunks;
+}
+
 }  // namespace
 
 uint64_t FractureMesh::nextVersion() {
@@ -68,9 +74,9 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
       particle_count_(data.particle_count),
       particle_capacity_(std::max(data.particle_capacity, data.particle_count)) {
     for (size_t i = 0; i < streams_.size(); ++i) {
-        streams_[i] =
-            gl::Buffer::resizable(std::max<size_t>(streamBytes(static_cast<StreamId>(i), data), 64));
-        streams_[i].fill(0);
+        const auto id = static_cast<StreamId>(i);
+        const size_t bytes = std::max<size_t>(streamBytes(id, data), 64);
+        streams_[i] = isReadUnwritten(id) ? gl::Buffer::zeros(bytes) : gl::Buffer::resizable(bytes);
     }
     if (data.looks != nullptr) looks_.emplace(*data.looks);
     // Until the first frame is written the body stands whole where it was made: all cells in slot 0, which
