@@ -23,7 +23,12 @@ std::string numbersFor(const RenderTargets& targets) {
     return "#define ACROSS " + std::to_string(acrossFor(targets)) + "\n";
 }
 
+constexpr float kEmptyDepth = 0;
+
 }  // namespace
+
+GlassPass::GlassPass(const std::filesystem::path& shaders)
+    : shaders_(shaders), eraser_(shaders, kEmptyDepth) {}
 
 void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
                            const FrameView& view) {
@@ -76,6 +81,8 @@ void GlassPass::fit(const RenderTargets& targets) {
         layer.texture = gl::Texture::make2d(GL_RG32UI, across * targets.width, across * targets.height);
         layer.framebuffer = gl::Framebuffer({&layer.texture}, &depth_);
     }
+    depth_only_ = gl::Framebuffer({}, &depth_);
+    eraser_.forget();
 }
 
 GlassPass::PeelPrograms& GlassPass::peelFor(const RenderTargets& targets) {
@@ -89,35 +96,57 @@ GlassPass::PeelPrograms& GlassPass::peelFor(const RenderTargets& targets) {
     return programs;
 }
 
+/// A computed clear takes a fiftieth of a drawn one where few multiprocessors draw.
+void GlassPass::clearLayers() {
+    if (clear_.id() == 0)
+        clear_ =
+            gl::Program(shaders_, {"glass_clear.comp"}, "#define LAYERS " + std::to_string(kLayers) + "\n");
+    for (size_t k = 0; k < layers_.size(); ++k)
+        glBindImageTexture(static_cast<GLuint>(k), layers_[k].texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY,
+                           GL_RG32UI);
+    clear_.use();
+    glDispatchCompute(gl::tilesAlong(depth_.width()), gl::tilesAlong(depth_.height()), 1);
+    glMemoryBarrier(GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void GlassPass::peelLayer(size_t k, PeelPrograms& programs, BodyGeometry& body, const FractureMesh& mesh) {
+    layers_[k].framebuffer.bind();
+    glDisable(GL_CULL_FACE);
+    glDepthFunc(GL_GREATER);
+    // The first has none before it; another's texture stands in.
+    layers_[k == 0 ? 1 : k - 1].texture.bind(kLayerUnit);
+    for (gl::Program* program : {&programs.exterior, &programs.interior})
+        program->set(kFirst, k == 0 ? 1 : 0);
+    programs.exterior.use();
+    body.drawExterior(mesh);
+    programs.interior.use();
+    body.drawInterior(mesh);
+}
+
 void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
                      const RenderTargets& targets) {
     fit(targets);
     const std::vector<SurfaceLook> looks = looksOf(view);
     const SurfaceLook look = glassOf(view);
     PeelPrograms& programs = peelFor(targets);
-    glEnable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glDepthFunc(GL_GREATER);
-    glViewport(0, 0, across_ * targets.width, across_ * targets.height);
-    targets.depth.bind(kOpaqueUnit);
-    constexpr float kEmptyDepth = 0;
+    for (gl::Program* program : {&programs.exterior, &programs.interior}) {
+        program->set(kNoise, glm::vec2(look.noise_scale, look.noise_strength));
+        program->set(kHiddenLooks, hiddenUnless(true, looks));
+    }
+    const bool draft = view.quality == RenderQuality::kDraft;
+    if (draft)
+        eraser_.forget();
+    else
+        clearLayers();
     constexpr std::array<GLuint, 4> kNothing{};
+    glEnable(GL_DEPTH_TEST);
+    targets.depth.bind(kOpaqueUnit);
     for (size_t k = 0; k < layers_.size(); ++k) {
-        const GLuint target = layers_[k].framebuffer.id();
-        glClearNamedFramebufferfv(target, GL_DEPTH, 0, &kEmptyDepth);
-        glClearNamedFramebufferuiv(target, GL_COLOR, 0, kNothing.data());
-        layers_[k].framebuffer.bind();
-        // The first has none before it; another's texture stands in.
-        layers_[k == 0 ? 1 : k - 1].texture.bind(kLayerUnit);
-        for (gl::Program* program : {&programs.exterior, &programs.interior}) {
-            program->set(kNoise, glm::vec2(look.noise_scale, look.noise_strength));
-            program->set(kFirst, k == 0 ? 1 : 0);
-            program->set(kHiddenLooks, hiddenUnless(true, looks));
-        }
-        programs.exterior.use();
-        body.drawExterior(mesh);
-        programs.interior.use();
-        body.drawInterior(mesh);
+        if (draft) glClearNamedFramebufferuiv(layers_[k].framebuffer.id(), GL_COLOR, 0, kNothing.data());
+        eraser_.erase(depth_only_, depth_);
+        peelLayer(k, programs, body, mesh);
+        // No layer touches more than the first.
+        if (k == 0 && !draft) eraser_.remember(depth_, 1);
     }
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);

@@ -12,6 +12,7 @@
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/passes/body_geometry.h"
+#include "engine/passes/depth_eraser.h"
 #include "engine/passes/picture_kind.h"
 #include "engine/render/render_targets.h"
 
@@ -19,7 +20,7 @@ namespace demolish::engine {
 
 class GlassPass {
   public:
-    explicit GlassPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+    explicit GlassPass(const std::filesystem::path& shaders);
     /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
     /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region.
     void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
@@ -52,6 +53,8 @@ class GlassPass {
         bool operator==(const ShadowKey&) const = default;
     };
     void fit(const RenderTargets& targets);
+    void clearLayers();
+    void peelLayer(size_t k, PeelPrograms& programs, BodyGeometry& body, const FractureMesh& mesh);
     PeelPrograms& peelFor(const RenderTargets& targets);
     gl::Program& walkFor(const RenderTargets& targets, PictureKind kind, bool drawn);
     void bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view);
@@ -60,8 +63,10 @@ class GlassPass {
     std::map<std::pair<int, int>, PeelPrograms> peel_;  ///< by samples, and layer texels across a pixel
     std::map<std::tuple<PictureKind, int, bool>, gl::Program> walk_;  ///< by layer texels across; drawn
     gl::Program shadow_;
+    gl::Program clear_;
+    DepthEraser eraser_;  ///< of depth_
     gl::Texture shadow_sums_, scene_, depth_;
-    gl::Framebuffer shadow_target_, scene_target_;
+    gl::Framebuffer shadow_target_, scene_target_, depth_only_;
     std::array<Layer, kLayers> layers_;
     std::optional<ShadowKey> shadow_key_;
     int across_ = 0;
