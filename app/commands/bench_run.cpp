@@ -98,8 +98,8 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
                           renderQuality(options, headless_.info().software))),
       target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {}
 
-void BenchStage::draw(const Session& session) {
-    headless_.renderer().draw(session.mesh(), session.spheres(), view_, target_.framebuffer());
+void BenchStage::draw(const engine::FractureMesh* mesh, std::span<const engine::SphereDraw> spheres) {
+    headless_.renderer().draw(mesh, spheres, view_, target_.framebuffer());
     tellRefusal(headless_.renderer());
     wait();
 }

@@ -63,7 +63,7 @@ class Comparison {
     bool draws() const { return plan_.mode != BenchMode::kSimulateOnly; }
 
     std::vector<uint32_t> timed(Shot shot, MethodRow& row) {
-        row.method = shot.method;
+        row.name = methodName(shot.method);
         if (cells_.body) shot.fineness.particles = particlesOfABody();
         spdlog::info("method {}", methodName(shot.method));
         BuiltShot built = buildWithBar(shot, optionsFor(false));
@@ -87,9 +87,7 @@ class Comparison {
     void tellPlace(Session& session, const BenchStage* stage) {
         place_.particles = session.solver().stats().particles;
         place_.bodies = static_cast<uint32_t>(session.built().setup.bodies.size());
-        if (stage == nullptr) return;
-        place_.drawn_by =
-            stage->info().renderer + ", " + std::to_string(size_.width) + "x" + std::to_string(size_.height);
+        if (stage != nullptr) place_.tellDrawnBy(stage->info().renderer, size_);
     }
 
     std::vector<uint32_t> fromTheSide(const Shot& shot, MethodRow& row) {
@@ -112,6 +110,10 @@ class Comparison {
 };
 
 }  // namespace
+
+void MethodsPlace::tellDrawnBy(const std::string& renderer, PictureSize size) {
+    drawn_by = renderer + ", " + std::to_string(size.width) + "x" + std::to_string(size.height);
+}
 
 std::vector<Method> methodsToCompare(const std::string& names) {
     if (names == "all") return {std::begin(kPaperOrder), std::end(kPaperOrder)};
@@ -146,7 +148,7 @@ std::vector<MethodRow> compareMethods(const Shot& shot, std::span<const Method> 
             rows[at] = *ours;
             if (choosesCuda(shot)) rows[at] = comparison.timesOf(asked, rows[at]);
         }
-        rows[at].method = asked.method;
+        rows[at].name = methodName(asked.method);
         if (asked.method == Method::kOurs) ours = &rows[at];
     };
     for (size_t at = 0; at < methods.size(); ++at)

@@ -15,6 +15,8 @@ struct MethodsPlace {
     std::string scene, drawn_by;
     uint32_t particles = 0, bodies = 0;
     uint64_t frames = 0;
+
+    void tellDrawnBy(const std::string& renderer, PictureSize size);
 };
 /// Those that are named, "all" or with commas, in the order of the paper's figure. Throws UsageError.
 std::vector<Method> methodsToCompare(const std::string& names);

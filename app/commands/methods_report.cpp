@@ -18,8 +18,10 @@ struct PaperMethod {
     const char* name;
     double fps;
 };
-PaperMethod paperMethod(Method method) {
-    switch (method) {
+PaperMethod paperMethod(const std::string& name) {
+    const std::optional<Method> method = methodOf(name);
+    if (!method) return {"-", 0};
+    switch (*method) {
         case Method::kPatternAtImpact:
             return {"Method 1", 130};
         case Method::kHeavy:
@@ -38,21 +40,26 @@ std::string orDash(double value, const char* format) {
     return value > 0 ? formatted(format, value) : "-";
 }
 
+/// Without books there is only a bound.
+std::string energyOf(const MethodRow& row) {
+    if (row.closure) return formatted("%.4f", *row.closure);
+    return row.most_energy ? formatted("<=%.3f", *row.most_energy) : "-";
+}
+
 std::string lineOf(const MethodRow& row) {
-    const PaperMethod paper = paperMethod(row.method);
+    const PaperMethod paper = paperMethod(row.name);
     const bool lines = row.outline.length > 0;
-    return formatted("  %-18s %-9s %6s %8s %8s %8.3g %7zu %7zu %5zu %8.1f %7.2f %9s %8.4f\n",
-                     methodName(row.method), paper.name, orDash(paper.fps, "%.0f").c_str(),
-                     orDash(row.fps_whole, "%.4g").c_str(), orDash(row.fps_broken, "%.4g").c_str(),
-                     row.sim_ms, row.sizes.pieces, row.sizes.single, row.sizes.half, 100 * row.sizes.largest,
-                     row.moved,
+    return formatted("  %-18s %-9s %6s %8s %8s %8.3g %7zu %7zu %5zu %8.1f %7.2f %9s %8s\n", row.name.c_str(),
+                     paper.name, orDash(paper.fps, "%.0f").c_str(), orDash(row.fps_whole, "%.4g").c_str(),
+                     orDash(row.fps_broken, "%.4g").c_str(), row.sim_ms, row.sizes.pieces, row.sizes.single,
+                     row.sizes.half, 100 * row.sizes.largest, row.moved,
                      lines ? formatted("%.3f/%.2f", row.outline.deviation, row.outline.turning).c_str() : "-",
-                     row.closure);
+                     energyOf(row).c_str());
 }
 
 Json rowJson(const MethodRow& row) {
-    const PaperMethod paper = paperMethod(row.method);
-    Json json = {{"name", methodName(row.method)},
+    const PaperMethod paper = paperMethod(row.name);
+    Json json = {{"name", row.name},
                  {"paper", paper.name},
                  {"paper_fps", paper.fps > 0 ? Json(paper.fps) : Json()},
                  {"device", row.device},
@@ -66,8 +73,10 @@ Json rowJson(const MethodRow& row) {
                  {"largest_share", row.sizes.largest},
                  {"map_distance", row.moved},
                  {"pieces_from_the_side", row.turned_pieces},
-                 {"energy_closure", row.closure},
-                 {"state_hash", formatted("0x%016llx", static_cast<unsigned long long>(row.state_hash))}};
+                 {"energy_closure", row.closure ? Json(*row.closure) : Json()}};
+    if (row.most_energy) json["most_energy"] = *row.most_energy;
+    if (row.state_hash != 0)
+        json["state_hash"] = formatted("0x%016llx", static_cast<unsigned long long>(row.state_hash));
     if (row.outline.length > 0)
         json["outline"] = {{"deviation_h", row.outline.deviation},
                            {"turning_rad_per_h", row.outline.turning},

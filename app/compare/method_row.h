@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // One method in a comparison: how fast it ran, and what became of the bodies, in numbers.
 #pragma once
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,17 +14,18 @@
 namespace demolish {
 
 struct MethodRow {
-    Method method = Method::kOurs;
+    std::string name;  ///< of the method, or of another program
     std::string device;
     double fps_whole = 0, fps_broken = 0;  ///< medians; 0: no frame of that kind
     double frame_ms_worst = 0;
     double sim_ms = 0;  ///< median, of the broken frames
     PieceSizes sizes;
-    LineMeasure outline;       ///< of crack lines between large pieces; length 0 without drawing
-    double moved = 0;          ///< distance of the maps when the impact is turned
-    size_t turned_pieces = 0;  ///< of that run
-    double closure = 1;        ///< of its energy books
-    uint64_t state_hash = 0;   ///< at the end
+    LineMeasure outline;                ///< of crack lines between large pieces; length 0 without drawing
+    double moved = 0;                   ///< distance of the maps when the impact is turned
+    size_t turned_pieces = 0;           ///< of that run
+    std::optional<double> closure;      ///< of its energy books, in that run
+    std::optional<double> most_energy;  ///< of a program without books: after any frame, over what came in
+    uint64_t state_hash = 0;            ///< at the end
 };
 
 /// The frames before the first phase's end and of the last phase; of a shot without phases those before the

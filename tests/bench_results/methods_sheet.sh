@@ -3,8 +3,7 @@
 # The paper's Fig. 5: a column for each method (its Methods 1 to 4, then ours), a row for each moment.
 #   tests/bench_results/methods_sheet.sh PICTURE SCENE MOMENTS [options of `demolish capture`]
 #   tests/bench_results/methods_sheet.sh docs/pictures/methods.jpg bunny 0.4,0.56,2.4 --size 360x360
-# A last column for Bullet where BULLET_BENCH names the program of tests/bullet, with PARTICLES and SIZE as of
-# the other columns.
+# A last column for Bullet where BULLET_BENCH names the program of tests/bullet.
 # Needs ffmpeg. DEMOLISH names the program (default: ./demolish, which builds it first).
 set -euo pipefail
 cd "$(dirname "$0")/../.."
@@ -44,7 +43,7 @@ cores Method 4
 ours the paper’s own
 METHODS
 if [[ -n ${BULLET_BENCH:-} ]]; then
-    "$BULLET_BENCH" "$scene" "${PARTICLES:?of a body}" "$folder/bullet" "$moments" "${SIZE:?as --size}"
+    "$BULLET_BENCH" "$scene" --pictures "$folder/bullet" --at "$moments" "$@"
     column bullet "pieces of pattern"
 fi
 ffmpeg -nostdin -y -loglevel error "${columns[@]}" \

@@ -1,144 +1,92 @@
 // SPDX-License-Identifier: Apache-2.0
-// bullet_bench SCENE PARTICLES [FOLDER MOMENTS WxH]: the scene's bodies in preset pieces, as --method pattern
-// cuts them, moved by Bullet to the end of the scene's last phase. A row of Markdown: ms a frame whole and
-// broken, without drawing, pieces, and the most energy found over what there was and what came in. Pictures
-// of the moments (s, with commas) go into the folder.
-#include <algorithm>
-#include <chrono>
+// bullet_bench SCENE [options of `demolish bench`]: the scene's bodies in preset pieces, as --method pattern
+// cuts them, moved by Bullet: a row for the table of `demolish bench SCENE --methods`, or pictures of
+// moments.
+#include <CLI/CLI.hpp>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
-#include "app/commands/shot_options.h"
-#include "app/compare/method_row.h"
-#include "app/session/ball_flight.h"
+#include "app/commands/bench_run.h"
+#include "app/session/output_file.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/bullet/bullet_pictures.h"
+#include "tests/bullet/bullet_run.h"
 
 namespace {
 
 using namespace demolish;
 
-struct Times {
-    std::vector<double> whole, broken;  ///< ms
-    double most_energy = 0, energy_in = 0;
-};
-
-/// Fires each ball when it is due.
-class Balls {
-  public:
-    Balls(const Shot& shot, const SceneSetup& setup)
-        : shot_(shot), setup_(setup), balls_(ballsOf(shot)), started_(balls_.size(), false) {}
-
-    template <class Fire>
-    void startDue(double now, const Fire& fire) {
-        for (size_t i = 0; i < balls_.size(); ++i) {
-            if (started_[i] || !dueToStart(balls_[i], now, 1 / shot_.fps)) continue;
-            started_[i] = true;
-            fire(makeBall(shot_, setup_, balls_[i], balls_[i].arrival_time - now).ball);
-        }
-    }
-
-  private:
-    const Shot& shot_;
-    const SceneSetup& setup_;
-    std::vector<TimedBall> balls_;
-    std::vector<bool> started_;
-};
-
-double kinetic(const Projectile& ball) {
-    const Double3& v = ball.velocity;
-    const double mass = ball.density * 4.18879020478639 * ball.radius * ball.radius * ball.radius;
-    return mass * ((v.x * v.x + v.y * v.y + v.z * v.z) / 2 + 9.81 * ball.position.y);
-}
-
-/// seen(time): after each frame, and before the first.
-template <class Seen>
-Times run(const BuiltShot& built, bullet::World& world, double end, const Seen& seen) {
-    Times times;
-    seen(0.0);
-    Balls balls(built.shot, built.setup);
-    times.energy_in = world.energy();
-    const double frame = 1 / built.shot.fps;
-    for (double now = 0; now < end; now += frame) {
-        balls.startDue(now, [&](const Projectile& ball) {
-            world.fire(ball);
-            times.energy_in += kinetic(ball);
-        });
-        const auto begun = std::chrono::steady_clock::now();
-        world.advance(frame);
-        const double ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
-        const Phase* phase = phaseAt(built.shot.phases, now + frame);
-        if (phase == &built.shot.phases.front()) times.whole.push_back(ms);
-        if (phase == &built.shot.phases.back()) times.broken.push_back(ms);
-        times.most_energy = std::max(times.most_energy, world.energy());
-        seen(now + frame);
-    }
-    return times;
-}
+constexpr PictureSize kDefaultSize{1920, 1080};
 
 struct Arguments {
     ShotOptions shot;
-    std::string folder;
+    std::string json, pictures;
     std::vector<double> moments;  ///< s, ascending
+    bool no_draw = false;
 };
 
-Arguments argumentsOf(int argc, char** argv) {
-    if (argc != 3 && argc != 6) throw UsageError("usage: bullet_bench SCENE PARTICLES [FOLDER MOMENTS WxH]");
-    Arguments arguments;
-    arguments.shot.scene = argv[1];
-    arguments.shot.particles = std::strtod(argv[2], nullptr);
-    arguments.shot.device = "cpu";
-    arguments.shot.method = "pattern";
-    arguments.shot.effects = "off";
-    if (argc == 3) return arguments;
-    arguments.folder = argv[3];
-    std::istringstream moments(argv[4]);
-    for (std::string moment; std::getline(moments, moment, ',');)
-        arguments.moments.push_back(std::strtod(moment.c_str(), nullptr));
-    arguments.shot.size = argv[5];
-    return arguments;
+void addOptions(CLI::App& app, Arguments& arguments) {
+    addShotOptions(app, arguments.shot);
+    app.add_option("--json", arguments.json, "Report for programs, as of bench --methods")->type_name("FILE");
+    app.add_flag("--no-draw", arguments.no_draw, "Simulate only; needs no OpenGL");
+    auto* pictures = app.add_option("--pictures", arguments.pictures, "Draw moments into a folder instead");
+    pictures->type_name("FOLDER");
+    app.add_option("--at", arguments.moments, "Moments of the pictures, s, ascending, with commas")
+        ->delimiter(',')
+        ->needs(pictures);
 }
 
-void printRow(const Arguments& arguments) {
-    const Shot shot = makeShot(arguments.shot, "paper");
-    if (shot.phases.empty()) throw std::runtime_error("the scene has no phases");
-    const double end = shot.phases.back().to;
-    const bool draws = !arguments.folder.empty();
-    std::optional<HeadlessStage> stage;
-    if (draws) stage.emplace(false);
-    Session session(buildShot(shot, {}, {}), {.draw = draws});
-    while (session.solver().stats().time < end)
-        if (session.advance() != StepStatus::kOk) throw std::runtime_error("a step failed");
-    const std::vector<bullet::Piece> pieces = bullet::piecesOf(session.built().setup, fragmentMap(session));
-    bullet::World world(pieces);
-    const PictureSize size = pictureSize(arguments.shot, {640, 360});
-    std::optional<bullet::Pictures> pictures;
-    if (draws)
-        pictures.emplace(session, *stage, arguments.folder, size.width, size.height,
-                         arguments.moments.size());
+Shot shotOf(ShotOptions options) {
+    if (!options.method.empty() && options.method != methodName(Method::kPattern))
+        throw UsageError("pieces are cut by method pattern; leave out --method");
+    options.method = methodName(Method::kPattern);
+    if (options.effects.empty()) options.effects = "off";
+    return makeShot(options, "paper");
+}
+
+void drawMoments(const Arguments& arguments, const Shot& shot) {
+    HeadlessStage stage(choosesCuda(shot));
+    const uint64_t frames = framesOfShot(shot);
+    const bullet::CutScene cut = bullet::cutScene(buildShot(shot, {}, {}), frames, true);
+    const PictureSize size = pictureSize(arguments.shot, kDefaultSize);
+    bullet::Pictures pictures(*cut.session, stage, arguments.pictures, size.width, size.height,
+                              arguments.moments.size());
     size_t drawn = 0;
-    const Times times = run(session.built(), world, end, [&](double time) {
-        if (drawn == arguments.moments.size() || time < arguments.moments[drawn] - 0.5 / shot.fps) return;
-        pictures->draw(world, pieces);
-        ++drawn;
-    });
-    if (draws) pictures->finish();
-    std::printf("| %s, %u | %.2f | %.2f | %zu | %.3f |\n", shot.scene.c_str(),
-                session.solver().stats().particles, quantile(times.whole, 0.5), quantile(times.broken, 0.5),
-                world.pieces(), times.most_energy / times.energy_in);
+    bullet::runInBullet(cut.session->built(), cut.pieces, frames,
+                        [&](const bullet::World& world, double time) {
+                            if (drawn == arguments.moments.size()) return;
+                            if (time < arguments.moments[drawn] - 0.5 / shot.fps) return;
+                            pictures.draw(world, cut.pieces);
+                            ++drawn;
+                        });
+    pictures.finish();
+}
+
+void measure(const Arguments& arguments, const Shot& shot) {
+    const PictureSize size = arguments.no_draw ? PictureSize{} : pictureSize(arguments.shot, kDefaultSize);
+    MethodsPlace place{shot.scene, "nobody", 0, 0, framesOfShot(shot)};
+    const MethodRow rows[] = {bullet::bulletRow(shot, arguments.shot, size, place)};
+    LastFiles files;
+    files.write(arguments.json, [&] { return methodsJson(rows, place); });
+    std::fputs(methodsTable(rows, place).c_str(), stdout);
+    files.requireAllWritten();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) try {
-    printRow(argumentsOf(argc, argv));
+    CLI::App app("Preset pieces of a scene as convex hulls in Bullet");
+    Arguments arguments;
+    addOptions(app, arguments);
+    CLI11_PARSE(app, argc, argv);
+    const Shot shot = shotOf(arguments.shot);
+    arguments.pictures.empty() ? measure(arguments, shot) : drawMoments(arguments, shot);
     return 0;
+} catch (const UsageError& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 2;
 } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -37,6 +37,23 @@ FrameFilesOptions filesIn(const std::filesystem::path& folder, int width, int he
 
 }  // namespace
 
+void placePieces(Session& session, const World& world, std::span<const Piece> pieces) {
+    engine::FractureMesh& mesh = *session.mesh();
+    std::vector<FragmentTransform> transforms(mesh.particleCount());
+    for (size_t i = 0; i < pieces.size(); ++i)
+        transforms[pieces[i].fragment] =
+            transformOf(world, i, pieces[i], session.built().setup.bodies[pieces[i].body]);
+    mesh.stream(engine::StreamId::kTransforms).upload(std::as_bytes(std::span(transforms)));
+}
+
+std::vector<engine::SphereDraw> ballsOf(const World& world) {
+    std::vector<engine::SphereDraw> spheres;
+    for (const World::Ball& ball : world.balls())
+        spheres.push_back(
+            {{float(ball.centre.x), float(ball.centre.y), float(ball.centre.z)}, float(ball.radius)});
+    return spheres;
+}
+
 Pictures::Pictures(Session& session, HeadlessStage& stage, const std::filesystem::path& folder, int width,
                    int height, uint64_t frames)
     : session_(session),
@@ -48,17 +65,8 @@ Pictures::Pictures(Session& session, HeadlessStage& stage, const std::filesystem
               [this](uint64_t frame, engine::Image image) { files_.add(frame, std::move(image)); }) {}
 
 void Pictures::draw(const World& world, std::span<const Piece> pieces) {
-    engine::FractureMesh& mesh = *session_.mesh();
-    std::vector<FragmentTransform> transforms(mesh.particleCount());
-    for (size_t i = 0; i < pieces.size(); ++i)
-        transforms[pieces[i].fragment] =
-            transformOf(world, i, pieces[i], session_.built().setup.bodies[pieces[i].body]);
-    mesh.stream(engine::StreamId::kTransforms).upload(std::as_bytes(std::span(transforms)));
-    std::vector<engine::SphereDraw> spheres;
-    for (const World::Ball& ball : world.balls())
-        spheres.push_back(
-            {{float(ball.centre.x), float(ball.centre.y), float(ball.centre.z)}, float(ball.radius)});
-    stage_.renderer().draw(&mesh, spheres, view_, target_.framebuffer());
+    placePieces(session_, world, pieces);
+    stage_.renderer().draw(session_.mesh(), ballsOf(world), view_, target_.framebuffer());
     target_.submit(drawn_++);
 }
 

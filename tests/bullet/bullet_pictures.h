@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <span>
+#include <vector>
 
 #include "app/commands/frame_files.h"
 #include "app/commands/headless_stage.h"
@@ -10,6 +11,10 @@
 #include "tests/bullet/bullet_world.h"
 
 namespace demolish::bullet {
+
+/// Puts the pieces of a session that has cut the bodies and draws where Bullet has them.
+void placePieces(Session& session, const World& world, std::span<const Piece> pieces);
+std::vector<engine::SphereDraw> ballsOf(const World& world);
 
 class Pictures {
   public:

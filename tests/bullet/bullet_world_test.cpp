@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/bullet/bullet_world.h"
+#include "tests/bullet/bullet_run.h"
 
 #include <gtest/gtest.h>
 
@@ -44,6 +44,34 @@ TEST(BulletWorld, WhatNothingTouchesSleeps) {
     World world(pieces);
     for (int frame = 0; frame < 30; ++frame) world.advance(1.0 / 60);
     for (size_t p = 0; p < world.pieces(); ++p) EXPECT_NEAR(world.centre(p).y, pieces[p].centre.y, 1e-6);
+}
+
+/// What `demolish bench --methods` says of the same shot by Method::kPattern.
+TEST(BulletRow, IsOfThePiecesThatPatternCuts) {
+    Shot shot = tests::smallScene("vase", 60, {17, 13});
+    tests::bringForward(shot, {.first = 0.1, .last = 0.2});
+    shot.device = DeviceChoice::kCpu;
+    shot.method = Method::kPattern;
+    MethodsPlace pattern_place{shot.scene, "nobody", 0, 0, 40}, place = pattern_place;
+    const Method methods[] = {Method::kPattern};
+    const BenchPlan plan{BenchMode::kSimulateOnly, 40, 0};
+    const MethodRow pattern = compareMethods(shot, methods, plan, {}, {}, pattern_place).front();
+    const MethodRow row = bulletRow(shot, {}, {}, place);
+    EXPECT_EQ(row.name, "bullet");
+    EXPECT_GT(row.sizes.pieces, 2u);
+    EXPECT_EQ(row.sizes.pieces, pattern.sizes.pieces);
+    EXPECT_EQ(row.sizes.half, pattern.sizes.half);
+    EXPECT_EQ(row.moved, pattern.moved);
+    EXPECT_EQ(row.turned_pieces, pattern.turned_pieces);
+    EXPECT_EQ(place.particles, pattern_place.particles);
+    EXPECT_FALSE(row.closure) << "Bullet keeps no books";
+    ASSERT_TRUE(row.most_energy);
+    EXPECT_GT(*row.most_energy, 0.5);
+    EXPECT_LT(*row.most_energy, 2);
+    const std::string table = methodsTable({&row, 1}, place), json = methodsJson({&row, 1}, place);
+    EXPECT_NE(table.find("bullet"), std::string::npos);
+    EXPECT_NE(json.find("\"most_energy\""), std::string::npos);
+    EXPECT_NE(json.find("\"paper_fps\": null"), std::string::npos);
 }
 
 }  // namespace
