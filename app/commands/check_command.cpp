@@ -32,7 +32,7 @@ void addCheckCommand(CLI::App& app, CheckOptions& options) {
     command->add_option("file", options.shot.model, "Model file")->type_name("FILE")->required();
     command->add_option("--height", options.shot.height, "Scale the model to this height (1 m)")
         ->type_name("M");
-    addRepairOptions(*command, options.shot);
+    addModelOptions(*command, options.shot);
     command->add_option("--particles", options.shot.particles, "Particles to cut it into (1,200)")
         ->type_name("N");
     command->add_option("--json", options.json, "Write the same as JSON")->type_name("FILE");

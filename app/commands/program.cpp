@@ -154,7 +154,8 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 
 int runProgram(int argument_count, char** arguments) {
-    if (argument_count == 3 && std::string_view(arguments[1]) == kReadModelCommand) serveModel(arguments[2]);
+    if (argument_count == 4 && std::string_view(arguments[1]) == kReadModelCommand)
+        serveModel(arguments[2], arguments[3]);
     try {
         setModelReader(kOwnProgram);
         setUpLog();

@@ -93,6 +93,14 @@ void applyMesh(const ShotOptions& options, const std::string& fallback, Shot& sh
         shot.model = *shot.paper_model;
 }
 
+/// Bodies of a scene say themselves which part of a model they are.
+void applyPart(const ShotOptions& options, Shot& shot) {
+    if (options.node.empty() && options.up.empty()) return;
+    if (options.model.empty())
+        throw UsageError("--node and --up are for --model; scene files have keys of these names");
+    shot.part = {options.node, options.up == "z" ? UpAxis::kZ : UpAxis::kY};
+}
+
 void applyRepair(const ShotOptions& options, Shot& shot) {
     if (!options.repair.empty()) shot.repair.mode = repairModeOf(options.repair).value_or(RepairMode::kAuto);
     if (options.thickness)
@@ -179,7 +187,11 @@ void addFinenessOptions(CLI::App& command, ShotOptions& options) {
 
 }  // namespace
 
-void addRepairOptions(CLI::App& command, ShotOptions& options) {
+void addModelOptions(CLI::App& command, ShotOptions& options) {
+    command.add_option("--node", options.node, "Break this node of the model file alone")->type_name("NAME");
+    command.add_option("--up", options.up, "Axis of the model file that points up (y)")
+        ->type_name("y|z")
+        ->check(CLI::IsMember({"y", "z"}).description(""));
     command
         .add_option("--repair", options.repair,
                     "How a model that is not closed is made one; exact: never with a new surface")
@@ -198,7 +210,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--model", options.model, "Mesh file to break instead of a scene")->type_name("FILE");
     command.add_option("--height", options.height, "Scale the model to this height (--model: 1 m)")
         ->type_name("M");
-    addRepairOptions(command, options);
+    addModelOptions(command, options);
     command
         .add_option("--impact-velocity", options.impact_velocity,
                     "Speed of the fastest ball, the others in proportion; 0 = nothing hits the body")
@@ -254,6 +266,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
 Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     Shot shot = baseShot(options);
     applyMesh(options, mesh, shot);
+    applyPart(options, shot);
     if (options.height)
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
     applyRepair(options, shot);

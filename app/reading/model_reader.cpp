@@ -28,12 +28,12 @@ std::string& readerProgram() {
 /// One file and the child that reads it.
 class Reading {
   public:
-    Reading(const fs::path& file, const ProgressCallback& progress)
+    Reading(const fs::path& file, const std::string& node, const ProgressCallback& progress)
         : file_(file),
           progress_(progress),
           most_time_(mostReadingTime(file)),
           deadline_(ChildProcess::Clock::now() + most_time_.waiting),
-          child_({.words = {"demolish", kReadModelCommand, file.string()},
+          child_({.words = {"demolish", kReadModelCommand, file.string(), node},
                   .program = readerProgram(),
                   .output = ChildStream::kPiped,
                   .errors = ChildStream::kNothing,
@@ -85,9 +85,9 @@ class Reading {
     ChildProcess child_;
 };
 
-ModelAnswer askReader(const fs::path& file, const ProgressCallback& progress) {
+ModelAnswer askReader(const fs::path& file, const std::string& node, const ProgressCallback& progress) {
     try {
-        return Reading(file, progress).answer();
+        return Reading(file, node, progress).answer();
     } catch (const ChildError& error) {
         throw DeviceError(std::string("could not start the reader of model files: ") + error.what());
     }
@@ -99,16 +99,16 @@ void setModelReader(const std::string& program) {
     readerProgram() = program;
 }
 
-ImportedModel readModel(const fs::path& file, const ProgressCallback& progress) {
-    if (readerProgram().empty()) return importModel(file);
-    ModelAnswer answer = askReader(file, progress);
+ImportedModel readModel(const fs::path& file, const std::string& node, const ProgressCallback& progress) {
+    if (readerProgram().empty()) return importModel(file, node);
+    ModelAnswer answer = askReader(file, node, progress);
     if (const auto* refusal = std::get_if<ModelRefusal>(&answer)) throw InputFileError(refusal->sentence);
     return std::get<ImportedModel>(std::move(answer));
 }
 
 std::shared_ptr<const SolidMesh> readSolidMesh(const fs::path& file, const MeshPlacement& placement,
                                                const ProgressCallback& progress) {
-    ImportedModel model = readModel(file, progress);
+    ImportedModel model = readModel(file, placement.part.node, progress);
     return makeSolidMesh(std::move(model.mesh), file, placement, std::move(model.looks));
 }
 

@@ -18,7 +18,8 @@ void setModelReader(const std::string& program);
 /// wrong answer) is an InputFileError of one sentence that names the file. Asks `progress` now and then, with
 /// fraction 0; kills the reader and throws Cancelled when it says so. Throws DeviceError when no reader can
 /// be started.
-ImportedModel readModel(const std::filesystem::path& file, const ProgressCallback& progress = {});
+ImportedModel readModel(const std::filesystem::path& file, const std::string& node = {},
+                        const ProgressCallback& progress = {});
 
 /// readModel() and makeSolidMesh().
 std::shared_ptr<const SolidMesh> readSolidMesh(const std::filesystem::path& file,

@@ -31,9 +31,9 @@ void writeToStdout(std::span<const uint8_t> bytes) {
     }
 }
 
-ModelAnswer answerFor(const std::filesystem::path& file) {
+ModelAnswer answerFor(const std::filesystem::path& file, const std::string& node) {
     try {
-        ImportedModel model = importModel(file);
+        ImportedModel model = importModel(file, node);
         if (std::max(model.mesh.triangles.size(), model.mesh.positions.size()) <= kMostTriangles)
             return model;
         return ModelRefusal{"The model '" + file.string() + "' has more than " +
@@ -47,10 +47,10 @@ ModelAnswer answerFor(const std::filesystem::path& file) {
 
 }  // namespace
 
-void serveModel(const std::filesystem::path& file) {
+void serveModel(const std::filesystem::path& file, const std::string& node) {
     limitThisReader(mostReadingTime(file).computing);
     std::set_new_handler(endWithoutMemory);
-    writeAnswer(answerFor(file), writeToStdout);
+    writeAnswer(answerFor(file, node), writeToStdout);
     _exit(EXIT_SUCCESS);  // nothing is worth cleaning up
 }
 

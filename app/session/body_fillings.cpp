@@ -13,7 +13,7 @@ namespace {
 constexpr double kReadingShare = 0.07;  // of the bar
 
 bool samePlacement(const MeshPlacement& a, const MeshPlacement& b) {
-    return a.height == b.height && a.keep_units == b.keep_units && a.repair == b.repair;
+    return a.height == b.height && a.keep_units == b.keep_units && a.part == b.part && a.repair == b.repair;
 }
 bool sameOptions(const FillOptions& a, const FillOptions& b) {
     return a.particles == b.particles && a.seed == b.seed && a.draw_geometry == b.draw_geometry;

@@ -101,7 +101,7 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
     ModelCheck check;
     check.file = shot.model.string();
     try {
-        ImportedModel model = readModel(shot.model, progress);
+        ImportedModel model = readModel(shot.model, shot.part.node, progress);
         check.contents = model.contents;
         check.size_in_file = sizeOf(model.mesh);
         check.looks = model.looks;

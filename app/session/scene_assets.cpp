@@ -45,4 +45,12 @@ std::filesystem::path readModelPath(TomlReader& reader, const std::string& key) 
     return file;
 }
 
+void readPart(TomlReader& reader, const std::string& prefix, ModelPart& part) {
+    reader.read(prefix + "node", part.node);
+    std::string up = part.up == UpAxis::kY ? "y" : "z";
+    reader.read(prefix + "up", up);
+    if (up != "y" && up != "z") reader.fail(prefix + "up", "must be \"y\" or \"z\"");
+    part.up = up == "y" ? UpAxis::kY : UpAxis::kZ;
+}
+
 }  // namespace demolish

@@ -51,6 +51,9 @@ void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneB
     if (reader.has(at + "model")) body.model = readModelPath(reader, at + "model");
     if (!body.model && shot.model.empty())
         reader.fail(at + "model", "is missing, and the scene names none for its bodies");
+    ModelPart part = partOf(shot, body);
+    readPart(reader, at, part);
+    if (part != partOf(shot, body)) body.part = part;
     double height = shot.height;
     reader.read(at + "height_m", height, kHeightRange);
     body.height_share = height / shot.height;

@@ -8,6 +8,7 @@
 
 #include "app/reading/model_reader.h"
 #include "app/session/asset_files.h"
+#include "app/session/scene_assets.h"
 #include "app/session/shot_geometry.h"
 #include "sim_cuda/api/errors.h"
 
@@ -82,9 +83,12 @@ Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
     reader.read(at + "position_m", shape.position, kPlaceRange);
     shape.rotation = readTurn(reader, at);
     reader.read(at + "cells", options.cells, {kLeastCells, kMostCells});
+    ModelPart part;
+    readPart(reader, at, part);
+    options.up = part.up;
     const std::filesystem::path file = modelFileOf(reader.file(), model);
     try {
-        shape.mesh = makeColliderMesh(readModel(file).mesh, file, options);
+        shape.mesh = makeColliderMesh(readModel(file, part.node).mesh, file, options);
     } catch (const InputFileError& error) {
         reader.fail(at + "model", std::string("is wrong: ") + error.what());
     }

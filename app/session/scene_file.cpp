@@ -108,14 +108,17 @@ void readPreset(TomlReader& reader, const std::string& key, Shot& shot) {
 void takeFromSubject(Shot& shot) {
     if (shot.bodies.empty()) return;
     const SceneBody subject = shot.bodies[subjectOf(shot)];
-    if (subject.model) {
+    if (subject.model || subject.part) {
+        const Shot of = asOf(shot, subject);
         for (SceneBody& body : shot.bodies) {
-            if (!body.model)
-                body.model = shot.model;
-            else if (body.model == subject.model)
-                body.model.reset();
+            body.part = partOf(shot, body);
+            if (!body.model) body.model = shot.model;
+            if (*body.model != of.model || *body.part != of.part) continue;
+            body.model.reset();
+            body.part.reset();
         }
-        shot.model = *subject.model;
+        shot.model = of.model;
+        shot.part = of.part;
         shot.paper_model.reset();
         shot.strength_row.clear();
     }
@@ -145,6 +148,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     std::string title;
     reader.read("title", title);
     if (reader.has("model") || reader.count("body", 1e9) == 0) shot.model = readModelPath(reader, "model");
+    readPart(reader, "", shot.part);
     if (reader.has("paper_model")) shot.paper_model = readModelPath(reader, "paper_model");
     readStrengthRow(reader, shot.strength_row);
     reader.read("height_m", shot.height, kHeightRange);

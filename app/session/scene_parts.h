@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/scene/surface_look.h"
+#include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/params.h"
 #include "sim_cuda/api/vectors.h"
 
@@ -40,7 +41,8 @@ struct SceneBody {
     Double3 spin;          ///< rad/s, about its centre of mass
 
     std::optional<std::filesystem::path> model;
-    double height_share = 1;  ///< its height, times the shot's
+    std::optional<ModelPart> part;  ///< none: all of `model`, or what the shot takes of its own
+    double height_share = 1;        ///< its height, times the shot's
     std::optional<OwnMaterial> material;
     bool breaks = true;                    ///< false: whole whatever hits it, rigid when nothing swings in it
     double particles_share = 1;            ///< its number of particles, times the shot's

@@ -125,7 +125,7 @@ Change changeBetween(const Shot& before, const Shot& after) {
 }
 
 bool sameSubject(const Shot& a, const Shot& b) {
-    return a.scene == b.scene && a.scene_file == b.scene_file && a.model == b.model;
+    return a.scene == b.scene && a.scene_file == b.scene_file && a.model == b.model && a.part == b.part;
 }
 
 }  // namespace demolish

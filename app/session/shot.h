@@ -16,6 +16,7 @@
 #include "engine/scene/lighting.h"
 #include "engine/scene/surface_look.h"
 #include "sim_cuda/api/mesh_repair.h"
+#include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/params.h"
 
 namespace demolish {
@@ -60,6 +61,7 @@ struct Shot {
     /// Mesh file; it and the material are those of bodies that have none of their own, of which the one that
     /// the fastest ball hits is one.
     std::filesystem::path model;
+    ModelPart part;  ///< of it
     /// The same model with the paper's number of triangles, where the scene names one: benchmarks take it.
     std::optional<std::filesystem::path> paper_model;
     /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.

@@ -14,7 +14,7 @@ namespace {
 bool madeAlike(const SceneBody& a, const SceneBody& b) {
     return a.height_share == b.height_share && a.breaks == b.breaks &&
            a.particles_share == b.particles_share && a.particle_size == b.particle_size &&
-           a.model == b.model && a.material == b.material;
+           a.model == b.model && a.part == b.part && a.material == b.material;
 }
 
 /// Of bodies that say nothing about it.
@@ -45,12 +45,16 @@ size_t subjectOf(const Shot& shot) {
     return first[std::min<size_t>(fastestBall(shot).body, first.size() - 1)];
 }
 
+ModelPart partOf(const Shot& shot, const SceneBody& body) {
+    if (body.part) return *body.part;
+    return body.model ? ModelPart{"", shot.part.up} : shot.part;
+}
+
 Shot asOf(const Shot& shot, const SceneBody& body) {
     Shot of = shot;
-    if (body.model) {
-        of.model = *body.model;
-        of.strength_row.clear();
-    }
+    if (body.model) of.model = *body.model;
+    of.part = partOf(shot, body);
+    if (body.model || body.part) of.strength_row.clear();
     if (body.material) {
         of.material_name = body.material->name;
         of.material = body.material->material;
@@ -60,7 +64,7 @@ Shot asOf(const Shot& shot, const SceneBody& body) {
 }
 
 MeshPlacement placementOf(const Shot& shot, const SceneBody& body) {
-    return {.height = shot.height * body.height_share, .repair = shot.repair};
+    return {.height = shot.height * body.height_share, .part = partOf(shot, body), .repair = shot.repair};
 }
 MeshPlacement placementOf(const Shot& shot) {
     return placementOf(shot, bodiesOf(shot)[subjectOf(shot)]);

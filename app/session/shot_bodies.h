@@ -20,6 +20,9 @@ std::vector<size_t> firstAlike(const std::vector<SceneBody>& bodies);
 /// it.
 size_t subjectOf(const Shot& shot);
 
+/// What of its model file the body is.
+ModelPart partOf(const Shot& shot, const SceneBody& body);
+
 /// The shot with model, material and look of one of its bodies as its own.
 Shot asOf(const Shot& shot, const SceneBody& body);
 

@@ -8,6 +8,7 @@
 
 #include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/api/mesh_repair.h"
+#include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
@@ -25,13 +26,14 @@ struct SolidMeshInfo {
 struct MeshPlacement {
     double height = 1.0;  ///< m, the file's mesh is scaled to it unless keep_units
     bool keep_units = false;
+    ModelPart part = {};
     RepairOptions repair = {};
 };
 
 /// Loads any file that assimp reads, welds, repairs what is not closed, and stands it on the floor (lowest
-/// y = 0, centred in x and z). Throws InputFileError with one sentence: unreadable, no triangles, and what
-/// the repair could not or may not mend: open edges (with their count), triangles that are there twice, zero
-/// or negative volume.
+/// y = 0, centred in x and z). Throws InputFileError with one sentence: unreadable, no such part, no
+/// triangles, and what the repair could not or may not mend: open edges (with their count), triangles that
+/// are there twice, zero or negative volume.
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement = {});
 const SolidMeshInfo& meshInfo(const SolidMesh& mesh);

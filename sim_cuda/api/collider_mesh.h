@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim_cuda/api/mesh_repair.h"
+#include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/triangle_mesh.h"
 
 namespace demolish {
@@ -36,6 +37,7 @@ struct ColliderMesh {
 };
 
 struct ColliderMeshOptions {
+    UpAxis up = UpAxis::kY;
     RepairOptions repair = {};
     uint32_t cells = 96;  ///< along the longest side, kLeastCells..kMostCells
 
@@ -44,8 +46,9 @@ struct ColliderMeshOptions {
 inline constexpr uint32_t kLeastCells = 8, kMostCells = 800;
 
 /// Repairs the mesh as far as needed and allowed, and measures the distances: where the surface passes they
-/// are exact. In the file's own lengths and place. Throws InputFileError with one sentence that names `file`:
-/// what cannot be closed, and more cells than kMostNodes hold; UsageError for cells out of range.
+/// are exact. In the file's own lengths and place, turned where z is up. Throws InputFileError with one
+/// sentence that names `file`: what cannot be closed, and more cells than kMostNodes hold; UsageError for
+/// cells out of range.
 std::shared_ptr<const ColliderMesh> makeColliderMesh(TriangleMesh mesh, const std::filesystem::path& file,
                                                      const ColliderMeshOptions& options = {});
 

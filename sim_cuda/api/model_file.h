@@ -30,14 +30,16 @@ struct ImportedModel {
 /// Reads every triangle of the file's scene (node transforms applied, in metres where the format says its
 /// unit), welds vertices of equal position and drops triangles that lost a corner by it. Not checked yet
 /// whether it is closed. Pictures are decoded, embedded or beside the file; those that are missing, damaged
-/// or too large are left out, with a note. Throws InputFileError: no plain file, unreadable, no triangles,
+/// or too large are left out, with a note. `node`: as ModelPart's. Throws InputFileError: no plain file,
+/// unreadable, no such node (with the names of those that are there), no triangles,
 /// faces of vertices that are not there, numbers that are not finite. A damaged file may still end the
 /// process, by a fault in the library that reads it.
-ImportedModel importModel(const std::filesystem::path& file);
+ImportedModel importModel(const std::filesystem::path& file, const std::string& node = {});
 /// The mesh alone.
 TriangleMesh importTriangles(const std::filesystem::path& file);
 
-/// Repairs the mesh as far as needed and allowed (placement.repair), checks it and stands it on the floor
+/// Turns z upwards where that is up (placement.part), repairs the mesh as far as needed and allowed
+/// (placement.repair), checks it and stands it on the floor
 /// (lowest y = 0, centred in x and z). Throws InputFileError with one sentence that names `file`: no
 /// triangles, still not closed (with the count of open edges), triangles that are there twice, zero or
 /// negative volume, too large or too small to be scaled; UsageError for a height that is not positive.

@@ -80,6 +80,7 @@ std::shared_ptr<const ColliderMesh> makeColliderMesh(TriangleMesh mesh, const st
                          std::to_string(kMostCells) + " are possible");
     if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
     auto made = std::make_shared<ColliderMesh>();
+    if (options.up == UpAxis::kZ) turnZUp(mesh);
     mesh = repairMesh(std::move(mesh), options.repair).mesh;
     requireSolid(mesh, file);
     const Bounds bounds = boundsOf(mesh.positions);

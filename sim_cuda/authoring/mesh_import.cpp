@@ -16,6 +16,7 @@
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/looks/material_import.h"
+#include "sim_cuda/authoring/model_nodes.h"
 #include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/unused_vertices.h"
 
@@ -162,16 +163,33 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform, con
     }
 }
 
-void addNode(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& parent,
-             const FileFacts& facts) {
-    const Transform transform = chained(parent, node.mTransformation);
+/// From the node's own lengths to the file's.
+Transform placeOf(const aiNode& node) {
+    return chained(node.mParent != nullptr ? placeOf(*node.mParent) : Transform{}, node.mTransformation);
+}
+
+void addOwn(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& transform,
+            const FileFacts& facts) {
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         if (node.mMeshes[i] >= scene.mNumMeshes)
             refuseModel(facts.file, "names a part that is not there; the file is damaged, export it again");
         addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, facts);
     }
+}
+
+void addAll(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& transform,
+            const FileFacts& facts) {
+    addOwn(welder, scene, node, transform, facts);
     for (unsigned i = 0; i < node.mNumChildren; ++i)
-        addNode(welder, scene, *node.mChildren[i], transform, facts);
+        addAll(welder, scene, *node.mChildren[i], chained(transform, node.mChildren[i]->mTransformation),
+               facts);
+}
+
+void addPart(Welder& welder, const aiScene& scene, const std::string& node, const FileFacts& facts) {
+    const aiNode& root = *scene.mRootNode;
+    const aiNode& part = node.empty() ? root : requireNode(root, node, facts.file);
+    const bool has_own = !node.empty() && part.mNumMeshes > 0;
+    (has_own ? addOwn : addAll)(welder, scene, part, placeOf(part), facts);
 }
 
 /// What assimp said, as one line without a closing full stop.
@@ -219,7 +237,7 @@ bool saysItsUnit(const std::filesystem::path& file) {
 
 }  // namespace
 
-ImportedModel importModel(const std::filesystem::path& file) {
+ImportedModel importModel(const std::filesystem::path& file, const std::string& node) {
     requirePlainFile(file);
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(
@@ -230,7 +248,7 @@ ImportedModel importModel(const std::filesystem::path& file) {
     Welder welder(file.stem().string());
     std::shared_ptr<const ModelLooks> looks = importLooks(file, *scene);
     const std::string ending = lowerEnding(file);
-    addNode(welder, *scene, *scene->mRootNode, {},
+    addPart(welder, *scene, node,
             {file, looks ? uint32_t(looks->materials.size()) : 0, ending == ".glb" || ending == ".gltf"});
     if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
     ImportedModel model{std::move(welder).take(),

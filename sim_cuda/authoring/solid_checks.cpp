@@ -43,6 +43,13 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file) {
     if (volume < 0) refuseModel(file, "is inside out (its volume is negative); flip its faces");
 }
 
+void turnZUp(TriangleMesh& mesh) {
+    for (Double3& p : mesh.positions) p = {p.x, p.z, -p.y};
+    for (auto& triangle : mesh.corners)
+        for (CornerAttributes& corner : triangle)
+            corner.normal = {corner.normal.x, corner.normal.z, -corner.normal.y};
+}
+
 double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement) {
     constexpr double kLyingFlat = 0.05;  // height over the longest side
     if (placement.keep_units) return 1;

@@ -15,6 +15,9 @@ bool isSolid(const TriangleMesh& mesh);
 /// numbers.
 void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file);
 
+/// A quarter turn about x: z becomes y, y becomes -z.
+void turnZUp(TriangleMesh& mesh);
+
 /// What brings the mesh to placement.height (m): that over its own height, or over its longest side where it
 /// is lower than a twentieth of it, since a plate that lies flat has no height to go by. 1 with keep_units.
 /// Throws UsageError for a height that is not positive.

@@ -48,6 +48,7 @@ std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::fil
                                                const MeshPlacement& placement,
                                                std::shared_ptr<const ModelLooks> looks) {
     if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
+    if (placement.part.up == UpAxis::kZ) turnZUp(mesh);
     const double scale = placementScale(mesh, placement);  // of the file's mesh, whatever the repair adds
     RepairOptions options = placement.repair;
     options.thickness /= scale;
@@ -60,7 +61,7 @@ std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::fil
 
 std::shared_ptr<const SolidMesh> loadSolidMesh(const std::filesystem::path& file,
                                                const MeshPlacement& placement) {
-    ImportedModel model = importModel(file);
+    ImportedModel model = importModel(file, placement.part.node);
     return makeSolidMesh(std::move(model.mesh), file, placement, std::move(model.looks));
 }
 

@@ -93,6 +93,21 @@ TEST(SceneBodies, TheShotIsAboutTheBodyThatTheFastestBallHits) {
     EXPECT_DOUBLE_EQ(placementOf(shot).height, 0.5);
 }
 
+TEST(SceneBodies, AreNodesOfAModelAndLieAsItsAxesSay) {
+    const Shot shot = sceneOf(
+        "version = 1\nmodel = \"models/block.obj\"\nup = \"z\"\nbody = [\n  {},\n  { node = \"lid\" },\n"
+        "  { model = \"models/wolf.obj\", up = \"y\" },\n  { model = \"models/wolf.obj\" },\n]\n");
+    EXPECT_EQ(partOf(shot, shot.bodies[0]), (ModelPart{"", UpAxis::kZ}));
+    EXPECT_EQ(partOf(shot, shot.bodies[1]), (ModelPart{"lid", UpAxis::kZ}));
+    EXPECT_EQ(partOf(shot, shot.bodies[2]), (ModelPart{"", UpAxis::kY}));
+    EXPECT_EQ(partOf(shot, shot.bodies[3]), (ModelPart{"", UpAxis::kZ}));
+    EXPECT_EQ(firstAlike(shot.bodies), (std::vector<size_t>{0, 1, 2, 3}));
+    EXPECT_EQ(placementOf(shot, shot.bodies[1]).part.node, "lid");
+    Shot other = shot;
+    other.bodies[1].part->node = "door";
+    EXPECT_EQ(changeBetween(shot, other), Change::kBody);
+}
+
 TEST(SceneBodies, MistakesAreNamedWithFileLineAndKey) {
     EXPECT_THAT(complaintAbout("version = 1\nbody = [\n  { model = \"models/block.obj\" },\n  {},\n]\n"),
                 HasSubstr("scene.toml:4: body[1].model is missing"));
@@ -104,6 +119,7 @@ TEST(SceneBodies, MistakesAreNamedWithFileLineAndKey) {
     EXPECT_THAT(complaintAbout(block + "particles = 1\n"), HasSubstr("scene.toml:4: body[0].particles"));
     EXPECT_THAT(complaintAbout(block + "particles = 9\nparticle_size_m = 0.1\n"),
                 HasSubstr("exclude each other"));
+    EXPECT_THAT(complaintAbout(block + "up = \"x\"\n"), HasSubstr("scene.toml:4: body[0].up must be"));
     EXPECT_THAT(complaintAbout(block + "speed_mps = 9\n"), HasSubstr("no setting 'body[0].speed_mps'"));
     EXPECT_THAT(complaintAbout(block + "velocity_mps = [1, 0, 0]\n[solver]\nsettle_s = 0.1\n"),
                 HasSubstr("scene.toml:4: body[0].velocity_mps needs solver.settle_s = 0"));

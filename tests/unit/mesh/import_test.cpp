@@ -12,6 +12,7 @@
 #include "sim_cuda/authoring/solid_checks.h"
 #include "sim_cuda/authoring/solid_mesh.h"
 #include "tests/unit/mesh/mesh_files.h"
+#include "tests/unit/meshes/gltf_set.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish {
@@ -144,6 +145,50 @@ TEST_F(FileTest, StandsOnTheFloorAtTheWantedHeight) {
     EXPECT_NEAR(meshInfo(*as_drawn).bounds_max.y, 2, 1e-12);
     EXPECT_THROW(loadSolidMesh(file, {.height = 0}), UsageError);
     EXPECT_THROW(loadSolidMesh(file, {.height = std::nan("")}), UsageError);
+}
+
+TEST_F(FileTest, ZIsTurnedUpwardsWithItsNormals) {
+    TriangleMesh cube = test::makeCube(2);
+    for (Double3& p : cube.positions) p = Double3{p.x * 3, p.y * 2, p.z};
+    const auto file = write("tall.obj", objText(cube));
+    const auto solid = loadSolidMesh(file, {.keep_units = true, .part = {"", UpAxis::kZ}});
+    EXPECT_NEAR(meshInfo(*solid).bounds_max.y, 2, 1e-12);
+    EXPECT_NEAR(meshInfo(*solid).bounds_max.z, 2, 1e-12);
+    EXPECT_NEAR(meshInfo(*solid).volume, 6 * 4 * 2, 1e-9);
+    const TriangleMesh& mesh = solid->mesh();
+    for (size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const auto& v = mesh.triangles[t];
+        const Double3 face = normalized(
+            cross(mesh.positions[v[1]] - mesh.positions[v[0]], mesh.positions[v[2]] - mesh.positions[v[0]]));
+        const Float3& normal = mesh.corners[t][0].normal;
+        EXPECT_NEAR(face.x * normal.x + face.y * normal.y + face.z * normal.z, 1, 1e-6);
+    }
+}
+
+TEST_F(FileTest, ANodeIsItsOwnTrianglesOrWhatLiesBelowIt) {
+    const auto file = test::writeGltfSet(
+        folder(), "set.gltf",
+        R"([{"name":"table","translation":[5,0,0],"scale":[2,2,2],"children":[1,2]},{"name":"top","mesh":0},
+{"name":"leg","mesh":0,"translation":[0,2,0],"children":[3]},{"name":"leg","mesh":0,"translation":[0,1,0]}])",
+        "[0]");
+    const auto bounds = [&](const std::string& node) {
+        return boundsOf(importModel(file, node).mesh.positions);
+    };
+    EXPECT_EQ(importTriangles(file).triangles.size(), 36u);
+    EXPECT_EQ(importModel(file, "table").mesh.triangles.size(), 36u) << "it has none of its own";
+    EXPECT_EQ(importModel(file, "leg").mesh.triangles.size(), 12u) << "without the one below it";
+    EXPECT_NEAR(bounds("top").lower.x, 4, 1e-6);
+    EXPECT_NEAR(bounds("leg").lower.y, 3, 1e-6);
+    EXPECT_NEAR(bounds("leg#2").upper.y, 7, 1e-6);
+    try {
+        importModel(file, "leg#3");
+        FAIL() << "accepted";
+    } catch (const InputFileError& error) {
+        EXPECT_NE(
+            std::string(error.what()).find("has no node 'leg#3'; those with triangles are top, leg, leg#2"),
+            std::string::npos)
+            << error.what();
+    }
 }
 
 TEST_F(FileTest, ParticleSizeGivesTheCountOrNamesWhatIsPossible) {

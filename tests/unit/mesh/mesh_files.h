@@ -17,6 +17,7 @@ class FileTest : public ::testing::Test {
   protected:
     FileTest();
     ~FileTest() override;
+    const std::filesystem::path& folder() const { return folder_; }
     std::filesystem::path write(const std::string& name, const std::string& text) const;
     /// test::exportMesh() into the folder.
     std::filesystem::path exportMesh(const TriangleMesh& mesh, const std::string& name,

@@ -11,6 +11,7 @@
 #include "app/session/data_folder.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/temporary_folder.h"
+#include "tests/unit/meshes/gltf_set.h"
 
 namespace demolish {
 namespace {
@@ -35,7 +36,7 @@ class ModelReader : public testing::Test {
         fs::permissions(reader, fs::perms::owner_all);
         setModelReader(reader);
         try {
-            readModel("some.obj", progress);
+            readModel("some.obj", "", progress);
         } catch (const InputFileError& error) {
             EXPECT_THAT(error.what(), AllOf(HasSubstr("The model 'some.obj'"), EndsWith(".")));
             return error.what();
@@ -61,6 +62,16 @@ TEST_F(ModelReader, GivesTheBitsThatReadingInThisProcessGives) {
         EXPECT_TRUE(sameBits(here.triangles, there.triangles));
         EXPECT_TRUE(sameBits(here.corners, there.corners));
     }
+}
+
+TEST_F(ModelReader, ReadsTheNodeThatIsAskedFor) {
+    useTheProgram();
+    const fs::path file = test::writeGltfSet(
+        folder_.path(), "set.gltf",
+        R"([{"name":"a b","mesh":0},{"name":"two","mesh":0,"translation":[3,0,0]}])", "[0,1]");
+    EXPECT_EQ(readModel(file).mesh.triangles.size(), 24u);
+    EXPECT_EQ(readModel(file, "a b").mesh.triangles.size(), 12u);
+    EXPECT_THROW(readModel(file, "c"), InputFileError);
 }
 
 TEST_F(ModelReader, TurnsDownWithTheReadersOwnWords) {
