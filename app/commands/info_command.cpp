@@ -94,18 +94,11 @@ void printKinds(const BuiltShot& built) {
     }
 }
 
-/// Makes the cells, since the step follows from them, and no solver.
-void printShot(const ShotOptions& options) {
-    const Shot shot = makeShot(options);
+/// Of bodies whose bonds are stepped, timed on this machine.
+void printCost(const Shot& shot, const BuiltShot& built, const ShotWork& work) {
     const bool on_gpu = choosesCuda(shot);
-    const BuiltShot built = prepareShot(shot, {.draw_geometry = false}, {});
-    const ShotWork work = workOf(built.shot, built.setup);
     const DevicePace pace = measurePace(on_gpu, work.particles);
     const ShotCost cost = costOf(work, pace);
-    std::printf("shot          %s: %u %s, %u particles of %.3g mm, %u bonds\n", modelName(shot.model).c_str(),
-                work.bodies, work.bodies == 1 ? "body" : "bodies", work.particles, 1000 * built.body->spacing,
-                work.bonds);
-    printKinds(built);
     std::printf("time step     %.4g us: %u substeps a frame of 1/%g s\n", 1e6 * work.time_step, work.substeps,
                 shot.fps / shot.time_scale);
     std::printf("making        cells in %s, settling in about %s (%llu substeps)\n",
@@ -119,6 +112,21 @@ void printShot(const ShotOptions& options) {
     printPace("  breaking", pace.breaking, work);
     if (const std::string note = slowNote(work, cost); !note.empty())
         std::printf("note          %s\n", note.c_str());
+}
+
+/// Makes the cells, since the step follows from them, and no solver.
+void printShot(const ShotOptions& options) {
+    const Shot shot = makeShot(options);
+    const BuiltShot built = prepareShot(shot, {.draw_geometry = false}, {});
+    const ShotWork work = workOf(built.shot, built.setup);
+    std::printf("shot          %s: %u %s, %u particles of %.3g mm, %u bonds\n", modelName(shot.model).c_str(),
+                work.bodies, work.bodies == 1 ? "body" : "bodies", work.particles, 1000 * built.body->spacing,
+                work.bonds);
+    printKinds(built);
+    if (work.steps_bonds) return printCost(shot, built, work);
+    std::printf("making        cells in %s, no settling\n", shownTime(built.build_seconds).c_str());
+    std::printf("a frame       method %s steps no bonds: rigid pieces, which are not priced here\n",
+                methodName(shot.method));
 }
 
 }  // namespace

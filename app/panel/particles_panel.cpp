@@ -29,10 +29,16 @@ void showRebuild(PanelContext& context) {
 void showWork(const PanelContext& context, double size) {
     const SessionStatus& status = context.status;
     ShotWork work;
+    work.steps_bonds = !traitsOf(context.shot.method).pattern_turns;
     const double times = status.particle_size / size;
     work.particles = static_cast<uint32_t>(status.stats.particles * times * times * times);
     const double finer = context.shot.substeps ? 1 : status.particle_size / size;
     work.substeps = static_cast<uint32_t>(std::lround(status.substeps_per_frame * finer));
+    if (!work.steps_bonds) {
+        ImGui::TextDisabled("%u particles, no bond is stepped", work.particles);
+        tooltipOnHover("About how many in all bodies. Preset pieces move as rigid bodies.");
+        return;
+    }
     const double seconds = costOf(work, context.pace).breaking_frame_ms / 1000;
     char text[96];
     std::snprintf(text, sizeof text, "%u particles, %u substeps, to %s", work.particles, work.substeps,

@@ -46,6 +46,7 @@ ShotWork workOf(const Shot& shot, const SceneSetup& setup) {
     work.time_step = setup.params.frame_time / substepsOfFrame(setup.params);
     work.substeps = substepsOfFrame(setup.params, shot.time_scale);
     work.settle_substeps = static_cast<uint64_t>(std::ceil(setup.params.settle_time / work.time_step));
+    work.steps_bonds = !setup.params.preset_pieces;
     return work;
 }
 
@@ -57,12 +58,14 @@ DevicePace measurePace(bool on_gpu, uint32_t particles) {
 }
 
 ShotCost costOf(const ShotWork& work, const DevicePace& pace) {
+    if (!work.steps_bonds) return {};
     const double whole = pace.whole.of(work.particles), breaking = pace.breaking.of(work.particles);
     return {static_cast<double>(work.settle_substeps) * whole, 1000 * work.substeps * whole,
             1000 * work.substeps * std::max(whole, breaking)};
 }
 
 bool mayBeSlow(const ShotWork& work, bool on_gpu) {
+    if (!work.steps_bonds) return false;
     const double substep = work.particles * (on_gpu ? kSlowestOnGpu : kSlowestOnCpu);
     return work.substeps * substep > kSlowFrame ||
            static_cast<double>(work.settle_substeps) * substep > kSlowSettling;

@@ -15,6 +15,7 @@ struct ShotWork {
     double time_step = 0;                           ///< s
     uint32_t substeps = 0;                          ///< of a frame
     uint64_t settle_substeps = 0;                   ///< before the first frame
+    bool steps_bonds = true;  ///< false: preset pieces, rigid from start to end; substeps are nobody's work
 };
 ShotWork workOf(const Shot& shot, const SceneSetup& setup);
 
@@ -32,14 +33,15 @@ struct DevicePace {
 /// is for. Throws DeviceError.
 DevicePace measurePace(bool on_gpu, uint32_t particles);
 
-/// Expected, while every body is awake and bonded; what sleeps or moves as rigid pieces takes less.
+/// Expected, while every body is awake and bonded; what sleeps or moves as rigid pieces takes less. Nothing
+/// of shots that step no bonds: rigid pieces are not priced.
 struct ShotCost {
     double settle_seconds = 0;
     double whole_frame_ms = 0, breaking_frame_ms = 0;
 };
 ShotCost costOf(const ShotWork& work, const DevicePace& pace);
 
-/// False: even a slow machine makes it at a useful rate, and nothing has to be measured.
+/// False: even a slow machine makes it at a useful rate, or no bond is stepped; nothing has to be measured.
 bool mayBeSlow(const ShotWork& work, bool on_gpu);
 /// One sentence with what it takes and the knobs that change it; "" for a shot that is not slow: below 1 s a
 /// frame and 10 s of settling.

@@ -48,6 +48,22 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
 }
 
+TEST(Capture, EachMethodIsCaptured) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    for (const std::string method : {"ours", "heavy", "cores", "pattern", "pattern-at-impact"}) {
+        const auto out = folder.path() / method, report = folder.path() / (method + ".json");
+        const ProgramRun run =
+            runProgram({"capture", "block", "--particles", "100", "--pieces", "6", "--method", method,
+                        "--frames", "40", "--size", "160x90", "--out", out, "--report", report});
+        ASSERT_EQ(run.exit_code, 0) << method << run.err;
+        EXPECT_NE(engine::readPng(out / "frame_0000.png").pixels,
+                  engine::readPng(out / "frame_0039.png").pixels)
+            << method;
+        EXPECT_GT(nlohmann::json::parse(readText(report))["bonds_broken"].get<int>(), 0) << method;
+    }
+}
+
 TEST(Capture, InterruptedItKeepsWhatWasMade) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;

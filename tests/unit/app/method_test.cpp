@@ -72,6 +72,21 @@ TEST(Method, IsNamedOnTheCommandLine) {
     EXPECT_THROW(makeShot(gpu), UsageError);
 }
 
+TEST(Method, CoresGivesTheBitsOfOurs) {
+    const auto hashAfterTheHit = [](Method method) {
+        Shot shot = smallBlock();
+        shot.method = method;
+        shot.impact.times_threshold = 10;
+        Session session(buildShot(shot, {}, {}), {.draw = false});
+        while (session.solver().stats().time < 1)
+            if (session.advance() != StepStatus::kOk) break;
+        EXPECT_GT(session.solver().stats().bonds_broken, 0u);
+        return session.solver().stateHash();
+    };
+    EXPECT_EQ(hashAfterTheHit(Method::kCores), hashAfterTheHit(Method::kOurs));
+    EXPECT_NE(hashAfterTheHit(Method::kHeavy), hashAfterTheHit(Method::kOurs));
+}
+
 TEST(Method, NeedsANewSolverAndTheSameCells) {
     const Shot before = smallBlock();
     Shot after = before;

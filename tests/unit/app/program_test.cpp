@@ -69,6 +69,11 @@ TEST_F(Program, InfoOfAShotSaysWhatItWillTake) {
         {"info", "block", "--particles", "2000", "--device", "cpu", "--fps", "1", "--substeps", "20000"});
     EXPECT_THAT(slow.out, AllOf(HasSubstr("1200000 substeps a frame"), HasSubstr("this shot is slow here"),
                                 HasSubstr("fewer --substeps (now 20000 per 1/60 s")));
+    const ProgramRun preset = runProgram({"info", "block", "--particles", "2000", "--device", "cpu", "--fps",
+                                          "1", "--substeps", "20000", "--method", "pattern"});
+    EXPECT_EQ(preset.exit_code, 0) << preset.err;
+    EXPECT_THAT(preset.out, HasSubstr("method pattern steps no bonds"));
+    EXPECT_THAT(preset.out, testing::Not(HasSubstr("substep")));
     expectOneSentence(runProgram({"info", "teapot"}), 2, "block, bunny");
 }
 

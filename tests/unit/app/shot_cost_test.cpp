@@ -36,6 +36,10 @@ std::vector<ShotOptions> shots() {
     }
     all.push_back(few("block"));
     all.back().drop = 8.46;
+    for (const std::string& method : methodNames()) {
+        all.push_back(few("block"));
+        all.back().method = method;
+    }
     return all;
 }
 
@@ -65,6 +69,23 @@ TEST(ShotCost, IsSubstepsTimesTheirTime) {
     EXPECT_NEAR(cost.whole_frame_ms, 1000 * 500 * 101e-6, 1e-9);
     EXPECT_NEAR(cost.breaking_frame_ms, 1000 * 500 * 202e-6, 1e-9);
     EXPECT_NEAR(cost.settle_seconds, 20000 * 101e-6, 1e-9);
+}
+
+TEST(ShotCost, BondsThatNobodyStepsAreNotPriced) {
+    for (const std::string& method : methodNames()) {
+        ShotOptions options = few("block");
+        options.method = method;
+        const BuiltShot built = prepareShot(makeShot(options), {.draw_geometry = false}, {});
+        ShotWork work = workOf(built.shot, built.setup);
+        const bool preset = method.starts_with("pattern");
+        EXPECT_EQ(work.steps_bonds, !preset) << method;
+        work.substeps = 100'000;  // slow, if they were taken
+        const ShotCost cost = costOf(work, {{1e-6, 1e-5}, {2e-6, 2e-5}});
+        EXPECT_EQ(cost.breaking_frame_ms == 0 && cost.whole_frame_ms == 0, preset) << method;
+        EXPECT_EQ(mayBeSlow(work, false), !preset) << method;
+        EXPECT_EQ(slowNote(work, cost).empty(), preset) << method;
+        EXPECT_TRUE(!preset || work.settle_substeps == 0) << method;
+    }
 }
 
 TEST(ShotCost, ASlowShotIsSaidWithItsKnobs) {

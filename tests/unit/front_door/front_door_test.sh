@@ -21,6 +21,7 @@ said=$(PATH="$fakes:$PATH" "$script" --no-install test 2>&1)
 code=$?
 expect "exit code 4 when packages are missing and may not be installed (got $code)" '[ "$code" -eq 4 ]'
 expect "the missing packages are named" '[[ "$said" == *libassimp-dev* && "$said" == *libimgui-dev* ]]'
+expect "what only a comparison needs is not among them" '[[ "$said" != *bullet* ]]'
 expect "the remedy is named" '[[ "$said" == *"sudo apt-get install"* ]]'
 expect "nothing was installed" '[ ! -e "$fakes/apt_ran" ]'
 
