@@ -50,7 +50,7 @@ class WindowMethods : public WindowProgram {
 };
 
 TEST_F(WindowMethods, AreRecordedAndScrubbed) {
-    const std::vector<std::string> methods{"pattern", "pattern-at-impact", "ours"};
+    const std::vector<std::string> methods{"pattern", "pattern-at-impact", "cores", "heavy", "ours"};
     std::string script = "wait 2\nkey space\nclick transport.real_time\n";
     for (const std::string& method : methods) script += playAndScrub(method);
     run(script, {"--impact-velocity", "60"}, 120);
