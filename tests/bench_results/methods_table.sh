@@ -20,13 +20,16 @@ for scene in bunny wolf vase column; do
         def thousands: tostring | if length > 3 then .[:-3] + "," + .[-3:] else . end;
         def rate: if . == 0 then "" elif . < 9.95 then digits(1) elif . < 99.5 then digits(1)
             else round | thousands end;
-        def paper: if .name == "cores" then "real" elif .paper_fps == null then "" else .paper_fps end;
         ["pattern-at-impact", "heavy", "pattern", "cores", "ours", "bullet"] as $order
         | .[0] as $place
-        | [.[].methods[]] | . as $rows
-        | [$order[] as $name | $rows | map(select(.name == $name)) | .[0] // empty]
+        | [.[] | .particles as $cells | .methods[] | . + {cells: $cells}] | . as $rows
+        | (any($rows[]; .name == "cores") | not) as $alone  # a machine without a GPU: the two are one run
+        | def called: if $alone and .name == "ours" then "`cores`, `ours`" else "`\(.name)`" end
+              + if .cells == $place.particles then "" else " of \(.cells | thousands) cells" end;
+        def paper: if $alone and .name == "ours" then "real, 60" elif .name == "cores" then "real" elif .paper_fps == null then "" else .paper_fps end;
+        [$order[] as $name | $rows | map(select(.name == $name)) | .[0] // empty]
         | to_entries[] | .key as $at | .value
-        | "| \(if $at == 0 then "\($place.scene), \($place.particles | thousands)" else "" end) | `\(.name)` | \(paper)"
+        | "| \(if $at == 0 then "\($place.scene), \($place.particles | thousands)" else "" end) | \(called) | \(paper)"
           + " | \(.fps_whole | rate) | \(.fps_broken | rate) | \(.sim_ms | if . < 9.995 then digits(2) else digits(1) end)"
           + " | \(.pieces | thousands) | \(.single_cells | thousands) | \(.pieces_of_half) | \(100 * .largest_share | digits(1)) %"
           + " | \(.map_distance | digits(2))"
