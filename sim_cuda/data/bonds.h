@@ -69,16 +69,16 @@ struct Enclosures {
 
     /// Of a particle or projectile slot.
     DEM_FN bool hold(uint32_t i) const { return i < in_bodies && buried[i] != 0 && allBondsHold(i); }
-    /// And so do the bonds of all that it is bonded to: no crack reaches it for a while.
-    DEM_FN bool holdDeeply(uint32_t i) const {
-        if (!hold(i)) return false;
+    /// And so do the bonds of all that it is bonded to: no crack reaches it for a while. `uncracked`: of each
+    /// particle, whether allBondsHold().
+    DEM_FN bool holdDeeply(uint32_t i, const Span<const uint8_t>& uncracked) const {
+        if (buried[i] == 0 || uncracked[i] == 0) return false;
         bool all_hold = true;
         for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
-            all_hold = all_hold && allBondsHold(linkedParticle(link[slot]));
+            all_hold = uncracked[linkedParticle(link[slot])] != 0 && all_hold;
         return all_hold;
     }
-
-  private:
+    /// Of a particle of a body.
     DEM_FN bool allBondsHold(uint32_t i) const {
         bool all_hold = true;  // no early end: reads need not wait for each other
         for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)

@@ -2,6 +2,7 @@
 // How kernels see the points of the outside, and what is known of each in a frame.
 #pragma once
 #include "sim_cuda/data/fracture_mesh.h"
+#include "sim_cuda/data/vec4.h"
 
 namespace demolish {
 
@@ -11,6 +12,8 @@ struct OutsideMesh {
     Span<const MeshTriangle> triangles;
     Span<const uint32_t> corner_start, corner_next, corner_previous;
     Span<const float> corner_weight;  ///< of corner_next, the nearer the more; they sum to 1 round a point
+    /// Of the part at each corner at rest: (unit normal that is seen from outside; twice its area, m^2).
+    Span<const Vec4<float>> corner_part;
     Span<const uint32_t> crack_start;
     Span<const PointCrack> cracks;
     Span<const CrackEdge> edges;

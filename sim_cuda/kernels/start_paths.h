@@ -11,12 +11,21 @@
 
 namespace demolish {
 
+/// One thread a particle of a body, before StartPaths, which asks for all that a particle is bonded to.
+struct MarkUncracked {
+    Enclosures enclosures;
+    Span<uint8_t> uncracked;  ///< per particle of a body: 1 while all its bonds hold
+
+    DEM_FN void operator()(uint32_t i) const { uncracked[i] = enclosures.allBondsHold(i) ? 1 : 0; }
+};
+
 /// Gives the range of the particle's own velocity; empty for a slot that takes part in nothing.
 template <class Real>
 struct StartPaths {
     StateIn<Real> state;
     Span<const ParticleConstants<Real>> constants;
     Enclosures enclosures;
+    Span<const uint8_t> uncracked;  ///< by MarkUncracked
     Span<Vec4<Real>> built_position, built_velocity;
     Span<uint32_t> place_kind;  ///< per particle of a body: kInGrid or kEnclosed
     Real skin_share{};          ///< skin of a body's particle over its R_c
@@ -30,9 +39,10 @@ struct StartPaths {
         built_position[i] = position;
         built_velocity[i] = velocity;
         VelocityRanges<Real> ranges;
-        if (i < in_bodies)
-            place_kind[i] =
-                enclosures.holdDeeply(i) && !meetsProjectile(position, velocity) ? kEnclosed : kInGrid;
+        if (i < in_bodies) {
+            const bool enclosed = enclosures.holdDeeply(i, uncracked) && !meetsProjectile(position, velocity);
+            place_kind[i] = enclosed ? kEnclosed : kInGrid;
+        }
         if (!hasPath(velocity)) return ranges;
         VelocityRange<Real>& range = i < in_bodies ? ranges.bodies : ranges.projectiles;
         range.low = range.high = xyz(velocity);

@@ -2,6 +2,7 @@
 // No part of the outside may turn over when its points slide. Where one would, its points are pushed apart by
 // as little as helps; what that does not cure goes part of its way back, and at last all of it.
 #pragma once
+#include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/kernels/place_points.h"
 
 namespace demolish {
@@ -16,21 +17,37 @@ struct PartAt {
     DEM_FN float least() const { return rest > 0 ? kLeastShare * rest : rest; }
 
     static constexpr float kLeastShare = 0.04f;
+};
+
+/// OutsideMesh::corner_part. One thread a point, once.
+struct MeasureParts {
     static constexpr float kSliver = 1e-5f;  ///< h^2: below, a part's own normal is mostly rounding
+
+    OutsideMesh mesh;
+    Span<Vec4<float>> part;
+
+    DEM_FN void operator()(uint32_t p) const {
+        const OutsidePoint& a = mesh.points[p];
+        const float sliver = kSliver * a.spacing * a.spacing;
+        for (uint32_t corner = mesh.corner_start[p]; corner < mesh.corner_start[p + 1]; ++corner) {
+            const OutsidePoint &b = mesh.points[mesh.corner_next[corner]],
+                               &c = mesh.points[mesh.corner_previous[corner]];
+            const Vec3<float> rest =
+                cross(toVec3(b.position) - toVec3(a.position), toVec3(c.position) - toVec3(a.position));
+            const bool clear = length2(rest) > sliver * sliver;
+            const Vec3<float> up =
+                normalized(clear ? rest : toVec3(a.normal) + toVec3(b.normal) + toVec3(c.normal));
+            part[corner] = withW(up, dot(rest, up));
+        }
+    }
 };
 
 struct PartsOfOutside {
     OutsideMesh mesh;
 
     DEM_FN PartAt at(uint32_t p, uint32_t corner, Span<const Float3> position) const {
-        PartAt part{mesh.corner_next[corner], mesh.corner_previous[corner], {}, 0, 0};
-        const OutsidePoint &a = mesh.points[p], &b = mesh.points[part.next], &c = mesh.points[part.previous];
-        const Vec3<float> rest =
-            cross(toVec3(b.position) - toVec3(a.position), toVec3(c.position) - toVec3(a.position));
-        const float sliver = PartAt::kSliver * a.spacing * a.spacing;
-        const bool clear = length2(rest) > sliver * sliver;
-        part.up = normalized(clear ? rest : toVec3(a.normal) + toVec3(b.normal) + toVec3(c.normal));
-        part.rest = dot(rest, part.up);
+        const Vec4<float> rest = mesh.corner_part[corner];
+        PartAt part{mesh.corner_next[corner], mesh.corner_previous[corner], xyz(rest), rest.w, 0};
         const Vec3<float> here = toVec3(position[p]);
         part.now =
             dot(cross(toVec3(position[part.next]) - here, toVec3(position[part.previous]) - here), part.up);
@@ -68,9 +85,20 @@ struct WidenTangled {
     }
 };
 
+/// Which steps have moved anything: after one that has not, all later ones would not either.
+struct StepsThatMoved {
+    Span<uint32_t> moved;  ///< per step: 0 before
+    uint32_t step = 0;
+
+    DEM_FN bool isOver() const { return step > 0 && moved[step - 1] == 0; }
+    DEM_FN void note() const {
+        if (atomicLoadU32(&moved[step]) == 0) atomicOrU32(&moved[step], 1);
+    }
+};
+
 /// A step of projection onto "no part below its least area", averaged over the parts at each point.
 struct Untangle {
-    static constexpr int kSteps = 24;
+    static constexpr uint32_t kSteps = 24;
     /// Points of cracks give way less than those round them.
     static constexpr float kRimWeight = 0.25f;
 
@@ -80,8 +108,10 @@ struct Untangle {
     Span<const uint32_t> moves;
     Span<const Float3> before;
     Span<Float3> after;
+    StepsThatMoved steps;
 
     DEM_FN void operator()(uint32_t p) const {
+        if (steps.isOver()) return;
         const OutsideMesh& mesh = parts.mesh;
         Vec3<float> sum;
         float count = 0;
@@ -102,6 +132,7 @@ struct Untangle {
             after[p] = before[p];
             return;
         }
+        steps.note();
         // More than one part pulls: their mean, taken a little too far.
         const float share = count > 1.5f ? 1.4f / count : 1.0f;
         const Vec3<float> push =
@@ -117,7 +148,7 @@ struct Untangle {
 
 /// What is still turned over goes back: by a part of its way, or all of it.
 struct TakeBack {
-    static constexpr int kSteps = 12;
+    static constexpr uint32_t kSteps = 12;
     static constexpr float kKept = 0.6f;  ///< of the way, in the first half of the steps
 
     PartsOfOutside parts;
@@ -125,11 +156,16 @@ struct TakeBack {
     float kept = 0;  ///< of the way
     Span<const Float3> start, before;
     Span<Float3> after;
+    StepsThatMoved steps;
 
     DEM_FN void operator()(uint32_t p) const {
+        if (steps.isOver()) return;
         const Vec3<float> from = toVec3(start[p]);
         Float3 to = before[p];
-        if (isTurnedOver(p)) to = kept > 0 ? toFloat3(lay(p, axpy(kept, toVec3(to) - from, from))) : start[p];
+        if (isTurnedOver(p)) {
+            steps.note();
+            to = kept > 0 ? toFloat3(lay(p, axpy(kept, toVec3(to) - from, from))) : start[p];
+        }
         after[p] = to;
     }
 

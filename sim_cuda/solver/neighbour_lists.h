@@ -131,6 +131,7 @@ class NeighbourLists {
     Buffer<uint32_t> bucket_start_;
     Buffer<uint32_t> sums_;  ///< of the row counts, their total, then the horizon for the host
     Buffer<uint32_t> buried_, place_kind_;
+    Buffer<uint8_t> uncracked_;
     Buffer<uint64_t> sorted_entries_;
     Buffer<Vec4<Real>> member_ball_, member_position_, member_velocity_;
     typename Backend::Reader reader_;
@@ -160,6 +161,7 @@ NeighbourLists<Backend, Real>::NeighbourLists(Backend& backend, ParticleCounts c
       sums_(backend.template allocate<uint32_t>(counts.in_bodies + size_t{bit_words_} + 1 + kHorizonWords)),
       buried_(backend.template allocate<uint32_t>(counts.in_bodies)),
       place_kind_(backend.template allocate<uint32_t>(counts.in_bodies)),
+      uncracked_(backend.template allocate<uint8_t>(counts.in_bodies)),
       sorted_entries_(backend.template allocate<uint64_t>(kMostInserted)),
       member_ball_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
       member_position_(backend.template allocate<Vec4<Real>>(counts.in_bodies)),
@@ -199,12 +201,14 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state,
                                                Span<const ParticleConstants<Real>> constants,
                                                const BondRowsIn<Real>& bonds) {
     backend_.fill(zeroed_.span(), 0u);
+    backend_.forEach(counts_.in_bodies, MarkUncracked{enclosures(bonds), uncracked_.span()},
+                     "mark uncracked");
     backend_.reduceInto(
         ranges_.span(), counts_.total, VelocityRanges<Real>{},
-        StartPaths<Real>{state, constants, enclosures(bonds), contacts_.built_position.span(),
-                         contacts_.built_velocity.span(), place_kind_.span(), Real(settings_.skin_share),
-                         Real(settings_.skin_share * largest_radius_), Real(settings_.blind_time),
-                         Real(settings_.longest_horizon)},
+        StartPaths<Real>{state, constants, enclosures(bonds), uncracked_.view(),
+                         contacts_.built_position.span(), contacts_.built_velocity.span(), place_kind_.span(),
+                         Real(settings_.skin_share), Real(settings_.skin_share * largest_radius_),
+                         Real(settings_.blind_time), Real(settings_.longest_horizon)},
         WidenRanges<Real>{}, "start paths");
     chooseFrame(state, constants);
 }

@@ -66,9 +66,9 @@ class OutsideSurface {
 
   private:
     OutsideMesh mesh() const {
-        return {points_.view(),      triangles_.view(),       corner_start_.view(),
-                corner_next_.view(), corner_previous_.view(), corner_weight_.view(),
-                crack_start_.view(), cracks_.view(),          edges_.view()};
+        return {points_.view(),          triangles_.view(),     corner_start_.view(), corner_next_.view(),
+                corner_previous_.view(), corner_weight_.view(), corner_part_.view(),  crack_start_.view(),
+                cracks_.view(),          edges_.view()};
     }
     void linkRims(const Fracture& fracture);
     void chooseLines(RimKind kind, const Fracture& fracture);
@@ -82,6 +82,7 @@ class OutsideSurface {
     Buffer<MeshTriangle> triangles_;
     Buffer<uint32_t> corner_start_, corner_next_, corner_previous_;
     Buffer<float> corner_weight_;
+    Buffer<Vec4<float>> corner_part_;
     Buffer<uint32_t> crack_start_;
     Buffer<PointCrack> cracks_;
     Buffer<CrackEdge> edges_;
@@ -98,6 +99,7 @@ class OutsideSurface {
     Buffer<uint8_t> changed_;              ///< points, since the last write into streams that were not fresh
     Buffer<uint32_t> chunk_;
     Buffer<uint32_t> widened_;
+    Buffer<uint32_t> steps_moved_;  ///< of untangling, then of taking back
     MarkedList<Backend> moving_, tangled_;
 };
 
@@ -123,6 +125,7 @@ OutsideSurface<Backend>::OutsideSurface(Backend& backend, const FractureGeometry
       corner_next_(backend.uploaded(geometry.point_corner_next)),
       corner_previous_(backend.uploaded(geometry.point_corner_previous)),
       corner_weight_(backend.template allocate<float>(corner_next_.size())),
+      corner_part_(backend.template allocate<Vec4<float>>(corner_next_.size())),
       crack_start_(backend.uploaded(geometry.point_crack_start)),
       cracks_(backend.uploaded(geometry.point_cracks)),
       edges_(backend.uploaded(geometry.crack_edges)),
@@ -141,9 +144,11 @@ OutsideSurface<Backend>::OutsideSurface(Backend& backend, const FractureGeometry
       changed_(backend.template allocate<uint8_t>(points_.size())),
       chunk_(backend.template allocate<uint32_t>(exteriorChunks(exterior_.size()))),
       widened_(backend.template allocate<uint32_t>(points_.size())),
+      steps_moved_(backend.template allocate<uint32_t>(Untangle::kSteps + TakeBack::kSteps)),
       moving_(backend, points_.size()),
       tangled_(backend, points_.size()) {
     backend_.forEach(points_.size(), WeighCorners{mesh(), corner_weight_.span()}, "weigh corners");
+    backend_.forEach(points_.size(), MeasureParts{mesh(), corner_part_.span()}, "measure parts");
     backend_.synchronize();  // host copies go out of scope
 }
 
@@ -217,15 +222,30 @@ void OutsideSurface<Backend>::untangle() {
                     "widen tangled");
     moving_.forEach(WidenTangled{mesh(), widened_.view(), moves, tangled_.marks()}, "widen tangled");
     tangled_.gather();
-    for (int step = 0; step < Untangle::kSteps; ++step) {
+    backend_.fill(steps_moved_.span(), 0u);
+    const Span<uint32_t> untangling = steps_moved_.span().part(0, Untangle::kSteps),
+                         taking_back = steps_moved_.span().part(Untangle::kSteps, TakeBack::kSteps);
+    for (uint32_t step = 0; step < Untangle::kSteps; ++step) {
         std::swap(position_, position_before_);
-        tangled_.forEach(Untangle{parts, lay, link_.view(), moves, position_before_.view(), position_.span()},
+        tangled_.forEach(Untangle{parts,
+                                  lay,
+                                  link_.view(),
+                                  moves,
+                                  position_before_.view(),
+                                  position_.span(),
+                                  {untangling, step}},
                          "untangle");
     }
-    for (int step = 0; step < TakeBack::kSteps; ++step) {
+    for (uint32_t step = 0; step < TakeBack::kSteps; ++step) {
         std::swap(position_, position_before_);
         const float kept = step < TakeBack::kSteps / 2 ? TakeBack::kKept : 0.0f;
-        tangled_.forEach(TakeBack{parts, lay, kept, start_.view(), position_before_.view(), position_.span()},
+        tangled_.forEach(TakeBack{parts,
+                                  lay,
+                                  kept,
+                                  start_.view(),
+                                  position_before_.view(),
+                                  position_.span(),
+                                  {taking_back, step}},
                          "take back");
     }
 }

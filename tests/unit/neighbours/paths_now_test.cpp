@@ -72,16 +72,23 @@ TEST(Enclosed, HoldsDeeplyWhileTheBondsAboutItHoldToo) {
     Block block;
     BuiltBlock built{block};
     const auto enclosures = [&] { return built.lists.enclosures(built.arrays.bonds.in()); };
+    const auto middleIsHeldDeeply = [&] {
+        std::vector<uint8_t> uncracked(block.cloud.in_bodies);
+        for (uint32_t i = 0; i < block.cloud.in_bodies; ++i)
+            MarkUncracked{enclosures(), {uncracked.data(), uncracked.size()}}(i);
+        return enclosures().holdDeeply(Block::kMiddle,
+                                       Span<const uint8_t>(uncracked.data(), uncracked.size()));
+    };
     EXPECT_TRUE(enclosures().hold(Block::kMiddle));
-    EXPECT_TRUE(enclosures().holdDeeply(Block::kMiddle));
+    EXPECT_TRUE(middleIsHeldDeeply());
     EXPECT_FALSE(enclosures().hold(0)) << "is not buried";
     block.grid.setState(0, 1, PairState::kBroken);
     built.setBonds(block);
-    EXPECT_TRUE(enclosures().holdDeeply(Block::kMiddle)) << "neither is bonded to the middle";
+    EXPECT_TRUE(middleIsHeldDeeply()) << "neither is bonded to the middle";
     block.grid.setState(5, 14, PairState::kBroken);
     built.setBonds(block);
     EXPECT_TRUE(enclosures().hold(Block::kMiddle));
-    EXPECT_FALSE(enclosures().holdDeeply(Block::kMiddle));
+    EXPECT_FALSE(middleIsHeldDeeply());
     block.grid.setState(Block::kMiddle, 14, PairState::kBroken);
     built.setBonds(block);
     EXPECT_FALSE(enclosures().hold(Block::kMiddle));
