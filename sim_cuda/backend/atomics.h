@@ -78,4 +78,9 @@ DEM_FN uint32_t atomicMaxU32(uint32_t* target, uint32_t value) {
 #endif
 }
 
+/// From 0 to 1, by many threads, most of which find it raised.
+DEM_FN void raise(uint32_t& word) {
+    if (atomicLoadU32(&word) == 0) atomicOrU32(&word, 1u);
+}
+
 }  // namespace demolish

@@ -7,6 +7,7 @@
 //
 // Flags are bits set in any order, islands carry their lowest slot: the same on every device.
 #pragma once
+#include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/fragment_sums.h"
@@ -170,10 +171,6 @@ struct HitRules {
     }
 };
 
-/// By many threads, most of which find it raised.
-DEM_FN void raise(uint32_t& word) {
-    if (atomicLoadU32(&word) == 0) atomicOrU32(&word, 1u);
-}
 /// Reads both at the same time.
 DEM_FN void raise(uint32_t& a, uint32_t& b) {
     const uint32_t raised_a = atomicLoadU32(&a), raised_b = atomicLoadU32(&b);

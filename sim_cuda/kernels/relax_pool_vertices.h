@@ -4,25 +4,29 @@
 #pragma once
 #include "sim_cuda/data/crack_smoothing.h"
 #include "sim_cuda/data/fracture_mesh.h"
+#include "sim_cuda/kernels/steps_that_moved.h"
 
 namespace demolish {
 
 /// Share of the way to the neighbours' mean.
 inline constexpr float kRelaxationFactor = 0.6f;
 
-/// Of one vertex; `step` counts from 0.
+/// Of one vertex.
 struct RelaxPoolVertices {
     PoolCorners corners;
     Span<const uint8_t> face_state;
     Span<const uint32_t> smallest;
     Span<const Float3> rest, before;
     Span<const float> spacing;
-    uint32_t step = 0;
+    StepsThatMoved steps;
     Span<Float3> after;
 
     DEM_FN void operator()(uint32_t v) const {
+        if (steps.isOver()) return;
         const CrackSmoothing smoothing = crackSmoothing(smallest[v]);
-        after[v] = step < smoothing.steps ? relaxed(v, smoothing.limit * spacing[v]) : before[v];
+        const bool moves = steps.step < smoothing.steps;
+        if (moves) steps.note();
+        after[v] = moves ? relaxed(v, smoothing.limit * spacing[v]) : before[v];
     }
 
   private:

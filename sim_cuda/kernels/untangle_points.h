@@ -2,8 +2,8 @@
 // No part of the outside may turn over when its points slide. Where one would, its points are pushed apart by
 // as little as helps; what that does not cure goes part of its way back, and at last all of it.
 #pragma once
-#include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/kernels/place_points.h"
+#include "sim_cuda/kernels/steps_that_moved.h"
 
 namespace demolish {
 
@@ -82,17 +82,6 @@ struct WidenTangled {
         for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1] && any == 0; ++c)
             any = before[mesh.corner_next[c]];
         after[p] = any != 0 && moves[p] != 0 ? 1 : 0;
-    }
-};
-
-/// Which steps have moved anything: after one that has not, all later ones would not either.
-struct StepsThatMoved {
-    Span<uint32_t> moved;  ///< per step: 0 before
-    uint32_t step = 0;
-
-    DEM_FN bool isOver() const { return step > 0 && moved[step - 1] == 0; }
-    DEM_FN void note() const {
-        if (atomicLoadU32(&moved[step]) == 0) atomicOrU32(&moved[step], 1);
     }
 };
 

@@ -102,6 +102,7 @@ class FractureSurface {
     Buffer<uint8_t> face_state_;
     MarkedList<Backend> movable_;                  ///< pool vertices
     Buffer<uint32_t> smallest_;                    ///< cells of the smallest fragment at each of those
+    Buffer<uint32_t> steps_moved_;                 ///< of smoothing
     Buffer<uint8_t> uncut_;                        ///< triangles of the mesh
     Buffer<Float3> position_, previous_position_;  ///< alike between updates
     Buffer<uint32_t> first_vertex_, first_index_, first_exterior_,
@@ -161,6 +162,7 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
       movable_(backend, rest_.size()),
       smallest_(backend.template allocate<uint32_t>(rest_.size())),
+      steps_moved_(backend.template allocate<uint32_t>(kMostSmoothingSteps)),
       uncut_(backend.template allocate<uint8_t>(exterior_triangles_.size())),
       position_(backend.uploaded(scene.geometry.pool)),
       previous_position_(backend.uploaded(scene.geometry.pool)),
@@ -238,12 +240,18 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
                               fracture.fragment, fracture.size, movable_.marks(), smallest_.span()},
         "choose movable vertices");
     movable_.gather();
+    backend_.fill(steps_moved_.span(), 0u);
     for (uint32_t step = 0; step < kMostSmoothingSteps; ++step) {
         std::swap(position_, previous_position_);
-        movable_.forEach(
-            RelaxPoolVertices{corners(), face_state_.view(), smallest_.view(), rest_.view(),
-                              previous_position_.view(), spacing_.view(), step, position_.span()},
-            "relax pool vertices");
+        movable_.forEach(RelaxPoolVertices{corners(),
+                                           face_state_.view(),
+                                           smallest_.view(),
+                                           rest_.view(),
+                                           previous_position_.view(),
+                                           spacing_.view(),
+                                           {steps_moved_.span(), step},
+                                           position_.span()},
+                         "relax pool vertices");
     }
     movable_.forEach(RoughenPoolVertices{surface_distance_.view(), smallest_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
