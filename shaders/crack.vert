@@ -13,12 +13,12 @@ out float strength;
 out vec3 rest;
 
 void main() {
-    uint word = crack_list[gl_InstanceID];
+    uint word = crack_list[gl_InstanceID + (gl_VertexID >> 2)];  // four vertices a line
+    int corner = gl_VertexID & 3, end = corner >> 1;
     CrackEdge edge = crack_edges[crackEdgeOf(word)];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     vec3 p[2] = vec3[](moved(t, restPosition(edge.vertex_0)), moved(t, restPosition(edge.vertex_1)));
-    int end = gl_VertexID >> 1;
     rest = restPosition(end == 0 ? edge.vertex_0 : edge.vertex_1);
     float opening = openingAt(rest, t, fragment, other);
     vec3 normal = rotate(t.rotation, restNormal(end == 0 ? edge.vertex_0 : edge.vertex_1));
@@ -33,7 +33,7 @@ void main() {
     float taper = taperOf(word, end), wanted = taper * widthOnScreen(clip[end].w);
     half_width = 0.5 * max(wanted, kLeastPixels);
     strength = strengthOf(wanted, taper, dot(normal, to_eye), opening);
-    across = (half_width + 1.0) * float(2 * (gl_VertexID & 1) - 1);
+    across = (half_width + 1.0) * float(2 * (corner & 1) - 1);
     vec2 offset = vec2(-along.y, along.x) * across + along * (end == 0 ? -0.5 : 0.5) * half_width;
     gl_Position = clip[end];
     gl_Position.xy += offset * 2.0 * frame.viewport.zw * clip[end].w;

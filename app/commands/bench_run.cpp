@@ -96,7 +96,9 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
     : headless_(on_gpu),
       view_(makeFrameView(built.shot, built.cells.of_body, size.width, size.height,
                           renderQuality(options, headless_.info().software))),
-      target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {}
+      target_(size.width, size.height, [](uint64_t, const engine::Image&) {}) {
+    view_.samples = windowSamples(headless_.info().software);
+}
 
 void BenchStage::draw(const engine::FractureMesh* mesh, std::span<const engine::SphereDraw> spheres) {
     headless_.renderer().draw(mesh, spheres, view_, target_.framebuffer());

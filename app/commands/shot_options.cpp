@@ -313,6 +313,10 @@ engine::RenderQuality renderQuality(const ShotOptions& options, bool software_re
     return software_renderer ? engine::RenderQuality::kDraft : engine::RenderQuality::kFull;
 }
 
+int windowSamples(bool software_renderer) {
+    return software_renderer ? 2 : 4;
+}
+
 const char* qualityName(engine::RenderQuality quality) {
     return quality == engine::RenderQuality::kDraft ? "draft" : "full";
 }

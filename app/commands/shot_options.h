@@ -51,6 +51,8 @@ PictureSize pictureSize(const ShotOptions& options, PictureSize fallback);
 
 /// --look, --quality, or draft for a software rasteriser.
 engine::RenderQuality renderQuality(const ShotOptions& options, bool software_renderer);
+/// Samples a pixel of the window, which bench times; software renderers feel each of them.
+int windowSamples(bool software_renderer);
 const char* qualityName(engine::RenderQuality quality);
 
 }  // namespace demolish

@@ -164,7 +164,7 @@ void runView(const ViewOptions& options) {
     desk.pace = measurePace(session.solver().onGpu(), session.status().stats.particles);
     desk.gl_renderer = window.info().renderer;
     desk.view.quality = renderQuality(options.shot, window.info().software);
-    if (window.info().software) desk.view.samples = 2;
+    desk.view.samples = windowSamples(window.info().software);
     std::unique_ptr<ScriptDriver> script;
     if (!options.script.empty())
         script = std::make_unique<ScriptDriver>(options.script, hooksFor(window, session, desk));

@@ -4,7 +4,10 @@
 
 #include <cassert>
 #include <cstdint>
+#include <string>
 #include <vector>
+
+#include "engine/gl/error.h"
 
 namespace demolish::engine::gl {
 namespace {
@@ -58,6 +61,18 @@ void Buffer::download(std::span<std::byte> data, size_t offset) const {
     if (data.empty()) return;
     glGetNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
                             data.data());
+}
+
+BufferReading::BufferReading(const Buffer& buffer)
+    : id_(buffer.id()),
+      size_(buffer.size()),
+      data_(glMapNamedBufferRange(id_, 0, static_cast<GLsizeiptr>(size_), GL_MAP_READ_BIT)) {
+    if (data_ == nullptr)
+        throw GlError("The driver does not show a buffer of " + std::to_string(size_) + " bytes");
+}
+
+BufferReading::~BufferReading() {
+    glUnmapNamedBuffer(id_);
 }
 
 }  // namespace demolish::engine::gl

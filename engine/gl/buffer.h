@@ -44,4 +44,24 @@ class Buffer {
     GLenum usage_ = 0;  ///< 0: immutable
 };
 
+/// A buffer's bytes where they lie, for as long as this lives; the buffer must stay as it is meanwhile. Cheap
+/// in software alone: elsewhere they come back from the GPU.
+class BufferReading {
+  public:
+    explicit BufferReading(const Buffer& buffer);
+    ~BufferReading();
+    BufferReading(const BufferReading&) = delete;
+    BufferReading& operator=(const BufferReading&) = delete;
+
+    template <class T>
+    std::span<const T> as() const {
+        return {static_cast<const T*>(data_), size_ / sizeof(T)};
+    }
+
+  private:
+    GLuint id_;
+    size_t size_;
+    const void* data_;
+};
+
 }  // namespace demolish::engine::gl

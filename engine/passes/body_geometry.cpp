@@ -22,24 +22,36 @@ BodyGeometry::BodyGeometry() {
     layout_.integerAttribute(4, 1, GL_UNSIGNED_INT, kPlaceOffset);
 }
 
-void BodyGeometry::draw(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,
-                        uint32_t command) {
+void BodyGeometry::bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
     layout_.setVertices(vertices, kVertexBytes);
     layout_.setIndices(indices);
     layout_.bind();
+}
+
+void BodyGeometry::drawCommanded(const FractureMesh& mesh, const gl::Buffer& vertices,
+                                 const gl::Buffer& indices, uint32_t command) {
+    bind(mesh, vertices, indices);
     mesh.drawCommanded(command);
 }
 
-void BodyGeometry::drawExterior(const FractureMesh& mesh) {
-    draw(mesh, mesh.exteriorVertices(), mesh.stream(StreamId::kExteriorIndices), kExteriorCommand);
+void BodyGeometry::drawListed(const FractureMesh& mesh, const gl::Buffer& vertices,
+                              const TriangleList& list) {
+    bind(mesh, vertices, list.indices);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(list.count), GL_UNSIGNED_INT, nullptr);
 }
 
-void BodyGeometry::drawInterior(const FractureMesh& mesh) {
-    draw(mesh, mesh.stream(StreamId::kInteriorVertices), mesh.stream(StreamId::kInteriorIndices),
-         kInteriorCommand);
+void BodyGeometry::drawExterior(const FractureMesh& mesh, const SeenList* seen) {
+    if (seen != nullptr) return drawListed(mesh, mesh.exteriorVertices(), seen->exterior);
+    drawCommanded(mesh, mesh.exteriorVertices(), mesh.stream(StreamId::kExteriorIndices), kExteriorCommand);
+}
+
+void BodyGeometry::drawInterior(const FractureMesh& mesh, const SeenList* seen) {
+    const gl::Buffer& vertices = mesh.stream(StreamId::kInteriorVertices);
+    if (seen != nullptr) return drawListed(mesh, vertices, seen->interior);
+    drawCommanded(mesh, vertices, mesh.stream(StreamId::kInteriorIndices), kInteriorCommand);
 }
 
 }  // namespace demolish::engine

@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/gl/vertex_array.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/seen_triangles.h"
 
 namespace demolish::engine {
 
@@ -42,15 +43,17 @@ inline constexpr GLint kHiddenLooks = 30;
 class BodyGeometry {
   public:
     BodyGeometry();
-    /// The model's own surface.
-    void drawExterior(const FractureMesh& mesh);
+    /// The model's own surface; `seen`: no more of it than this, null: all.
+    void drawExterior(const FractureMesh& mesh, const SeenList* seen = nullptr);
     /// Exposed broken faces.
-    void drawInterior(const FractureMesh& mesh);
+    void drawInterior(const FractureMesh& mesh, const SeenList* seen = nullptr);
 
   private:
-    /// `command`: its place among the mesh's commands.
-    void draw(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,
-              uint32_t command);
+    /// `command`: its place among the mesh's commands, of which `indices` are the elements.
+    void drawCommanded(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices,
+                       uint32_t command);
+    void drawListed(const FractureMesh& mesh, const gl::Buffer& vertices, const TriangleList& list);
+    void bind(const FractureMesh& mesh, const gl::Buffer& vertices, const gl::Buffer& indices);
     gl::VertexArray layout_;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One ribbon of two triangles an edge, instanced; the device decides which edges and how many.
+// One ribbon of two triangles an edge: an instance each, where the device decides which edges and how many;
+// without instances, which software renderers draw one by one, where the CPU has chosen them.
 #include "engine/passes/crack_pass.h"
 
 #include <array>
@@ -17,21 +18,26 @@ constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/comm
 
 CrackPass::CrackPass(const std::filesystem::path& shaders)
     : program_(shaders, {"crack.vert", "crack.frag"}),
-      corners_(gl::Buffer::immutable(sizeof(kCorners), kCorners.data())) {
-    layout_.setIndices(corners_);
+      corners_(gl::Buffer::immutable(sizeof(kCorners), kCorners.data())) {}
+
+void CrackPass::drawLines(const FractureMesh& mesh, const SeenCracks* seen) {
+    bindStorage(StorageBinding::kCrackList,
+                seen != nullptr ? seen->words() : mesh.stream(StreamId::kCrackEdges));
+    layout_.setIndices(seen != nullptr ? seen->indices() : corners_);
+    layout_.bind();
+    if (seen == nullptr) return mesh.drawCommanded(kCrackCommand);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(seen->indexCount()), GL_UNSIGNED_INT, nullptr);
 }
 
-void CrackPass::draw(const FractureMesh& mesh, float width, uint32_t hidden_looks) {
+void CrackPass::draw(const FractureMesh& mesh, float width, uint32_t hidden_looks, const SeenCracks* seen) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
-    bindStorage(StorageBinding::kCrackList, mesh.stream(StreamId::kCrackEdges));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
     bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
     program_.set(kWidth, width);
     program_.set(kHiddenLooks, hidden_looks);
     program_.use();
-    layout_.bind();
     glEnable(GL_BLEND);
     // The line blends the material below towards dark and rough; the normals stay.
     glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
@@ -39,7 +45,7 @@ void CrackPass::draw(const FractureMesh& mesh, float width, uint32_t hidden_look
     glBlendColor(0, 0, 0, kRough);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    mesh.drawCommanded(kCrackCommand);
+    drawLines(mesh, seen);
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

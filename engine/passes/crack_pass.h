@@ -6,6 +6,7 @@
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/seen_cracks.h"
 
 namespace demolish::engine {
 
@@ -13,10 +14,11 @@ class CrackPass {
   public:
     explicit CrackPass(const std::filesystem::path& shaders);
     /// Width in m; a line never gets thinner than about a pixel. The number of lines comes from the command
-    /// buffer.
-    void draw(const FractureMesh& mesh, float width, uint32_t hidden_looks);
+    /// buffer; `seen`: no more of them than these, null: all.
+    void draw(const FractureMesh& mesh, float width, uint32_t hidden_looks, const SeenCracks* seen);
 
   private:
+    void drawLines(const FractureMesh& mesh, const SeenCracks* seen);
     gl::Program program_;
     gl::VertexArray layout_;
     gl::Buffer corners_;

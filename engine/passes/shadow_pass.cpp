@@ -51,7 +51,7 @@ void ShadowPass::enter(int region) {
 }
 
 void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks,
-                          bool with_looks) {
+                          bool with_looks, const SeenList* seen) {
     const bool masked = with_looks && mesh.looks()->isMasked();
     body_.set(kHiddenLooks, hidden_looks);
     if (masked) {
@@ -60,11 +60,11 @@ void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t
         masked_.set(kRegion, region_);
         masked_.set(kHiddenLooks, hidden_looks);
         masked_.use();
-        body.drawExterior(mesh);
+        body.drawExterior(mesh, seen);
     }
     body_.use();
-    if (!masked) body.drawExterior(mesh);
-    body.drawInterior(mesh);
+    if (!masked) body.drawExterior(mesh, seen);
+    body.drawInterior(mesh, seen);
 }
 
 void ShadowPass::finish(bool erase_tiles) {

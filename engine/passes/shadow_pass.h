@@ -41,8 +41,9 @@ class ShadowPass {
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    /// `with_looks`: without what the models' own looks cut out.
-    void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool with_looks);
+    /// `with_looks`: without what the models' own looks cut out. `seen` as in BodyGeometry.
+    void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool with_looks,
+                  const SeenList* seen);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;

@@ -44,7 +44,8 @@ SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_
     return programs;
 }
 
-void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks) {
+void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks,
+                       const SeenList* seen) {
     const std::vector<SurfaceLook> looks = looksOf(view);
     const bool both_sides = with_looks && mesh.looks()->isDoubleSided();
     for (size_t k = 0; k < looks.size(); ++k) {
@@ -57,10 +58,10 @@ void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const Frame
         }
         programs.exterior.use();
         if (both_sides) glDisable(GL_CULL_FACE);
-        body.drawExterior(mesh);
+        body.drawExterior(mesh, seen);
         if (both_sides) glEnable(GL_CULL_FACE);
         programs.interior.use();
-        body.drawInterior(mesh);
+        body.drawInterior(mesh, seen);
     }
 }
 

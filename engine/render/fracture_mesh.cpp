@@ -12,10 +12,10 @@ constexpr size_t kChunk = 64;  // vertices
 constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kGrainBytes = 32,
                  kPuffBytes = 32;
 
+/// Of the kind that can be read where it lies.
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {
     // A body without, say, crack edges still has a buffer to bind.
-    gl::Buffer buffer =
-        gl::Buffer::immutable(std::max<size_t>(data.size(), 16), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    gl::Buffer buffer = gl::Buffer::resizable(std::max<size_t>(data.size(), 16), GL_STATIC_DRAW);
     buffer.upload(data);
     return buffer;
 }

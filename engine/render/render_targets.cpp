@@ -2,6 +2,9 @@
 // Materials are drawn, light is computed afterwards; 32-bit float depth is what reversed depth needs.
 #include "engine/render/render_targets.h"
 
+#include <algorithm>
+#include <bit>
+
 namespace demolish::engine {
 
 RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
@@ -28,6 +31,17 @@ RenderTargets::RenderTargets(int width_px, int height_px, int sample_count)
 void RenderTargets::show(GLuint framebuffer) const {
     glBlitNamedFramebuffer(resolved.id(), framebuffer, 0, 0, width, height, 0, 0, width, height,
                            GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+bool fitTargets(std::optional<RenderTargets>& targets, const FrameView& view) {
+    GLint max_samples = 1;
+    glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
+    const int wanted = std::clamp(view.samples, 1, std::min(4, max_samples));
+    const int samples = static_cast<int>(std::bit_floor(static_cast<unsigned>(wanted)));
+    if (targets && targets->fits(view.width, view.height, samples)) return false;
+    targets.reset();  // both sets at once might not fit into a small GPU
+    targets.emplace(view.width, view.height, samples);
+    return true;
 }
 
 }  // namespace demolish::engine

@@ -4,9 +4,11 @@
 #pragma once
 #include <array>
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/texture.h"
+#include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
 
@@ -28,5 +30,9 @@ struct RenderTargets {
     void show(GLuint framebuffer) const;
     std::array<glm::vec2, 4> sample_position;  ///< inside the pixel, 0..1, as the driver puts them
 };
+
+/// Makes them anew where they do not fit the view; with as many samples as it asks for and the driver offers.
+/// True if it did.
+bool fitTargets(std::optional<RenderTargets>& targets, const FrameView& view);
 
 }  // namespace demolish::engine

@@ -3,8 +3,6 @@
 // spheres and cracks. Then, in compute, occlusion and light.
 #include "engine/render/renderer.h"
 
-#include <algorithm>
-#include <bit>
 #include <optional>
 
 #include "engine/gl/error.h"
@@ -29,6 +27,7 @@
 #include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
+#include "engine/render/seen_mesh.h"
 #include "engine/render/shadow_scene.h"
 #include "engine/render/shown.h"
 
@@ -66,19 +65,8 @@ struct Renderer::Passes {
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
           frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
-        glGetIntegerv(GL_MAX_SAMPLES, &max_samples);
         draft_noise.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
         draft_noise.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
-
-    void prepareTargets(const FrameView& view) {
-        const int wanted = std::clamp(view.samples, 1, std::min(4, max_samples));
-        const int samples = static_cast<int>(std::bit_floor(static_cast<unsigned>(wanted)));
-        if (!targets || !targets->fits(view.width, view.height, samples)) {
-            targets.reset();  // both sets at once might not fit into a small GPU
-            targets.emplace(view.width, view.height, samples);
-            eraser.forget();
-        }
     }
 
     /// Bound as shaders/common/solid_texture.glsl has it.
@@ -157,10 +145,11 @@ struct Renderer::Passes {
     FrameUniforms frame{};
     PictureKind kind;  ///< of the frame being drawn, as the next
     bool with_looks = false;
+    bool chooses = false;  ///< draws what `seen` has found
+    SeenMesh seen;
     std::span<const SphereDraw> sphere_draws;
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
-    int max_samples = 1;
 };
 
 /// Software renderers compute as slowly as they draw; computed pictures know one look and no colliders of
@@ -197,7 +186,8 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
         if (showsSolid(mesh, view))
-            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks);
+            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks,
+                            chooses ? &seen.inShadow(region) : nullptr);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
         if (showsEffects(mesh, view)) grit.drawShadows(*mesh, region);
@@ -214,7 +204,8 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     targets->scene.bind();
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
-    if (showsSolid(mesh, view)) surface.draw(body, *mesh, view, with_looks);
+    if (showsSolid(mesh, view))
+        surface.draw(body, *mesh, view, with_looks, chooses ? &seen.onPicture() : nullptr);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     colliders.drawMaterials();
@@ -223,7 +214,8 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("grit");
     if (kind.glow) glow.draw(body, *mesh, *targets);
     if (showsSolid(mesh, view) && view.show_cracks)
-        cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)));
+        cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)),
+                    chooses ? &seen.cracks() : nullptr);
     clock.mark("cracks");
 }
 
@@ -264,6 +256,11 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
 }
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
+    chooses = in_software && view.rasteriser == Rasteriser::kAuto && showsSolid(mesh, view);
+    if (chooses)
+        seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality),
+                  with_looks && mesh->looks()->isDoubleSided());
+    clock.mark("seen");
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -346,7 +343,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     Passes& p = *passes_;
     if (view.width <= 0 || view.height <= 0) return;  // a minimised window
     p.clock.begin();
-    p.prepareTargets(view);
+    if (fitTargets(p.targets, view)) p.eraser.forget();
     p.uploadFrame(mesh, view);
     p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);

@@ -19,7 +19,8 @@ enum class ColourMap { kFragment, kDamage, kStress, kSpeed };
 enum class RenderQuality { kFull, kDraft };
 
 /// How the body is brought onto the picture: drawn, or, kFull and the surface only, found in compute passes.
-/// The pictures differ by rounding. kAuto computes on GPUs whose driver can, and draws in software.
+/// The pictures differ by rounding. kAuto computes on GPUs whose driver can; in software it draws, but first
+/// leaves out what nothing is seen of, which is the same picture.
 enum class Rasteriser { kAuto, kDraw, kCompute };
 
 /// A sphere that is not part of the body (the iron ball), drawn as metal.

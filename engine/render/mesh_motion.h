@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh's streams as the CPU reads them: the same bytes, and the same motion, as in
+// shaders/common/body.glsl.
+#pragma once
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+
+#include "engine/gl/buffer.h"
+#include "engine/render/fracture_mesh.h"
+
+namespace demolish::engine {
+
+struct MeshVertex {
+    glm::vec3 position;  ///< m, at rest
+    uint32_t normal, place, cell;
+};
+struct MeshTransform {
+    glm::vec4 rotation;  ///< unit quaternion x y z w
+    glm::vec3 translation;
+    uint32_t age_shrink;
+};
+static_assert(sizeof(MeshVertex) == 24 && sizeof(MeshTransform) == 32);
+
+inline glm::vec3 rotated(const glm::vec4& quaternion, const glm::vec3& v) {
+    const glm::vec3 q(quaternion);
+    return v + 2.0f * glm::cross(q, glm::cross(q, v) + quaternion.w * v);
+}
+
+/// What moves a mesh's cells, read where it lies for as long as this lives.
+class MeshMotion {
+  public:
+    explicit MeshMotion(const FractureMesh& mesh)
+        : slots_(mesh.stream(StreamId::kParticleFragment)), transforms_(mesh.stream(StreamId::kTransforms)) {}
+
+    uint32_t fragmentOf(uint32_t cell) const { return slots_.as<uint32_t>()[cell]; }
+    const MeshTransform& transformOf(uint32_t fragment) const {
+        return transforms_.as<MeshTransform>()[fragment];
+    }
+    static glm::vec3 moved(const MeshTransform& t, const glm::vec3& p) {
+        constexpr float kShrinkStep = 1.0f / 256;
+        const float scale = 1 - kShrinkStep * static_cast<float>(t.age_shrink >> 24);
+        return rotated(t.rotation, scale * p) + t.translation;
+    }
+    glm::vec3 placeOf(const MeshVertex& vertex) const {
+        return moved(transformOf(fragmentOf(vertex.cell)), vertex.position);
+    }
+
+  private:
+    gl::BufferReading slots_, transforms_;
+};
+
+/// How many elements or instances one of a mesh's commands draws.
+struct MeshCommand {
+    uint32_t count, instances, first, base_vertex, base_instance;
+};
+static_assert(sizeof(MeshCommand) == kDrawCommandBytes);
+inline MeshCommand commandOf(const FractureMesh& mesh, uint32_t command) {
+    return gl::BufferReading(mesh.stream(StreamId::kCommands)).as<MeshCommand>()[command];
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Of a mesh's crack lines those that a picture may show, as SeenTriangles finds triangles: most lines of a
+// broken body lie between pieces that have parted, and are drawn as nothing.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engine/gl/buffer.h"
+#include "engine/render/fracture_mesh.h"
+
+namespace demolish::engine {
+
+class SeenCracks {
+  public:
+    /// `width`: of a line, m. Lines whose ends have both come apart by more than what CrackPass fades over
+    /// are left out.
+    void find(const FractureMesh& mesh, float width);
+    /// As StreamId::kCrackEdges.
+    const gl::Buffer& words() const { return words_; }
+    /// Of vertices 4 k + 0..3 of line k: two triangles each.
+    const gl::Buffer& indices() const { return indices_; }
+    uint32_t indexCount() const { return 6 * static_cast<uint32_t>(found_.size()); }
+
+  private:
+    void upload();
+    std::vector<uint32_t> found_;
+    gl::Buffer words_, indices_;
+    uint32_t indexed_ = 0;  ///< lines that `indices_` has
+};
+
+}  // namespace demolish::engine

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// What of a mesh a frame may show, for software renderers: on the picture, in both regions of the shadow map,
+// and of its cracks.
+#pragma once
+#include <cstdint>
+
+#include "engine/render/frame_uniforms.h"
+#include "engine/render/render_targets.h"
+#include "engine/render/seen_cracks.h"
+#include "engine/render/seen_triangles.h"
+
+namespace demolish::engine {
+
+class SeenMesh {
+  public:
+    /// Nothing is done where mesh and pictures are those of the last call. `shadow_texels` along each side of
+    /// a region; `both_sides`: of the outside, backs are seen, too.
+    void find(const FractureMesh& mesh, const FrameView& view, const FrameUniforms& frame,
+              const RenderTargets& targets, int shadow_texels, bool both_sides);
+    const SeenList& onPicture() const { return triangles_.in(0); }
+    /// `region`: 0 near, 1 far.
+    const SeenList& inShadow(int region) const { return triangles_.in(static_cast<size_t>(region) + 1); }
+    const SeenCracks& cracks() const { return cracks_; }
+
+  private:
+    struct Key {
+        uint64_t mesh_version = 0;
+        glm::mat4 view_projection{0}, light_matrix[2]{glm::mat4(0), glm::mat4(0)};
+        int width = 0, height = 0, samples = 0, shadow_texels = 0;
+        float crack_width = -1;
+        bool both_sides = false;
+        bool operator==(const Key&) const = default;
+    };
+    Key key_;
+    SeenTriangles triangles_;
+    SeenCracks cracks_;
+};
+
+}  // namespace demolish::engine
