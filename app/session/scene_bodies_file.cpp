@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <set>
 
+#include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_parts_file.h"
 #include "app/session/shot_bodies.h"
@@ -62,6 +63,17 @@ void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneB
     readFineness(reader, at, shot.fineness, body);
 }
 
+void readHold(TomlReader& reader, const std::string& at, double height, SceneBody& body) {
+    body.anchors = readAnchors(reader, at, height, 0);
+    body.path = readPath(reader, at, height);
+    if (body.path.keys.empty()) return;
+    if (body.breaks) reader.fail(at + "path", "needs breaks = false: what follows a path stays whole");
+    if (!body.anchors.empty())
+        reader.fail(at + "anchor", "and path exclude each other: a path holds all of it");
+    for (const char* key : {"velocity_mps", "spin_radps"})
+        if (reader.has(at + key)) reader.fail(at + key, "and path exclude each other");
+}
+
 bool moves(const SceneBody& body) {
     return body.velocity != Double3{} || body.spin != Double3{};
 }
@@ -93,6 +105,7 @@ std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot) {
         readPlace(reader, at, shot.height, bodies[i]);
         reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
         readOwn(reader, at, shot, bodies[i]);
+        readHold(reader, at, shot.height, bodies[i]);
         if (moves(bodies[i]) && shot.settle_time > 0)
             reader.fail(at + (bodies[i].velocity != Double3{} ? "velocity_mps" : "spin_radps"),
                         "needs solver.settle_s = 0: a body that moves would fall while the others settle");

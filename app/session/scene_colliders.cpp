@@ -9,23 +9,19 @@
 #include "app/reading/model_reader.h"
 #include "app/session/asset_files.h"
 #include "app/session/scene_assets.h"
+#include "app/session/scene_shapes.h"
 #include "app/session/shot_geometry.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
-constexpr double kDegree = 0.017453292519943295;
 constexpr Range kEdgeRange{1e-3, 1e4};  // m, radii as well
 constexpr Range kScaleRange{1e-6, 1e6};
 constexpr Range kFrictionRange{0, 1.5}, kRestitutionRange{0.05, 1};
 /// Of a plane, in radii of the scene: how far it is drawn beyond the place nearest to the scene, and how
 /// deep.
 constexpr double kPlaneReach = 3, kPlaneDepth = 0.1;
-
-void require(TomlReader& reader, const std::string& path) {
-    if (!reader.has(path)) reader.fail(path, "is missing");
-}
 
 Collider::Shape readPlane(TomlReader& reader, const std::string& at) {
     Double3 position, normal{0, 1, 0};
@@ -37,33 +33,9 @@ Collider::Shape readPlane(TomlReader& reader, const std::string& at) {
     return Plane{fromGlm(unit), glm::dot(unit, toGlm(position))};
 }
 
-Quaternion readTurn(TomlReader& reader, const std::string& at) {
-    Double3 degrees;
-    reader.read(at + "rotation_deg", degrees, {-360, 360});
-    const glm::dquat turn(kDegree * toGlm(degrees));  // about x, then y, then z
-    return {turn.x, turn.y, turn.z, turn.w};
-}
-
-Collider::Shape readBox(TomlReader& reader, const std::string& at) {
-    Box box;
-    require(reader, at + "size_m");
-    reader.read(at + "size_m", box.size, kEdgeRange);
-    reader.read(at + "position_m", box.position, kPlaceRange);
-    box.rotation = readTurn(reader, at);
-    return box;
-}
-
-Collider::Shape readSphere(TomlReader& reader, const std::string& at) {
-    Sphere ball;
-    require(reader, at + "radius_m");
-    reader.read(at + "radius_m", ball.radius, kEdgeRange);
-    reader.read(at + "position_m", ball.position, kPlaceRange);
-    return ball;
-}
-
 Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
     Capsule rod;
-    for (const char* key : {"radius_m", "from_m", "to_m"}) require(reader, at + key);
+    for (const char* key : {"radius_m", "from_m", "to_m"}) requireKey(reader, at + key);
     reader.read(at + "radius_m", rod.radius, kEdgeRange);
     reader.read(at + "from_m", rod.from, kPlaceRange);
     reader.read(at + "to_m", rod.to, kPlaceRange);
@@ -76,7 +48,7 @@ Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
 Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
     MeshShape shape;
     ColliderMeshOptions options;
-    require(reader, at + "model");
+    requireKey(reader, at + "model");
     std::string model;
     reader.read(at + "model", model);
     reader.read(at + "scale", shape.scale, kScaleRange);
@@ -97,22 +69,14 @@ Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
 
 const std::map<std::string, Collider::Shape (*)(TomlReader&, const std::string&)> kReaders{
     {"plane", readPlane},
-    {"box", readBox},
-    {"sphere", readSphere},
+    {"box", [](TomlReader& reader, const std::string& at) -> Collider::Shape { return readBox(reader, at); }},
+    {"sphere",
+     [](TomlReader& reader, const std::string& at) -> Collider::Shape { return readSphere(reader, at); }},
     {"capsule", readCapsule},
     {"mesh", readMesh}};
 
-Double3 scaled(const Double3& lengths, double by) {
-    return fromGlm(by * toGlm(lengths));
-}
 Plane scaled(const Plane& plane, double by) {
     return {plane.normal, by * plane.offset};
-}
-Box scaled(const Box& box, double by) {
-    return {scaled(box.size, by), scaled(box.position, by), box.rotation};
-}
-Sphere scaled(const Sphere& ball, double by) {
-    return {by * ball.radius, scaled(ball.position, by)};
 }
 Capsule scaled(const Capsule& rod, double by) {
     return {by * rod.radius, scaled(rod.from, by), scaled(rod.to, by)};
@@ -165,7 +129,7 @@ engine::ColliderDraw drawn(const MeshShape& shape, const SceneSight&) {
 
 Collider readCollider(TomlReader& reader, const std::string& at) {
     std::string shape;
-    require(reader, at + "shape");
+    requireKey(reader, at + "shape");
     reader.read(at + "shape", shape);
     std::vector<std::string> known;
     for (const auto& [name, read] : kReaders) known.push_back(name);

@@ -6,6 +6,7 @@
 
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
+#include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/scene_light.h"
@@ -177,6 +178,7 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     shot.phases = readPhases(reader);
     readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
+    shot.anchors = readAnchors(reader, "", shot.height, std::max<size_t>(1, shot.bodies.size()));
     readPicture(reader, file.parent_path(), shot);
     reader.requireAllRead();
     takeFromSubject(shot);

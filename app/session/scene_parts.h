@@ -5,8 +5,10 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/scene/surface_look.h"
+#include "sim_cuda/api/anchors.h"
 #include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/params.h"
 #include "sim_cuda/api/vectors.h"
@@ -39,6 +41,8 @@ struct SceneBody {
     Quaternion turn;       ///< before the yaw
     Double3 velocity;      ///< m/s
     Double3 spin;          ///< rad/s, about its centre of mass
+    std::vector<Anchor> anchors;  ///< that hold parts of it, in its own frame and in heights of the shot
+    MotionPath path;              ///< of all of it, about its origin, in heights of the shot
 
     std::optional<std::filesystem::path> model;
     std::optional<ModelPart> part;  ///< none: all of `model`, or what the shot takes of its own

@@ -77,6 +77,7 @@ struct Shot {
     std::vector<TimedBall> balls;     ///< of a ball impact, in order of time; empty: the one of `impact`
     std::vector<Phase> phases;        ///< in order of time; empty: the shot has none
     std::vector<Collider> colliders;  ///< beside the floor, in heights of the body
+    std::vector<Anchor> anchors;      ///< of the scene, in the world and in heights of the body
     Fineness fineness;
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/scene_anchors.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
@@ -141,6 +142,7 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         if (dropped) drop(shot, *instance.body, place, instance);
         setup.bodies.push_back(std::move(instance));
     }
+    setup.anchors = anchorsOf(shot, setup.bodies);
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
     return setup;
 }

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "sim_cuda/api/anchors.h"
 #include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/api/params.h"
 #include "sim_cuda/api/render_streams.h"
@@ -32,6 +33,7 @@ struct SceneSetup {
     std::vector<BodyInstance> bodies;  ///< at least one
     std::vector<Projectile> projectiles;
     SolverParams params;
+    std::vector<Anchor> anchors;
 };
 
 /// What a progress bar shows; return false to cancel (then Cancelled is thrown).

@@ -27,7 +27,9 @@ std::string describe(StepStatus status);
 struct EnergyLedger {
     double kinetic = 0, elastic = 0, potential = 0;
     double damping = 0, friction = 0, fracture = 0;  ///< dissipated since the start
-    double external = 0;                             ///< work put in since the start: impacts fired, settling
+    /// Work put in since the start: impacts fired, settling, what leads anchors along their paths. Of what is
+    /// held, neither motion nor height counts.
+    double external = 0;
 };
 
 struct FrameStats {

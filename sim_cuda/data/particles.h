@@ -40,6 +40,9 @@ enum class Mover : uint32_t {
     kOtherStep,  ///< the other kind; in a substep such a particle is carried on (BondedWork)
 };
 
+/// 1/kg, of what is held: so heavy that nothing moves it. m, its reach for colliders: it meets none.
+inline constexpr double kHeldInverseMass = 1e-20, kHeldReach = -1e10;
+
 /// Constants of a particle: what its owner needs every step, in one load of four numbers. Inverse mass and
 /// mover share the first: its sign tells the mover. Only this type knows that.
 template <class Real>
@@ -53,6 +56,12 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
           floor_radius(floor_reach),
           signed_inverse_mass_(inverse_mass) {}
 
+    /// Of a particle that is held or led (api/anchors.h).
+    DEM_FN static ParticleConstants held(Real contact_reach) {
+        return {Real(kHeldInverseMass), Real(kHeldInverseMass), contact_reach, Real(kHeldReach)};
+    }
+
+    DEM_FN bool isHeld() const { return floor_radius < Real(0); }
     DEM_FN Mover mover() const {
         return isMovedByOther() ? Mover::kOtherStep : isMovedHere() ? Mover::kThisStep : Mover::kNobody;
     }
@@ -73,7 +82,7 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
     /// its own inverse mass, 1/kg, while inverseMass() is that of its share of the fragment.
     Real inverse_inertia{};
     Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
-    Real floor_radius{};    ///< m, to the farthest corner of the cell; of a sphere its radius
+    Real floor_radius{};    ///< m, to the farthest corner of the cell; of a sphere its radius; < 0: held
 
   private:
     Real signed_inverse_mass_{};

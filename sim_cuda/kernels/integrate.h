@@ -14,16 +14,29 @@ DEM_FN void addToPosition(Real change, Real& high, Real& low) {
     high = sum;
 }
 
-/// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. Whom nobody moves stays as he is.
+/// Nobody moves it; or it is held, and not led anywhere.
+template <class Real>
+DEM_FN bool stands(const OwnParticle<Real>& own) {
+    if (!own.constants.isMovedHere()) return true;
+    return own.constants.isHeld() &&
+           !(length2(xyz(own.state.velocity)) + length2(xyz(own.state.spin)) > Real(0));
+}
+
+/// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. What is held is not kicked, and what stands
+/// stays to the last bit.
 template <class Real>
 DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench<Real>& load,
                                       const StepParams<Real>& params) {
     LoadedState<Real> next = own.state;
-    if (!own.constants.isMovedHere()) return next;
+    if (stands(own)) return next;
     const Real dt = params.dt, keep = params.velocity_keep;
+    const bool free = !own.constants.isHeld();
     const Vec3<Real> acceleration = axpy(own.constants.inverseMass(), load.force, params.gravity);
-    const Vec3<Real> velocity = keep * axpy(dt, acceleration, xyz(own.state.velocity));
-    const Vec3<Real> spin = keep * axpy(dt * own.constants.inverse_inertia, load.torque, xyz(own.state.spin));
+    const Vec3<Real> kicked = keep * axpy(dt, acceleration, xyz(own.state.velocity));
+    const Vec3<Real> turned =
+        keep * axpy(dt * own.constants.inverse_inertia, load.torque, xyz(own.state.spin));
+    const Vec3<Real> velocity = free ? kicked : xyz(own.state.velocity);
+    const Vec3<Real> spin = free ? turned : xyz(own.state.spin);
     Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
     addToPosition(dt * velocity.x, next.position.x, low.x);
     addToPosition(dt * velocity.y, next.position.y, low.y);
@@ -87,6 +100,13 @@ DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const Loade
     bookedFriction(ledger) -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
     bookedFracture(ledger) +=
         madd(Real(-0.5) * dt, powerAt(Real(0.75), tally.released, before, after), tally.fracture);
+}
+
+/// What holds a particle takes up the load, and gives the opposite of what that does.
+template <class Real>
+DEM_FN void bookHold(Vec4<Real>& ledger, const Wrench<Real>& load, const LoadedState<Real>& before,
+                     const LoadedState<Real>& after, Real dt) {
+    bookedWork(ledger) = madd(-dt, meanPower(load, before, after), bookedWork(ledger));
 }
 
 /// A carried particle: the velocity at the end of the contact step is not known yet, so that what damps and

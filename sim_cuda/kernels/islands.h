@@ -10,8 +10,10 @@
 #include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/regimes.h"
+#include "sim_cuda/kernels/calm_clocks.h"
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
+#include "sim_cuda/kernels/lead_held.h"
 #include "sim_cuda/kernels/mesh_hits.h"
 #include "sim_cuda/kernels/predicted_path.h"
 #include "sim_cuda/physics/hand_over.h"
@@ -135,13 +137,14 @@ struct HitRules {
     Span<const uint32_t> regime;     ///< per slot, before the decision
     Span<const WakeLaw<Real>> wake;  ///< per owner; a projectile leaves it to the other
     uint32_t crumb = 1;              ///< particles of the largest piece that stays whole once it is rigid
+    HoldsIn holds{};
 
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
     DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
     DEM_FN bool sleeps(uint32_t slot) const { return regime[slot] == wordOf(Regime::kAsleep); }
-    /// Particles of the fragment; a projectile is as heavy as any.
+    /// Particles of the fragment; a projectile is as heavy as any, and so is what is held.
     DEM_FN Real sizeOf(uint32_t slot) const {
-        return isProjectile(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
+        return isProjectile(slot) || holds.hold(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);
     }
     /// m/s, between particles of two fragments.
     DEM_FN Real limit(uint32_t i, uint32_t j) const {
@@ -199,60 +202,6 @@ struct JoinIslands {
                 raise(words[kHitsLater]);
         });
     }
-};
-
-/// Fastest particle of each fragment: squared speeds as words, which keep their order.
-template <class Real>
-struct MeasureMotion {
-    StateIn<Real> state;
-    Span<const ParticleConstants<Real>> constants;
-    Span<const uint32_t> label;
-    Span<uint32_t> fastest;  ///< per slot, 0 before; float bits of m^2/s^2
-
-    DEM_FN void operator()(uint32_t i) const {
-        if (!(constants[i].takesPart())) return;
-        const Real radius = constants[i].contact_radius;
-        const Real speed2 = length2(xyz(state.velocity[i])) + radius * radius * length2(xyz(state.spin[i]));
-        const uint32_t bits = std::bit_cast<uint32_t>(float(speed2));
-        uint32_t& word = fastest[label[i]];
-        if (bits > atomicLoadU32(&word)) atomicMaxU32(&word, bits);
-    }
-};
-
-/// Substeps for which a fragment has been calm inside, and at rest.
-struct CalmClock {
-    uint32_t calm = 0, rest = 0;
-};
-
-/// One thread a slot, once a frame.
-template <class Real>
-struct AdvanceClocks {
-    FragmentRows rows;
-    Span<const uint32_t> label, owner, fastest;
-    Span<const ParticleConstants<Real>> constants;
-    Span<const RigidMotion> motion;  ///< per slot of a body's fragment
-    Span<const PoseSums> pose;       ///< by place
-    Span<const SpinSums> spin;       ///< by place
-    Span<const double> calm_speed2;  ///< per owner, m^2/s^2
-    Span<CalmClock> clock;
-    float rest_speed2 = 0;
-    uint32_t in_bodies = 0;
-    uint32_t substeps = 0;  ///< since the last time
-
-    DEM_FN void operator()(uint32_t slot) const {
-        if (label[slot] != slot || !(constants[slot].takesPart())) return;
-        CalmClock next = clock[slot];
-        const bool rests = std::bit_cast<float>(fastest[slot]) <= rest_speed2;
-        next.calm = isCalm(slot) ? grown(next.calm) : 0;
-        next.rest = rests ? grown(next.rest) : 0;
-        clock[slot] = next;
-    }
-    DEM_FN bool isCalm(uint32_t slot) const {
-        if (slot >= in_bodies) return true;
-        const uint32_t place = rows.first[slot];
-        return 2 * innerEnergy(spin[place], motion[slot]) <= calm_speed2[owner[slot]] * pose[place].now.mass;
-    }
-    DEM_FN uint32_t grown(uint32_t before) const { return before > 0x7fffffffu ? before : before + substeps; }
 };
 
 /// What a decision goes by.
@@ -369,6 +318,7 @@ struct ChooseRegimes {
     Span<uint32_t> regime, former;
     Span<CalmClock> clock;
     uint32_t in_bodies = 0;
+    HoldsIn holds{};
 
     DEM_FN void operator()(uint32_t slot) const {
         if (label[slot] != slot) return;
@@ -382,6 +332,7 @@ struct ChooseRegimes {
     /// A projectile goes along with the bonds that it may touch: it costs no more in either way.
     DEM_FN bool needsBonds(uint32_t slot) const {
         if (rules.no_bonds) return false;
+        if (holds.bend(slot)) return true;
         const bool with_island = !rules.hand_over || slot >= in_bodies;
         return (with_island ? flags[island[slot]] & kMustBond : flags[slot] & kNeedsBonds) != 0;
     }

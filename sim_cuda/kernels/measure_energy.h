@@ -39,6 +39,8 @@ struct MeasureEnergy {
         MechanicalSums sums;
         const OwnParticle<Real> own = loadOwn(arrays, i);
         if (!own.constants.takesPart()) return sums;
+        sums.elastic = elasticEnergy(own);
+        if (own.constants.isHeld()) return sums;
         const double mass = 1.0 / static_cast<double>(own.constants.inverseMass());
         const double inertia = 1.0 / static_cast<double>(own.constants.inverse_inertia);
         const Vec3<double> position =
@@ -53,7 +55,6 @@ struct MeasureEnergy {
         sums.potential = -mass * dot(gravity, position);
         sums.linear = mass * velocity;
         sums.angular = mass * cross(position, velocity) + inertia * spin;
-        sums.elastic = elasticEnergy(own);
         return sums;
     }
 
@@ -84,6 +85,7 @@ struct MeasureEnergy {
             const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
             sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
         }
+        if (own.constants.isHeld()) return sum;
         forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
             sum += static_cast<double>(colliderEnergy(own, c, bound));
         });

@@ -11,7 +11,8 @@ namespace demolish {
 template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
-    if (own.constants.isMovedHere())
+    const bool held = own.constants.isHeld();
+    if (own.constants.isMovedHere() && !held)
         forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
             add(load,
                 colliderContact<kLedger>(arrays, params, own, c, bound, tally, TurnsAlone<Real>{}).wrench);
@@ -23,6 +24,7 @@ DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Rea
             bookCarried(arrays, own.id, tally);
         else
             bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
+        if (held && !own.isCarried()) bookHold(arrays.ledger[own.id], load, own.state, next, params.dt);
     }
     storeState(arrays.out, own.id, next);
 }

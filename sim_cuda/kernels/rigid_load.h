@@ -130,6 +130,7 @@ struct TurnsFragment {
 template <bool kLedger, class Real>
 DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
+    if (own.constants.isHeld()) return;
     forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at =
             colliderContact<kLedger>(arrays, params, own, c, bound, load.tally, TurnsFragment<Real>{work});

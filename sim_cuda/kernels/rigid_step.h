@@ -73,6 +73,8 @@ DEM_FN void countContacts(RigidBody& body, uint32_t contacts) {
 template <class Real>
 DEM_FN ParticleConstants<Real> sharedConstants(const RigidBody& body, const Vec3<double>& arm,
                                                const ParticleConstants<Real>& own) {
+    if (body.isHeld())
+        return {Real(kHeldInverseMass), own.inverseMass(), own.contact_radius, Real(kHeldReach)};
     const Sym3& j = body.inverse_inertia;
     const double trace = j.xx + j.yy + j.zz;
     const double turning = 0.5 * (length2(arm) * trace - dot(arm, multiply(j, arm)));
@@ -148,6 +150,10 @@ struct StepRigid {
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         const double dt = double(params.dt);
+        if (body.isHeld()) {
+            lead(body, dt);
+            return countContacts(body, total.touching);
+        }
         const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride * dt;
         advance(body, push * total.force, push * total.torque, fallen * asDouble(params.gravity), dt);
         countContacts(body, total.touching + total.coming);
@@ -165,10 +171,13 @@ struct StepRigid {
             const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
             const Vec3<double> arm = rotate(body.turned, seat.arm);
             const Vec3<double> x = body.centre + arm, v = velocityAt(body.velocity, body.spin, arm);
-            placeParticle(state, i, x, v, body.spin);
-            placeParticle(arrays.out, i, x, v, body.spin);
+            if (!body.stands()) {
+                placeParticle(state, i, x, v, body.spin);
+                placeParticle(arrays.out, i, x, v, body.spin);
+            }
             constants[i] = sharedConstants(body, seat.arm, own_constants[i]);
             in_substeps[i] = carriedConstants(body, constants[i], own_constants[i]);
+            if (kLedger && body.isHeld()) bookHeld(seat, before);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
@@ -179,6 +188,12 @@ struct StepRigid {
                                Real(carried_share * push));
             }
         }
+    }
+    /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
+    DEM_FN void bookHeld(const RigidSeat& seat, const LoadedState<Real>& now) const {
+        Vec4<Real>& ledger = arrays.ledger[seat.particle];
+        bookHold(ledger, load[seat.place].wrench, now, now, Real(push));
+        bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push));
     }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {

@@ -22,12 +22,13 @@ struct StartBodies {
     Span<RigidBody> body;
     uint32_t in_bodies = 0;
     bool frame_starts = false;
+    HoldsIn holds{};
 
     DEM_FN void operator()(uint32_t slot) const {
         if (label[slot] != slot || regime[slot] == wordOf(Regime::kBonded)) return;
         if (slot < in_bodies) {
             if (!frame_starts) return;
-            body[slot] = ofFragment(slot);
+            body[slot] = holds.hold(slot) ? ofHeld(slot) : ofFragment(slot);
         } else {
             if (!(constants[slot].takesPart())) return;
             body[slot] = ofProjectile(slot);
@@ -47,6 +48,16 @@ struct StartBodies {
         start.angular = spin[rows.first[slot]].angular;
         start.inverse_inertia = inverted(spin[rows.first[slot]].inertia);
         start.inverse_mass = 1 / pose[rows.first[slot]].now.mass;
+        start.least_share = leastShare(rows.size[slot]);
+        return start;
+    }
+    /// It hangs on the lowest of what is held of it, and nothing pushes it.
+    DEM_FN RigidBody ofHeld(uint32_t slot) const {
+        const uint32_t leader = holds.leader[slot];
+        RigidBody start;
+        start.centre = exactPosition(state, leader);
+        start.velocity = asDouble(xyz(state.velocity[leader]));
+        start.spin = asDouble(xyz(state.spin[leader]));
         start.least_share = leastShare(rows.size[slot]);
         return start;
     }
@@ -135,6 +146,7 @@ struct SettleRegimes {
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {
         if (!(constants[i].takesPart())) return;
+        book = book && !constants[i].isHeld();
         const double mass = 1 / double(constants[i].inverseMass()),
                      inertia = 1 / double(constants[i].inverse_inertia);
         const double before =
@@ -164,6 +176,7 @@ struct PlaceRigid {
         const uint32_t slot = label[i];
         if (regime[slot] != wordOf(Regime::kRigid)) return;
         const RigidBody moved = body[slot];
+        if (moved.stands()) return;
         const Vec3<double> from_centre = rotate(moved.turned, arm[i]);
         const Vec3<double> x = moved.centre + from_centre,
                            v = velocityAt(moved.velocity, moved.spin, from_centre);

@@ -8,6 +8,7 @@ namespace demolish {
 
 struct FrameSums {
     double damping = 0, friction = 0, fracture = 0;  ///< J since the ledger was cleared
+    double held = 0;                                 ///< J, work of what holds particles, likewise
     double stress = 0;                               ///< highest bond stress over strength
     uint32_t broken = 0;                             ///< bonds, each counted at its lower id
     uint32_t parted = 0;                             ///< of these, those whose record has retired (A.6)
@@ -16,6 +17,7 @@ struct FrameSums {
         damping += other.damping;
         friction += other.friction;
         fracture += other.fracture;
+        held += other.held;
         stress = maxOf(stress, other.stress);
         broken += other.broken;
         parted += other.parted;
@@ -35,7 +37,7 @@ struct SumFrame {
         if (part.number == 0) {
             Vec4<Real> ledger = arrays.ledger[i];
             sums = {static_cast<double>(bookedDamping(ledger)), static_cast<double>(bookedFriction(ledger)),
-                    static_cast<double>(bookedFracture(ledger))};
+                    static_cast<double>(bookedFracture(ledger)), static_cast<double>(bookedWork(ledger))};
         }
         if (i >= in_bodies) return sums;
         sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i, part));

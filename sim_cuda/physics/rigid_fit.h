@@ -91,6 +91,13 @@ DEM_FN RigidMotion rigidMotion(const MassSums& sums, const SpinSums& spins) {
 DEM_FN double innerEnergy(const SpinSums& spins, const RigidMotion& motion) {
     return spins.kinetic - 0.5 * dot(motion.spin, spins.angular);
 }
+/// The same against another rigid motion: its spin (rad/s), and the velocity of the mass centre (m/s) over
+/// what it has there. `mass` kg.
+DEM_FN double energyAgainst(const SpinSums& spins, double mass, const Vec3<double>& spin,
+                            const Vec3<double>& velocity) {
+    return spins.kinetic - dot(spin, spins.angular) + 0.5 * dot(spin, multiply(spins.inertia, spin)) +
+           0.5 * mass * length2(velocity);
+}
 /// (16) as corrected: velocity (m/s) of the fragment's point at `arm` (m) from its mass centre.
 DEM_FN Vec3<double> velocityAt(const Vec3<double>& velocity, const Vec3<double>& spin,
                                const Vec3<double>& arm) {

@@ -43,6 +43,10 @@ struct RigidBody {
     uint32_t least_share = 1;    ///< and how many at least
     uint32_t contacts = 0;       ///< that gave it something in the step before, or will in the next one
     Flight flight;
+
+    /// By an anchor: whatever pushes moves it as little as gravity does.
+    DEM_FN bool isHeld() const { return !(inverse_mass > 0); }
+    DEM_FN bool stands() const { return isHeld() && !(length2(velocity) + length2(spin) > 0); }
 };
 
 /// omega of J(q) omega = L.
@@ -61,6 +65,12 @@ DEM_FN void advance(RigidBody& body, const Vec3<double>& push, const Vec3<double
     const Quat<double> half = advanced(body.turned, spinAt(body, body.turned), 0.5 * dt);
     body.turned = advanced(body.turned, spinAt(body, half), dt);
     body.spin = spinAt(body, body.turned);
+}
+
+/// A held body goes on as it is led; dt s of the drift.
+DEM_FN void lead(RigidBody& body, double dt) {
+    body.centre = axpy(dt, body.velocity, body.centre);
+    if (length2(body.spin) > 0) body.turned = advanced(body.turned, body.spin, dt);
 }
 
 /// Substeps of gravity in a contact step of `stride` of them: fewer in the first one of a body that was moved

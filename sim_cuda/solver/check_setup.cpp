@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Refuses what cannot be simulated, in one sentence each, before anything is allocated.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -155,19 +156,60 @@ const char* nameOf(const MeshShape&) {
     return "a mesh";
 }
 
-void checkStart(const BodyInstance& instance, size_t number, const std::vector<Collider>& colliders,
-                const ColliderSet<double>& set) {
+/// What is held stands wherever it stands, a base in the ground. Half a spacing is as far as particles reach.
+bool isHeld(const SceneSetup& setup, uint32_t body, const Vec3<double>& point) {
+    const double radius = 0.5 * setup.bodies[body].body->spacing;
+    return std::any_of(setup.anchors.begin(), setup.anchors.end(),
+                       [&](const Anchor& anchor) { return reaches(anchor, body, point, radius); });
+}
+
+void checkStart(const SceneSetup& setup, uint32_t number, const ColliderSet<double>& set) {
+    const BodyInstance& instance = setup.bodies[number];
+    const std::vector<Collider>& colliders = setup.params.colliders;
     const Quaternion& r = instance.rotation;
     for (const Particle& particle : instance.body->particles) {
-        const auto inside = colliderRound(
-            set, vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed)));
-        if (!inside) continue;
+        const Vec3<double> at =
+            vec(instance.position) + rotate(Quat<double>{r.x, r.y, r.z, r.w}, vec(particle.seed));
+        const auto inside = colliderRound(set, at);
+        if (!inside || isHeld(setup, number, at)) continue;
         const char* name =
             std::visit([](const auto& shape) { return nameOf(shape); }, colliders[*inside].shape);
         throw InputFileError("Body " + std::to_string(number) + " of the scene starts inside its collider " +
                              std::to_string(*inside) + ", " + name +
                              " (bodies are counted from 0, and collider 0 is the floor); move one of them.");
     }
+}
+
+void checkPath(const MotionPath& path) {
+    double before = 0;
+    for (const PathKey& key : path.keys) {
+        demand(std::isfinite(key.time) && key.time > before,
+               "The times of a path's keys must be above 0 and ascend.");
+        before = key.time;
+        demandFinite(key.way, "A way of a path");
+        demandFinite(key.turn, "A turn of a path");
+    }
+}
+
+void checkRegion(const Anchor::Everything&) {}
+void checkRegion(const Box& box) {
+    checkShape(box);
+}
+void checkRegion(const Sphere& ball) {
+    checkShape(ball);
+}
+
+void checkAnchors(const SceneSetup& setup) {
+    size_t paths = 0;
+    for (const Anchor& anchor : setup.anchors) {
+        std::visit([](const auto& region) { checkRegion(region); }, anchor.region);
+        demand(anchor.body.value_or(0) < setup.bodies.size(), "An anchor is of a body that is not there.");
+        demandFinite(anchor.pivot, "An anchor's pivot");
+        checkPath(anchor.path);
+        paths += anchor.path.keys.empty() ? 0 : 1;
+    }
+    demand(paths <= kMaxPaths,
+           "A scene has at most " + std::to_string(kMaxPaths) + " anchors and bodies that follow a path.");
 }
 
 }  // namespace
@@ -196,7 +238,8 @@ void checkSetup(const SceneSetup& setup) {
     const std::vector<Collider>& colliders = setup.params.colliders;
     for (const Projectile& projectile : setup.projectiles) checkStart(projectile, colliders);
     const auto set = makeColliderSet<double>(colliders);
-    for (size_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup.bodies[b], b, colliders, set);
+    checkAnchors(setup);
+    for (uint32_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup, b, set);
 }
 
 }  // namespace demolish

@@ -7,6 +7,7 @@
 #include "sim_cuda/kernels/paths_now.h"
 #include "sim_cuda/patterns/piece_release.h"
 #include "sim_cuda/solver/fragments.h"
+#include "sim_cuda/solver/held_particles.h"
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/projectiles.h"
 #include "sim_cuda/solver/regimes.h"
@@ -41,6 +42,7 @@ struct DeviceScene {
     Regimes<Backend, Real> regimes;
     Fragments<Backend, Real> fragments;
     PieceRelease<Backend, Real> release;
+    HeldParticles<Backend, Real> held;
     StepParams<Real> params;  ///< of a substep
     uint64_t substeps = 0;    ///< done since the start
 
@@ -54,6 +56,7 @@ struct DeviceScene {
           regimes(backend, from, tables),
           fragments(backend, tables.counts, from.bodies),
           release(backend, from, tables.owners()),
+          held(backend, from, tables),
           params(makeStepParams<Real>(from.params, tables, mesh_steps.view())) {
         uploadLaws(from.projectiles);
         lists.setBuried(tables.buried);
@@ -71,11 +74,18 @@ struct DeviceScene {
                 lists.enclosures(data.bonds.in())};
     }
 
+    /// Which fragments are held, for decisions in the next `seconds`.
+    void markHolds(double seconds) {
+        if (!held.on()) return;
+        held.mark(fragments.clusters.fragment(), time(), time() + seconds);
+        regimes.noteHolds(held.holds());
+    }
+
     /// For `release`, with good contact lists. soon: s until the next decision at the latest.
     HardTouches<Real> hardTouches(double soon) {
         const auto& clusters = fragments.clusters;
         const MeetingsIn<Real> meetings = regimes.meetingsOf(data, lists, clusters, soon);
-        return {HitRules<Real>{meetings, clusters.rows(), regimes.regime(), release.laws(), 1},
+        return {HitRules<Real>{meetings, clusters.rows(), regimes.regime(), release.laws(), 1, held.holds()},
                 params.colliders, params.gravity};
     }
 

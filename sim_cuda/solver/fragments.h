@@ -43,7 +43,7 @@ struct Fragments {
     void advanceAges() { motion.advanceAges(clusters.rows()); }
     /// Mass and pose of each, of the present state.
     void gather(const SolverData<Backend, Real>& data) {
-        motion.gather(clusters.rows(), data.particles.in(data.current), data.particles.constants.view());
+        motion.gather(clusters.rows(), data.particles.in(data.current), data.ownMasses());
     }
     /// Both at once: particles were put elsewhere and bonds set otherwise.
     void follow(const SolverData<Backend, Real>& data) {

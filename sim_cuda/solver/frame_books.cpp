@@ -23,6 +23,7 @@ void FrameBooks::addSums(const FrameSums& sums, bool booked, double external) {
         state_.damping += sums.damping;
         state_.friction += sums.friction;
         state_.fracture += sums.fracture;
+        state_.held += sums.held;
     }
     stats_.fracture_changed = sums.broken != state_.broken;
     state_.broken = sums.broken;
@@ -37,11 +38,11 @@ void FrameBooks::tell(double external) {
     stats_.energy.damping = state_.damping;
     stats_.energy.friction = state_.friction;
     stats_.energy.fracture = state_.fracture;
-    stats_.energy.external = external;
+    stats_.energy.external = external + state_.held;
 }
 
 void FrameBooks::setMechanical(const MechanicalSums& sums, double external) {
-    stats_.energy.external = external;
+    stats_.energy.external = external + state_.held;
     stats_.energy.kinetic = sums.kinetic;
     stats_.energy.elastic = sums.elastic;
     stats_.energy.potential = sums.potential;

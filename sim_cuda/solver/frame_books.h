@@ -20,6 +20,7 @@ class FrameBooks {
         uint32_t broken = 0;                             ///< bonds
         uint32_t parted = 0;                             ///< of these, with a retired record
         double damping = 0, friction = 0, fracture = 0;  ///< J since the start
+        double held = 0;                                 ///< J, likewise: work of what holds particles
     };
 
     /// time_step: s; mass: kg, of the bodies.
@@ -29,7 +30,7 @@ class FrameBooks {
     /// A frame of so many substeps is over at `time` (s), well. Its sums come later, or not at all if nothing
     /// has happened in it.
     void closeFrame(uint32_t substeps, double time, uint32_t list_rebuilds);
-    /// booked: the sums' energies count. external: J, work put in since the start.
+    /// booked: the sums' energies count. external: J, put in since the start by what starts later.
     void addSums(const FrameSums& sums, bool booked, double external);
     /// external: as above, up to this moment.
     void setMechanical(const MechanicalSums& sums, double external);

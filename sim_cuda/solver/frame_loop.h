@@ -102,6 +102,8 @@ class FrameLoop {
     /// Builds the contact lists if that is due.
     void freshenLists();
     void buildLists();
+    /// Velocities of what paths lead, for the next `n` substeps.
+    void leadHeld(uint32_t n);
     void look(uint32_t lookahead);
     void followStrayed(uint32_t next);
     void runAwake(uint32_t n);
@@ -152,6 +154,7 @@ void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
+    leadHeld(std::min(n, stretch().length()));
     if (!scene_.regimes.on()) return;
     freshenLists();
     decide(true, n);
@@ -167,11 +170,24 @@ void FrameLoop<Backend, Real>::giveUpFrame() {
     if (given_up.split) scene_.fragments.follow(scene_.data);
 }
 
-/// Everything sleeps, and no projectile starts: the frame would change nothing but the time.
+/// Everything sleeps, no projectile starts and no path leads anywhere: the frame would change nothing but the
+/// time.
 template <class Backend, class Real>
 bool FrameLoop<Backend, Real>::staysQuiet(uint32_t n) const {
     return quiet_ && !lists_.due() && !decisions_.shotStarted() &&
-           projectiles_.nextStart() >= scene_.substeps + n;
+           projectiles_.nextStart() >= scene_.substeps + n &&
+           !scene_.held.leads(scene_.time(), scene_.time() + n * scene_.tables.time_step);
+}
+
+/// Until the stretch after the end of a path: there it stops.
+template <class Backend, class Real>
+void FrameLoop<Backend, Real>::leadHeld(uint32_t n) {
+    const double now = scene_.time(), dt = scene_.tables.time_step;
+    if (!scene_.held.leads(now - kRigidStretch.length() * dt, now + n * dt)) return;
+    stepper_.placeRigid(scene_);
+    stepper_.listsChange();
+    scene_.held.lead(scene_.data, now, n * dt);
+    if (scene_.regimes.on()) scene_.regimes.leadBodies(scene_.data, scene_.fragments.clusters);
 }
 
 /// To the end of the frame, or as far as `watch` wants.
@@ -189,6 +205,7 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
         }
         frame_->moved = true;
         const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
+        leadHeld(part);
         const StepStatus status = runStretch(part);
         if (status != StepStatus::kOk) return status;
         n -= part;
@@ -245,6 +262,7 @@ void FrameLoop<Backend, Real>::decide(bool frame_starts, uint32_t remaining) {
     stepper_.placeRigid(scene_);
     stepper_.listsChange();
     const Release release = releasePieces(lists_.remaining(scene_.lists.horizon(), remaining));
+    if (frame_starts || release.splits) scene_.markHolds(remaining * scene_.tables.time_step);
     decisions_.decide(frame_starts || release.splits, frame_starts ? decisions_.lastFrame() : 0,
                       lists_.remaining(scene_.lists.horizon(), remaining));
     decisions_.hasten(release.next, kRigidStretch.length());

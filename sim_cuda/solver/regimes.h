@@ -64,6 +64,10 @@ class Regimes {
     /// Before clustering finds them: pieces of rigid bodies that come apart go on as those did.
     void splitRigid(const Clustering<Backend>& clusters, Span<const uint32_t> owner,
                     Span<const uint32_t> splits);
+    /// What anchors hold of the fragments, for decisions from now on.
+    void noteHolds(const HoldsIn& holds) { holds_ = holds; }
+    /// The bodies of what they hold move as that does; its velocities have been set.
+    void leadBodies(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters);
     /// What decisions read, with contact lists that are good. soon: as in assign().
     MeetingsIn<Real> meetingsOf(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                                 const Clustering<Backend>& clusters, double soon);
@@ -132,6 +136,7 @@ class Regimes {
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
     RegimeMemory memory_;
+    HoldsIn holds_;
     bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
 };
 
@@ -187,6 +192,15 @@ PlaceRigid<Real> Regimes<Backend, Real>::placer(SolverData<Backend, Real>& data,
 }
 
 template <class Backend, class Real>
+void Regimes<Backend, Real>::leadBodies(SolverData<Backend, Real>& data,
+                                        const Clustering<Backend>& clusters) {
+    backend_.forEach(counts_of_.in_bodies,
+                     LeadBodies<Real>{holds_, clusters.fragment(), regime_.view(),
+                                      data.particles.in(data.current), moved_.bodies()},
+                     "lead bodies");
+}
+
+template <class Backend, class Real>
 void Regimes<Backend, Real>::markRested() {
     if (on()) backend_.fill(clock_.span(), CalmClock{calm_substeps_, rest_substeps_});
 }
@@ -207,9 +221,8 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
                                     bool frame_starts, uint32_t substeps, double soon) {
     const FragmentRows rows = clusters.rows();
     const StateIn<Real> state = data.particles.in(data.current);
-    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
     if (frame_starts) {
-        fits_ = motion.fitMotions(rows, state, constants);
+        fits_ = motion.fitMotions(rows, state, data.ownMasses());
         watchClocks(data, clusters, motion, substeps);
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
@@ -269,12 +282,13 @@ void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const 
         total,
         MeasureMotion<Real>{data.particles.in(data.current), constants, clusters.fragment(), speeds_.span()},
         "measure motion");
-    backend_.forEach(total,
-                     AdvanceClocks<Real>{
-                         clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
-                         constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(), clock_.span(),
-                         static_cast<float>(kRestSpeed * kRestSpeed), counts_of_.in_bodies, substeps},
-                     "advance clocks");
+    backend_.forEach(
+        total,
+        AdvanceClocks<Real>{clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
+                            constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(),
+                            clock_.span(), static_cast<float>(kRestSpeed * kRestSpeed), counts_of_.in_bodies,
+                            substeps, holds_, data.particles.in(data.current)},
+        "advance clocks");
 }
 
 template <class Backend, class Real>
@@ -286,7 +300,7 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
     if (frame_starts) memory_.all_bonded = most_bonded ? 1 : 0;
     const RegimeRules rules{hand_over_, sleeping_,      frame_starts,  memory_.all_bonded != 0,
                             no_bonds_,  calm_substeps_, rest_substeps_};
-    const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_};
+    const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_, holds_};
     const Span<uint32_t> words = moved_.words();
     backend_.forEach(total,
                      StartIslands{island_.span(), flags_.span(), meets_.span(), moved_.activeMarks(),
@@ -303,8 +317,8 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
                                              rules,         flags_.span(),    words};
         backend_.forEach(size_t{total} * kLater, flag, "flag islands");
     });
-    return {meetings.label, island_.view(), flags_.view(), meetings.constants,  rules,
-            regime_.span(), former_.span(), clock_.span(), counts_of_.in_bodies};
+    return {meetings.label, island_.view(), flags_.view(), meetings.constants,   rules,
+            regime_.span(), former_.span(), clock_.span(), counts_of_.in_bodies, holds_};
 }
 
 template <class Backend, class Real>
@@ -326,7 +340,8 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
                                   motion.spins(),
                                   moved_.bodies(),
                                   counts_of_.in_bodies,
-                                  frame_starts};
+                                  frame_starts,
+                                  holds_};
     backend_.forEach(total, InTurn{choose, start}, "choose regimes and start bodies");
     backend_.forEach(
         total,

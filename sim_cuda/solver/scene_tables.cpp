@@ -331,6 +331,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
         tables.spacing = std::min(tables.spacing, instance.body->spacing);
     }
     keepBodiesApart(tables);
+    holdAnchored(setup, tables);
     tables.counts = {first.back(), first.back() + kMaxProjectiles};
     tables.row_start.resize(tables.counts.total + 1, tables.row_start.back());
     const double dt = chooseTimeStep(setup, omega);

@@ -37,6 +37,9 @@ struct SceneTables {
     // per particle (in bodies)
     std::vector<double> mass, inertia, contact_radius, floor_radius;
     std::vector<uint32_t> owner, buried;
+    static constexpr uint32_t kNoAnchor = 0xffffffffu;
+    std::vector<uint32_t>
+        anchor;  ///< number of the anchor that holds it, or kNoAnchor; none: nothing is held
     std::vector<Vec3<double>> position, velocity, spin;  ///< world frame
     std::vector<Quat<double>> rotation;
     std::vector<CornerRow<double>> corner_row;
@@ -72,6 +75,12 @@ std::vector<double> contactRadii(const BreakableBody& body);
 /// Makes contact radii smaller where particles of different bodies overlap: no two bodies begin pressed into
 /// each other.
 void keepBodiesApart(SceneTables& tables);
+/// Does the anchor reach a particle of body number `body` that is there (m) at the start, with this contact
+/// radius (m)?
+bool reaches(const Anchor& anchor, uint32_t body, const Vec3<double>& point, double radius);
+/// Who is held; of all velocities at the start those of what is held are none. Throws InputFileError when an
+/// anchor holds nothing.
+void holdAnchored(const SceneSetup& setup, SceneTables& tables);
 /// m, how far a particle reaches towards colliders: to its farthest corner. Without corners the depth of its
 /// seed, but at most the sphere of equal volume.
 std::vector<double> floorRadii(const BreakableBody& body);

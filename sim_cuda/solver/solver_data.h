@@ -36,6 +36,7 @@ struct SolverData {
     using Buffer = typename Backend::template Buffer<T>;
 
     ParticleArrays<Backend, Real> particles;
+    Buffer<ParticleConstants<Real>> masses;  ///< of particles in bodies, where some are held: their own ones
     BondArrays<Backend, Real> bonds;
     Buffer<Vec4<Real>> collider_spring, ledger;
     Buffer<CornerRow<Real>> corner_row;
@@ -51,6 +52,10 @@ struct SolverData {
     SolverData(Backend& backend, const SceneTables& tables, uint32_t colliders);
 
     void uploadLaws(Backend& backend, const LawTables& laws);
+    /// Constants of the particles in bodies with their true masses, whether they are held or not.
+    Span<const ParticleConstants<Real>> ownMasses() const {
+        return masses.size() > 0 ? masses.view() : particles.constants.view();
+    }
     /// Particle i of the present state anew. Waits.
     void put(Backend& backend, uint32_t i, const LoadedState<Real>& state,
              const ParticleConstants<Real>& constants);
@@ -93,6 +98,13 @@ void SolverData<Backend, Real>::uploadParticles(Backend& backend, const SceneTab
         constants[i] = {static_cast<Real>(1 / tables.mass[i]), static_cast<Real>(1 / tables.inertia[i]),
                         static_cast<Real>(tables.contact_radius[i]),
                         static_cast<Real>(tables.floor_radius[i])};
+    }
+    if (!tables.anchor.empty()) {
+        masses = backend.uploaded(constants);
+        backend.synchronize();
+        for (uint32_t i = 0; i < in_bodies; ++i)
+            if (tables.anchor[i] != SceneTables::kNoAnchor)
+                constants[i] = ParticleConstants<Real>::held(static_cast<Real>(tables.contact_radius[i]));
     }
     for (uint32_t p = 0; p < kMaxProjectiles; ++p) owner.push_back(tables.bodies + p);
     for (int which = 0; which < 2; ++which) {

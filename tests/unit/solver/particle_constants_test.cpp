@@ -31,6 +31,17 @@ TEST(ParticleConstants, WhatOneKindOfStepMovesTheOtherSeesAsMovedByTheOther) {
     }
 }
 
+TEST(ParticleConstants, WhatIsHeldTakesPartAndNothingMovesIt) {
+    const auto held = ParticleConstants<float>::held(0.01f);
+    EXPECT_TRUE(held.isHeld() && held.seenByOther().isHeld());
+    EXPECT_TRUE(held.takesPart());
+    EXPECT_EQ(held.mover(), Mover::kThisStep);
+    EXPECT_EQ(held.seenByOther().mover(), Mover::kOtherStep);
+    const ParticleConstants<float> light{1000.0f, 90.0f, 0.01f, 0.02f};
+    EXPECT_FALSE(light.isHeld());
+    EXPECT_EQ(held.inverseMass() + light.inverseMass(), light.inverseMass()) << "the other bears it all";
+}
+
 TEST(ParticleConstants, TheyComeWithOneLoadOfFourNumbers) {
     static_assert(sizeof(ParticleConstants<float>) == 16 && alignof(ParticleConstants<float>) == 16);
     static_assert(sizeof(ParticleConstants<double>) == 32 && alignof(ParticleConstants<double>) == 32);

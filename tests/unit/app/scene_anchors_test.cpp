@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// Anchors and paths in scene files: what is read, where it stands in the world, what is refused.
+#include "app/session/scene_anchors.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "app/session/scene_file.h"
+#include "tests/unit/app/scene_texts.h"
+#include "tests/unit/app/temporary_folder.h"
+
+namespace demolish {
+namespace {
+
+using test::complaintAbout;
+using test::kHead;
+using test::TemporaryFolder;
+using testing::HasSubstr;
+
+const std::string kSet = kHead +
+                         "height_m = 0.5\n"
+                         "body = [\n"
+                         "  { anchor = [{ shape = \"sphere\", radius_m = 0.1, position_m = [0.2, 0, 0] }], "
+                         "position_m = [1, 0, 0], rotation_deg = [0, 90, 0] },\n"
+                         "  { breaks = false, position_m = [0, 2, 0], path_motion = \"smooth\",\n"
+                         "    path = [{ at_s = 0.5, position_m = [0, -1, 0] }, { at_s = 1, rotation_deg = "
+                         "[0, 0, 720] }] },\n"
+                         "]\n"
+                         "[[anchor]]\nshape = \"box\"\nsize_m = [1, 0.1, 1]\nposition_m = [0, -0.05, 0]\n"
+                         "body = 0\n";
+
+TEST(SceneAnchors, OfTheSceneAndOfItsBodiesAreReadAndPlaced) {
+    const TemporaryFolder folder;
+    const Shot shot = loadSceneFile(folder.write("set.toml", kSet));
+    std::vector<BodyInstance> bodies(2);
+    bodies[0].position = {1, 0, 0};
+    bodies[0].rotation = {0, std::sqrt(0.5), 0, std::sqrt(0.5)};  // x looks along -z
+    bodies[1].position = {0, 2, 0};
+    const std::vector<Anchor> anchors = anchorsOf(shot, bodies);
+    ASSERT_EQ(anchors.size(), 3u);
+    const Box& ground = std::get<Box>(anchors[0].region);
+    EXPECT_NEAR(ground.size.y, 0.1, 1e-12);
+    EXPECT_NEAR(ground.position.y, -0.05, 1e-12);
+    EXPECT_EQ(anchors[0].body, 0u);
+    EXPECT_TRUE(anchors[0].path.keys.empty());
+    const Sphere& ball = std::get<Sphere>(anchors[1].region);
+    EXPECT_NEAR(ball.radius, 0.1, 1e-12);
+    EXPECT_NEAR(ball.position.x, 1, 1e-12);
+    EXPECT_NEAR(ball.position.z, -0.2, 1e-12);
+    EXPECT_EQ(anchors[1].body, 0u);
+    ASSERT_EQ(anchors[2].path.keys.size(), 2u);
+    EXPECT_TRUE(std::holds_alternative<Anchor::Everything>(anchors[2].region));
+    EXPECT_EQ(anchors[2].body, 1u);
+    EXPECT_TRUE(anchors[2].path.smooth);
+    EXPECT_NEAR(anchors[2].path.keys[0].way.y, -1, 1e-12);
+    EXPECT_NEAR(anchors[2].path.keys[1].turn.z, 4 * M_PI, 1e-12);
+    EXPECT_NEAR(anchors[2].pivot.y, 2, 1e-12);
+}
+
+std::string body(const std::string& keys) {
+    return kHead + "body = [{ " + keys + " }]\n";
+}
+
+TEST(SceneAnchors, WhatIsWrongIsRefusedWithItsKey) {
+    EXPECT_THAT(complaintAbout(kHead + "[[anchor]]\nsize_m = [1, 1, 1]\n"),
+                HasSubstr("scene.toml:3: anchor[0].shape is missing"));
+    EXPECT_THAT(complaintAbout(kHead + "[[anchor]]\nshape = \"plane\"\n"),
+                HasSubstr("anchor[0].shape must be one of"));
+    EXPECT_THAT(complaintAbout(kHead + "[[anchor]]\nshape = \"sphere\"\n"),
+                HasSubstr("anchor[0].radius_m is missing"));
+    EXPECT_THAT(complaintAbout(kHead + "[[anchor]]\nshape = \"sphere\"\nradius_m = 1\nbody = 1\n"),
+                HasSubstr("anchor[0].body must be 0"));
+    EXPECT_THAT(complaintAbout(body("path = [{ at_s = 1 }]")),
+                HasSubstr("scene.toml:3: body[0].path needs breaks = false"));
+    EXPECT_THAT(complaintAbout(body("breaks = false, path = [{ at_s = 0 }]")),
+                HasSubstr("body[0].path[0].at_s must be above 0"));
+    EXPECT_THAT(complaintAbout(body("breaks = false, path = [{ at_s = 2 }, { at_s = 1 }]")),
+                HasSubstr("body[0].path[1].at_s must be later"));
+    EXPECT_THAT(complaintAbout(body("breaks = false, path = [{ position_m = [0, 1, 0] }]")),
+                HasSubstr("body[0].path[0].at_s is missing"));
+    EXPECT_THAT(complaintAbout(body("breaks = false, path = [{ at_s = 1 }], path_motion = \"fast\"")),
+                HasSubstr("body[0].path_motion must be \"linear\" or \"smooth\""));
+    EXPECT_THAT(complaintAbout(body("path_motion = \"smooth\"")), HasSubstr("is of no use without a path"));
+    EXPECT_THAT(complaintAbout(body("breaks = false, path = [{ at_s = 1 }], velocity_mps = [1, 0, 0]")),
+                HasSubstr("body[0].velocity_mps and path exclude each other"));
+    EXPECT_THAT(complaintAbout(body("anchor = [{ shape = \"sphere\", radius_m = 1, body = 0 }]")),
+                HasSubstr("there is no setting 'body[0].anchor[0].body'"));
+}
+
+}  // namespace
+}  // namespace demolish
