@@ -30,7 +30,9 @@ void addCheckCommand(CLI::App& app, CheckOptions& options) {
     auto* command = app.add_subcommand(
         "check", "What a model file holds, what is done to close it, whether it will break (exit 0 or 3)");
     command->add_option("file", options.shot.model, "Model file")->type_name("FILE")->required();
-    command->add_option("--height", options.shot.height, "Scale the model to this height (1 m)")
+    command
+        ->add_option("--height", options.shot.height,
+                     "Scale the model to this height (the file's size, or 1 m)")
         ->type_name("M");
     addModelOptions(*command, options.shot);
     command->add_option("--particles", options.shot.particles, "Particles to cut it into (1,200)")

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
@@ -33,11 +34,7 @@ Shot baseShot(const ShotOptions& options) {
         throw UsageError("give a scene name or --model, not both ('" + options.scene + "' and '" +
                          options.model + "')");
     if (options.model.empty()) return loadScene(options.scene.empty() ? kDefaultScene : options.scene);
-    Shot shot;
-    shot.model = options.model;
-    shot.impact.times_threshold = kModelTimesThreshold;
-    applyMaterial(shot, shot.material_name);
-    return shot;
+    return modelShot(options.model, Shot{}.material_name);
 }
 
 void applyImpact(const ShotOptions& options, Shot& shot) {
@@ -73,14 +70,33 @@ void applyFineness(const ShotOptions& options, Shot& shot) {
 /// The scene's camera suits the scene's height only, its balls grow with the body, and what weight takes to
 /// settle goes with the root of the height, as all that falls.
 void applyHeight(double height, bool is_scene, Shot& shot) {
+    for (const SceneBody& body : shot.bodies)
+        if (body.keeps_size)
+            throw UsageError("--height is for bodies that are scaled to one, and some of scene '" +
+                             shot.scene + "' are as large as their files say; change them in " +
+                             shot.scene_file.string());
     const double ratio = height / shot.height;
     shot.height = height;
+    shot.keeps_size = false;
     if (!is_scene) return;
     shot.settle_scale = std::sqrt(ratio);
     shot.camera.reset();
     shot.impact.ball_radius = 0;
     for (TimedBall& ball : shot.balls)
         if (ball.radius) *ball.radius *= ratio;
+}
+
+void applySize(const ShotOptions& options, Shot& shot) {
+    if (options.height && !options.unit.empty())
+        throw UsageError(
+            "--height and --unit exclude each other: one scales the model, the other keeps its size");
+    if (options.height)
+        applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
+    if (options.unit.empty()) return;
+    if (const std::string refusal = refusalOfUnit(shot.model); !refusal.empty())
+        throw UsageError("--unit is for files that do not say theirs: " + refusal +
+                         "; leave it out, or scale the model by --height");
+    setUnit(shot, lengthUnitOf(options.unit).value_or(0));
 }
 
 /// Benchmarks take the paper's mesh where there is one; a person who asks for it is told when there is none.
@@ -95,9 +111,9 @@ void applyMesh(const ShotOptions& options, const std::string& fallback, Shot& sh
 
 /// Bodies of a scene say themselves which part of a model they are.
 void applyPart(const ShotOptions& options, Shot& shot) {
-    if (options.node.empty() && options.up.empty()) return;
+    if (options.node.empty() && options.up.empty() && options.unit.empty()) return;
     if (options.model.empty())
-        throw UsageError("--node and --up are for --model; scene files have keys of these names");
+        throw UsageError("--node, --up and --unit are for --model; scene files have keys of these names");
     shot.part = {options.node, options.up == "z" ? UpAxis::kZ : UpAxis::kY};
 }
 
@@ -193,6 +209,11 @@ void addModelOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("y|z")
         ->check(CLI::IsMember({"y", "z"}).description(""));
     command
+        .add_option("--unit", options.unit,
+                    "Of the model file, where its format says none: it keeps its size")
+        ->type_name("m|cm|mm|in|ft")
+        ->check(CLI::IsMember(lengthUnitNames()).description(""));
+    command
         .add_option("--repair", options.repair,
                     "How a model that is not closed is made one; exact: never with a new surface")
         ->type_name("auto|exact|remesh|off")
@@ -208,7 +229,9 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("scene", options.scene, "Scene to break, or a scene file of yours (default: bunny)")
         ->type_name("NAME|FILE.toml");
     command.add_option("--model", options.model, "Mesh file to break instead of a scene")->type_name("FILE");
-    command.add_option("--height", options.height, "Scale the model to this height (--model: 1 m)")
+    command
+        .add_option("--height", options.height,
+                    "Scale the model to this height (--model: the file's size, or 1 m where it says no unit)")
         ->type_name("M");
     addModelOptions(command, options);
     command
@@ -267,8 +290,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     Shot shot = baseShot(options);
     applyMesh(options, mesh, shot);
     applyPart(options, shot);
-    if (options.height)
-        applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
+    applySize(options, shot);
     applyRepair(options, shot);
     applyMaterialOptions(options, shot);
     if (!options.looks.empty()) shot.looks = options.looks == "file" ? LooksOf::kFile : LooksOf::kMaterial;

@@ -23,9 +23,9 @@ struct ShotOptions {
     std::string scene, model, device = "auto", material, looks, quality = "auto", size;
     std::optional<double> height, drop, impact_velocity, break_at, particle_size, fps, slow_motion;
     std::optional<double> particles, seed, substeps,
-        pieces;            ///< whole numbers, checked when the shot is made
-    std::string node, up;  ///< "" = the scene's, or all of the file and y
-    std::string repair;    ///< "" = the scene's
+        pieces;                  ///< whole numbers, checked when the shot is made
+    std::string node, up, unit;  ///< "" = the scene's, or all of the file, y, and as the format says
+    std::string repair;          ///< "" = the scene's
     std::optional<double> thickness;
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
     PictureOptions picture;
@@ -35,7 +35,7 @@ struct ShotOptions {
     std::optional<double> grit, dust, sparks;
 };
 
-/// How a model file is read: --node, --up, --repair and --thickness; part of addShotOptions().
+/// How a model file is read: --node, --up, --unit, --repair and --thickness; part of addShotOptions().
 void addModelOptions(CLI::App& command, ShotOptions& options);
 void addShotOptions(CLI::App& command, ShotOptions& options);
 

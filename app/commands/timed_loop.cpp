@@ -13,6 +13,7 @@
 #include "app/commands/interrupt.h"
 #include "app/commands/machine_facts.h"
 #include "app/commands/text_table.h"
+#include "app/session/model_shot.h"
 #include "app/session/shot_cost.h"
 #include "sim_cuda/api/errors.h"
 
@@ -98,6 +99,8 @@ void announce(const BuiltShot& built) {
     spdlog::info("{}: {} particles of {:.3g} mm, {} bonds, {:.3g} kg; made in {:.2f} s",
                  modelName(built.shot.model), stats.particles, 1000 * built.body->spacing, stats.bonds,
                  stats.mass, built.build_seconds);
+    const std::string remark = sizeRemark(built.shot, built.body->bounds_min, built.body->bounds_max);
+    if (!remark.empty()) spdlog::warn("{}", remark);
 }
 
 void tellMessage(const Session& session) {

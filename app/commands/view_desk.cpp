@@ -7,6 +7,7 @@
 
 #include "app/commands/one_sentence.h"
 #include "app/session/data_folder.h"
+#include "app/session/model_shot.h"
 #include "app/session/picture.h"
 #include "app/session/scene_file.h"
 #include "app/session/shot_setup.h"
@@ -47,10 +48,7 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
         if (!scene.empty() || is_scene_file) {
             shot = loadScene(is_scene_file ? model : scene);
         } else {
-            shot.model = model;
-            shot.height = present.height;
-            applyMaterial(shot, present.material_name);
-            shot.impact.times_threshold = kModelTimesThreshold;
+            shot = modelShot(model, present.material_name);
         }
         shot.device = present.device;
         preset = shot;

@@ -88,9 +88,9 @@ void showImpactPanel(PanelContext& context) {
                "Fires the ball now (Enter). A click into the picture aims at that point.", ball))
         context.commands.emplace_back(command::Fire{});
     if (!ball || !context.state.advanced) return;
-    const double height = context.shot.height;
+    const double height = context.status.body_size;
     double radius = impact.ball_radius > 0 ? impact.ball_radius : height / 12;
-    const double preset_radius = preset.ball_radius > 0 ? preset.ball_radius : context.preset.height / 12;
+    const double preset_radius = preset.ball_radius > 0 ? preset.ball_radius : height / 12;
     if (slider(context,
                {"impact.radius", "Ball radius", "%.1f mm", "Radius of the next iron ball (7800 kg/m3)."},
                radius, {height / 60, height / 3, true, 1000}, preset_radius)) {

@@ -2,6 +2,7 @@
 // Scene and model choice.
 #include <imgui.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -39,6 +40,30 @@ void showLooks(PanelContext& context) {
         ImGui::TextWrapped("Looks: %s.", note.c_str());
 }
 
+/// Bodies of a set that are as large as their files say keep their proportions.
+void showHeight(PanelContext& context) {
+    Shot& shot = context.shot;
+    const bool keep_sizes = std::any_of(shot.bodies.begin(), shot.bodies.end(),
+                                        [](const SceneBody& body) { return body.keeps_size; });
+    if (keep_sizes) {
+        context.changed |= slider(
+            context,
+            {"shot.height", "Size", "%.2f x", "Times the size that the files say. Rebuilds the bodies."},
+            shot.height, {0.05, 10, true}, context.preset.height);
+        return;
+    }
+    double height = shot.keeps_size ? context.status.body_size : shot.height;
+    const double preset = context.preset.keeps_size ? height : context.preset.height;
+    const double lowest = std::min(0.05, height), highest = std::max(10.0, height);
+    if (!slider(context, {"shot.height", "Model height", "%.2f m", "Scales the model. Rebuilds the body."},
+                height, {std::max(lowest, kHeightRange.least), std::min(highest, kHeightRange.most), true},
+                preset))
+        return;
+    shot.height = height;
+    shot.keeps_size = false;
+    context.changed = true;
+}
+
 }  // namespace
 
 void showShotPanel(PanelContext& context) {
@@ -49,10 +74,7 @@ void showShotPanel(PanelContext& context) {
     showModelField(context);
     if (!context.status.repair.empty()) ImGui::TextWrapped("Repaired: %s.", context.status.repair.c_str());
     if (context.status.looks != nullptr) showLooks(context);
-    context.changed |= slider(
-        context,
-        {"shot.height", "Model height", "%.2f m", "Height that the model is scaled to. Rebuilds the body."},
-        context.shot.height, {0.05, 10, true}, context.preset.height);
+    showHeight(context);
     if (!context.state.advanced) return;
     double seed = static_cast<double>(context.shot.seed);
     if (slider(context,

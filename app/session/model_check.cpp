@@ -9,6 +9,7 @@
 
 #include "app/reading/model_reader.h"
 #include "app/session/built_shot.h"
+#include "app/session/model_shot.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
 #include "sim_cuda/api/errors.h"
@@ -16,8 +17,7 @@
 namespace demolish {
 namespace {
 
-constexpr double kThinShare = 0.02;         // of the surface
-constexpr Range kPlausibleSize{0.01, 100};  // m, of the longest side
+constexpr double kThinShare = 0.02;  // of the surface
 
 template <class... Values>
 std::string printed(const char* format, Values... values) {
@@ -41,10 +41,6 @@ Double3 sizeOf(const TriangleMesh& mesh) {
     return {high.x - low.x, high.y - low.y, high.z - low.z};
 }
 
-double longestOf(const Double3& size) {
-    return std::max({size.x, size.y, size.z});
-}
-
 void lookAtBody(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
     check.particles = particlesWanted(shot, mesh, false);
     const auto body = fillWithParticles(mesh, {.particles = check.particles, .seed = shot.seed});
@@ -59,12 +55,14 @@ void lookAtBody(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
 
 std::string sizeLine(const ModelCheck& check) {
     const Double3& s = check.size_in_file;
-    std::string line = printed("%.4g x %.4g x %.4g %s", s.x, s.y, s.z,
-                               check.contents.is_in_metres ? "m" : "in a unit that the format does not say");
-    const double longest = longestOf(s);
-    if (check.contents.is_in_metres && !(longest >= kPlausibleSize.least && longest <= kPlausibleSize.most))
-        line += "; hardly meant, so check the unit of the export";
-    return line;
+    std::string line = printed("%.4g x %.4g x %.4g", s.x, s.y, s.z);
+    if (check.contents.is_in_metres)
+        line += " m";
+    else if (check.unit > 0)
+        line += printed(", in units of %g m", check.unit);
+    else
+        line += " in a unit that the format does not say (--unit m, cm, mm, in or ft)";
+    return check.size_remark.empty() ? line : line + "; " + check.size_remark;
 }
 
 std::string looksLine(const ModelCheck& check) {
@@ -104,11 +102,13 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
         ImportedModel model = readModel(shot.model, shot.part.node, progress);
         check.contents = model.contents;
         check.size_in_file = sizeOf(model.mesh);
+        check.unit = shot.part.unit;
         check.looks = model.looks;
         const auto mesh =
             makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot), std::move(model.looks));
         check.repair = repairReport(*mesh);
         check.solid = meshInfo(*mesh);
+        check.size_remark = sizeRemark(shot, check.solid.bounds_min, check.solid.bounds_max);
         check.thin_wall = thinWall(*mesh, kThinShare);
         lookAtBody(shot, *mesh, check);
     } catch (const InputFileError& error) {
@@ -156,6 +156,8 @@ nlohmann::ordered_json checkJson(const ModelCheck& check) {
             {"vertex_colours", check.looks && check.looks->has_colours},
             {"looks_notes", check.looks ? check.looks->notes : std::vector<std::string>{}},
             {"unit_known", check.contents.is_in_metres},
+            {"unit_m", check.contents.is_in_metres ? 1 : check.unit},
+            {"size_remark", check.size_remark},
             {"size_in_file", {check.size_in_file.x, check.size_in_file.y, check.size_in_file.z}},
             {"overlap", repair.overlap},
             {"repair", repairLines(repair)},

@@ -18,6 +18,8 @@ struct ModelCheck {
     ModelContents contents;
     std::shared_ptr<const ModelLooks> looks;  ///< null: the file says nothing of them
     Double3 size_in_file;                     ///< m where the format says its unit, else units of the file
+    double unit = 0;          ///< m, as chosen for a format that does not say it; 0: not known
+    std::string size_remark;  ///< as sizeRemark()
     RepairReport repair;
     SolidMeshInfo solid;     ///< as it stands; of the mesh that was filled
     double thin_wall = 0;    ///< m: a fiftieth of the surface lies over thinner walls

@@ -3,6 +3,7 @@
 
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
+#include "app/session/model_shot.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -45,12 +46,30 @@ std::filesystem::path readModelPath(TomlReader& reader, const std::string& key) 
     return file;
 }
 
-void readPart(TomlReader& reader, const std::string& prefix, ModelPart& part) {
+namespace {
+
+void readUnit(TomlReader& reader, const std::string& key, const std::filesystem::path& model, double& unit) {
+    if (!reader.has(key)) return;
+    std::string name;
+    reader.read(key, name);
+    const auto known = lengthUnitOf(name);
+    if (!known) reader.fail(key, "must be one of " + listed(lengthUnitNames()));
+    if (model.empty()) reader.fail(key, "is that of a model, and there is none here");
+    if (const std::string refusal = refusalOfUnit(model); !refusal.empty())
+        reader.fail(key, "must be left out: " + refusal);
+    unit = *known;
+}
+
+}  // namespace
+
+void readPart(TomlReader& reader, const std::string& prefix, const std::filesystem::path& model,
+              ModelPart& part) {
     reader.read(prefix + "node", part.node);
     std::string up = part.up == UpAxis::kY ? "y" : "z";
     reader.read(prefix + "up", up);
     if (up != "y" && up != "z") reader.fail(prefix + "up", "must be \"y\" or \"z\"");
     part.up = up == "y" ? UpAxis::kY : UpAxis::kZ;
+    readUnit(reader, prefix + "unit", model, part.unit);
 }
 
 }  // namespace demolish

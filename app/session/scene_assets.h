@@ -12,8 +12,9 @@ namespace demolish {
 /// Both throw InputFileError with file, line and key where there is no such file or it is wrong.
 /// A mesh beside the scene, else in assets.
 std::filesystem::path readModelPath(TomlReader& reader, const std::string& key);
-/// `node` and `up` under `prefix`, where they are given.
-void readPart(TomlReader& reader, const std::string& prefix, ModelPart& part);
+/// `node`, `up` and `unit` of this model under `prefix`, where they are given.
+void readPart(TomlReader& reader, const std::string& prefix, const std::filesystem::path& model,
+              ModelPart& part);
 /// A preset, or a file beside the scene that ends in .toml: its path then, good wherever the program was
 /// started.
 OwnMaterial readOwnMaterial(TomlReader& reader, const std::string& key);

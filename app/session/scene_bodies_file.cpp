@@ -4,6 +4,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <set>
 
+#include "app/session/model_shot.h"
 #include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_parts_file.h"
@@ -48,16 +49,26 @@ void readFineness(TomlReader& reader, const std::string& at, const Fineness& usu
     body.particles_share = static_cast<double>(particles) / usual.full;
 }
 
+/// A body's own unit asks for the size of its file, even where the scene has a height.
+void readSize(TomlReader& reader, const std::string& at, const Shot& shot, SceneBody& body) {
+    const bool has_unit = reader.has(at + "unit"), has_height = reader.has(at + "height_m");
+    if (has_unit && has_height)
+        reader.fail(at + "height_m", "and unit exclude each other: one scales the model, the other keeps it");
+    double height = shot.height;
+    reader.read(at + "height_m", height, kHeightRange);
+    body.keeps_size = has_unit || (!has_height && !reader.has("height_m") &&
+                                   hasKnownSize(body.model.value_or(shot.model), partOf(shot, body)));
+    body.height_share = (body.keeps_size ? 1 : height) / shot.height;
+}
+
 void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneBody& body) {
     if (reader.has(at + "model")) body.model = readModelPath(reader, at + "model");
     if (!body.model && shot.model.empty())
         reader.fail(at + "model", "is missing, and the scene names none for its bodies");
     ModelPart part = partOf(shot, body);
-    readPart(reader, at, part);
+    readPart(reader, at, body.model.value_or(shot.model), part);
     if (part != partOf(shot, body)) body.part = part;
-    double height = shot.height;
-    reader.read(at + "height_m", height, kHeightRange);
-    body.height_share = height / shot.height;
+    readSize(reader, at, shot, body);
     if (reader.has(at + "material")) body.material = readOwnMaterial(reader, at + "material");
     reader.read(at + "breaks", body.breaks);
     readFineness(reader, at, shot.fineness, body);

@@ -56,9 +56,10 @@ Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
     shape.rotation = readTurn(reader, at);
     reader.read(at + "cells", options.cells, {kLeastCells, kMostCells});
     ModelPart part;
-    readPart(reader, at, part);
-    options.up = part.up;
     const std::filesystem::path file = modelFileOf(reader.file(), model);
+    readPart(reader, at, file, part);
+    options.up = part.up;
+    if (part.unit > 0) shape.scale *= part.unit;
     try {
         shape.mesh = makeColliderMesh(readModel(file, part.node).mesh, file, options);
     } catch (const InputFileError& error) {

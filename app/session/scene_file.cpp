@@ -6,6 +6,7 @@
 
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
+#include "app/session/model_shot.h"
 #include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_colliders.h"
@@ -27,6 +28,14 @@ void readStrengthRow(TomlReader& reader, std::string& row) {
     const auto rows = ThresholdTable::ofAssets().rows();
     if (std::find(rows.begin(), rows.end(), row) == rows.end())
         reader.fail("strength_row", "must be one of " + listed(rows));
+}
+
+void readSize(TomlReader& reader, Shot& shot) {
+    const bool has_height = reader.has("height_m");
+    if (has_height && reader.has("unit"))
+        reader.fail("height_m", "and unit exclude each other: one scales the model, the other keeps it");
+    reader.read("height_m", shot.height, kHeightRange);
+    shot.keeps_size = !has_height && hasKnownSize(shot.model, shot.part);
 }
 
 void readRepair(TomlReader& reader, RepairOptions& repair) {
@@ -149,10 +158,10 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     std::string title;
     reader.read("title", title);
     if (reader.has("model") || reader.count("body", 1e9) == 0) shot.model = readModelPath(reader, "model");
-    readPart(reader, "", shot.part);
+    readPart(reader, "", shot.model, shot.part);
     if (reader.has("paper_model")) shot.paper_model = readModelPath(reader, "paper_model");
     readStrengthRow(reader, shot.strength_row);
-    reader.read("height_m", shot.height, kHeightRange);
+    readSize(reader, shot);
     readRepair(reader, shot.repair);
     readMethod(reader, shot);
     readPreset(reader, "material_preset", shot);

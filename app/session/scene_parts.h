@@ -47,6 +47,7 @@ struct SceneBody {
     std::optional<std::filesystem::path> model;
     std::optional<ModelPart> part;  ///< none: all of `model`, or what the shot takes of its own
     double height_share = 1;        ///< its height, times the shot's
+    bool keeps_size = false;        ///< as large as its file says, times the shot's height and this share
     std::optional<OwnMaterial> material;
     bool breaks = true;                    ///< false: whole whatever hits it, rigid when nothing swings in it
     double particles_share = 1;            ///< its number of particles, times the shot's

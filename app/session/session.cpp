@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/session/ball_flight.h"
+#include "app/session/model_shot.h"
+#include "app/session/shot_geometry.h"
 #include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/particle_colour.h"
@@ -376,6 +378,9 @@ SessionStatus Session::status() const {
     status.bodies = built_.setup.bodies.size();
     status.particle_size = built_.body->spacing;
     status.body_volume = built_.body->mesh_volume;
+    const glm::dvec3 extent = toGlm(built_.body->bounds_max) - toGlm(built_.body->bounds_min);
+    status.body_size = sizeToScale(fromGlm(extent));
+    status.size_remark = sizeRemark(built_.shot, built_.body->bounds_min, built_.body->bounds_max);
     status.full_colour_speed = speedOfFullColour(built_.setup);
     status.build_seconds = built_.build_seconds;
     status.repair = repairSentence(repairReport(*built_.cells.subject_mesh));

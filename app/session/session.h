@@ -37,8 +37,10 @@ struct SessionStatus {
     size_t bodies = 1;
     double particle_size = 0;      ///< m, h
     double body_volume = 0;        ///< m^3
+    double body_size = 0;          ///< m, what a height scales of the body that the shot is about
     double full_colour_speed = 0;  ///< m/s, at the end of the speed colours
     double build_seconds = 0;
+    std::string size_remark;              ///< as sizeRemark()
     std::string repair;                   ///< what was done to close the model, or ""
     const ModelLooks* looks = nullptr;    ///< of the model file, until the next rebuild; null: none
     bool measuring = false;               ///< energies, after every simulated frame

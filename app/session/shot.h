@@ -66,8 +66,9 @@ struct Shot {
     std::optional<std::filesystem::path> paper_model;
     /// Row of assets/strength/thresholds.toml that was measured with this body; empty: the rule for any body.
     std::string strength_row;
-    double height = 1.0;   ///< m
-    RepairOptions repair;  ///< of a model that is not closed
+    double height = 1.0;      ///< m; of bodies that keep their size, times that
+    bool keeps_size = false;  ///< of a shot without `bodies`: as large as its file says
+    RepairOptions repair;     ///< of a model that is not closed
     std::string material_name = "ceramic";
     Material material;
     /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.

@@ -12,7 +12,7 @@ namespace demolish {
 namespace {
 
 bool madeAlike(const SceneBody& a, const SceneBody& b) {
-    return a.height_share == b.height_share && a.breaks == b.breaks &&
+    return a.height_share == b.height_share && a.keeps_size == b.keeps_size && a.breaks == b.breaks &&
            a.particles_share == b.particles_share && a.particle_size == b.particle_size &&
            a.model == b.model && a.part == b.part && a.material == b.material;
 }
@@ -26,7 +26,10 @@ uint32_t usualParticles(const Shot& shot, bool on_gpu) {
 }  // namespace
 
 std::vector<SceneBody> bodiesOf(const Shot& shot) {
-    return shot.bodies.empty() ? std::vector<SceneBody>(1) : shot.bodies;
+    if (!shot.bodies.empty()) return shot.bodies;
+    SceneBody body;
+    body.keeps_size = shot.keeps_size;
+    return {body};
 }
 
 std::vector<size_t> firstAlike(const std::vector<SceneBody>& bodies) {
@@ -64,7 +67,10 @@ Shot asOf(const Shot& shot, const SceneBody& body) {
 }
 
 MeshPlacement placementOf(const Shot& shot, const SceneBody& body) {
-    return {.height = shot.height * body.height_share, .part = partOf(shot, body), .repair = shot.repair};
+    return {.height = shot.height * body.height_share,
+            .keep_units = body.keeps_size,
+            .part = partOf(shot, body),
+            .repair = shot.repair};
 }
 MeshPlacement placementOf(const Shot& shot) {
     return placementOf(shot, bodiesOf(shot)[subjectOf(shot)]);

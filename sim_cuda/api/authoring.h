@@ -24,11 +24,15 @@ struct SolidMeshInfo {
 };
 
 struct MeshPlacement {
-    double height = 1.0;  ///< m, the file's mesh is scaled to it unless keep_units
-    bool keep_units = false;
+    double height = 1.0;      ///< m, the file's mesh is scaled to it; with keep_units times its own lengths
+    bool keep_units = false;  ///< metres where the format says its unit, else part.unit, else metres
     ModelPart part = {};
     RepairOptions repair = {};
 };
+
+/// m, what a placement's height is of: the height, or the longest side of what is lower than a twentieth of
+/// it, since a plate that lies flat has no height to go by.
+double sizeToScale(const Double3& size);
 
 /// Loads any file that assimp reads, welds, repairs what is not closed, and stands it on the floor (lowest
 /// y = 0, centred in x and z). Throws InputFileError with one sentence: unreadable, no such part, no

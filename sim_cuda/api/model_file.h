@@ -21,6 +21,9 @@ struct ModelContents {
     bool operator==(const ModelContents&) const = default;
 };
 
+/// By the ending of its name: lengths of the format have a unit, or files of it name theirs.
+bool saysItsUnit(const std::filesystem::path& file);
+
 struct ImportedModel {
     TriangleMesh mesh;
     ModelContents contents = {};

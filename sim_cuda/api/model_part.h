@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What of a model file is meant, and how it lies in it.
+// What of a model file is meant, how it lies in it, and how long its lengths are.
 #pragma once
 #include <string>
 
@@ -14,6 +14,7 @@ struct ModelPart {
     /// file.
     std::string node;
     UpAxis up = UpAxis::kY;
+    double unit = 0;  ///< m, a length of 1 in a file whose format does not say it; 0: not known
 
     bool operator==(const ModelPart&) const = default;
 };

@@ -229,13 +229,13 @@ std::string lowerEnding(const std::filesystem::path& file) {
     return ending;
 }
 
-/// Formats whose unit assimp knows; aiProcess_GlobalScale then makes metres of it.
+}  // namespace
+
+/// Those that assimp knows; aiProcess_GlobalScale then makes metres of it.
 bool saysItsUnit(const std::filesystem::path& file) {
     const std::string ending = lowerEnding(file);
     return ending == ".gltf" || ending == ".glb" || ending == ".fbx" || ending == ".dae";
 }
-
-}  // namespace
 
 ImportedModel importModel(const std::filesystem::path& file, const std::string& node) {
     requirePlainFile(file);

@@ -50,14 +50,17 @@ void turnZUp(TriangleMesh& mesh) {
             corner.normal = {corner.normal.x, corner.normal.z, -corner.normal.y};
 }
 
-double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement) {
+double sizeToScale(const Double3& size) {
     constexpr double kLyingFlat = 0.05;  // height over the longest side
-    if (placement.keep_units) return 1;
+    const double longest = std::max({size.x, size.y, size.z});
+    return size.y < kLyingFlat * longest ? longest : size.y;
+}
+
+double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement) {
     if (!(placement.height > 0) || !std::isfinite(placement.height))
         throw UsageError("The model height must be a positive number of metres.");
-    const Double3 size = boundsOf(mesh.positions).size();
-    const double longest = std::max({size.x, size.y, size.z});
-    return placement.height / (size.y < kLyingFlat * longest ? longest : size.y);
+    if (placement.keep_units) return placement.height * (placement.part.unit > 0 ? placement.part.unit : 1);
+    return placement.height / sizeToScale(boundsOf(mesh.positions).size());
 }
 
 void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale) {

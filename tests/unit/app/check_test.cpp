@@ -8,6 +8,7 @@
 
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
+#include "tests/unit/meshes/gltf_set.h"
 
 namespace demolish::test {
 namespace {
@@ -62,6 +63,38 @@ TEST_F(Check, ASheetGetsTheThicknessAskedFor) {
     EXPECT_THAT(run.out, AllOf(HasSubstr("1 sheet made 0.125 m thick"), HasSubstr("0.125 m^3")));
     EXPECT_EQ(check(boxText(1), {"--thickness", "-1"}).exit_code, 2);
     EXPECT_EQ(check(boxText(1), {"--repair", "never"}).exit_code, 2);
+}
+
+TEST_F(Check, AUnitKeepsTheSizeOfAFileThatSaysNone) {
+    const ProgramRun unknown = check(boxText(6));
+    EXPECT_THAT(unknown.out, AllOf(HasSubstr("1 x 1 x 1 in a unit that the format does not say"),
+                                   HasSubstr("scaled to 1 m; --unit keeps"), HasSubstr("1 x 1 x 1 m")));
+    const ProgramRun feet = check(boxText(6), {"--unit", "ft"});
+    EXPECT_EQ(feet.exit_code, 0) << feet.err;
+    EXPECT_THAT(feet.out, AllOf(HasSubstr("in units of 0.3048 m\n"), HasSubstr("0.305 x 0.305 x 0.305 m")));
+    const ProgramRun tiny = check(boxText(6), {"--unit", "mm"});
+    EXPECT_EQ(tiny.exit_code, 0) << tiny.err;
+    EXPECT_THAT(tiny.out, AllOf(HasSubstr("model.obj is 0.001 m long, which is hardly meant"),
+                                HasSubstr("yes: 60 cells")));
+    EXPECT_EQ(check(boxText(6), {"--unit", "km"}).exit_code, 2);
+    const ProgramRun both = check(boxText(6), {"--unit", "cm", "--height", "2"});
+    EXPECT_EQ(both.exit_code, 2);
+    EXPECT_THAT(both.err, HasSubstr("--height and --unit exclude each other"));
+}
+
+TEST_F(Check, AFormatInMetresKeepsItsSizeAndTakesNoUnit) {
+    const std::string file = writeGltfSet(folder_.path(), "set.gltf",
+                                          R"([{"name":"crate","mesh":0,"scale":[0.5,0.25,0.5]}])", "[0]")
+                                 .string();
+    const ProgramRun run = runProgram({"check", file, "--particles", "60"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, AllOf(HasSubstr("size          0.5 x 0.25 x 0.5 m\n"),
+                               HasSubstr("0.0625 m^3, 0.5 x 0.25 x 0.5 m")));
+    const ProgramRun higher = runProgram({"check", file, "--particles", "60", "--height", "1"});
+    EXPECT_THAT(higher.out, HasSubstr("4 m^3, 2 x 1 x 2 m"));
+    const ProgramRun refused = runProgram({"check", file, "--unit", "cm"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr("the format of 'set.gltf' says its unit itself"));
 }
 
 TEST_F(Check, TheSameAsJson) {

@@ -108,6 +108,26 @@ TEST(SceneBodies, AreNodesOfAModelAndLieAsItsAxesSay) {
     EXPECT_EQ(changeBetween(shot, other), Change::kBody);
 }
 
+TEST(SceneBodies, KeepTheSizeOfTheirFilesWhereAUnitIsSaid) {
+    const std::string bodies =
+        "body = [\n  {},\n  { model = \"models/block.obj\", unit = \"ft\", position_m = [3, 0, 0] },\n]\n";
+    const Shot shot = sceneOf("version = 1\nmodel = \"models/wolf.obj\"\nheight_m = 0.5\n" + bodies +
+                              "[particles]\ndraft = 30\n");
+    EXPECT_FALSE(placementOf(shot, shot.bodies[0]).keep_units);
+    const BuiltShot built = prepareShot(shot, {.draw_geometry = false}, {});
+    const auto drawn = loadSolidMesh(shot.bodies[1].model.value(), {.keep_units = true});
+    EXPECT_NEAR(built.setup.bodies[0].body->bounds_max.y, 0.5, 1e-9);
+    EXPECT_NEAR(built.setup.bodies[1].body->bounds_max.y, 0.3048 * meshInfo(*drawn).bounds_max.y, 1e-9);
+    EXPECT_NEAR(built.setup.bodies[1].position.x, 3, 1e-12);
+
+    const Shot alone = sceneOf("version = 1\nmodel = \"models/block.obj\"\nunit = \"cm\"\n");
+    EXPECT_TRUE(alone.keeps_size);
+    EXPECT_EQ(placementOf(alone).part.unit, 0.01);
+    Shot other = alone;
+    other.part.unit = 0.001;
+    EXPECT_EQ(changeBetween(alone, other), Change::kBody);
+}
+
 TEST(SceneBodies, MistakesAreNamedWithFileLineAndKey) {
     EXPECT_THAT(complaintAbout("version = 1\nbody = [\n  { model = \"models/block.obj\" },\n  {},\n]\n"),
                 HasSubstr("scene.toml:4: body[1].model is missing"));
@@ -120,6 +140,9 @@ TEST(SceneBodies, MistakesAreNamedWithFileLineAndKey) {
     EXPECT_THAT(complaintAbout(block + "particles = 9\nparticle_size_m = 0.1\n"),
                 HasSubstr("exclude each other"));
     EXPECT_THAT(complaintAbout(block + "up = \"x\"\n"), HasSubstr("scene.toml:4: body[0].up must be"));
+    EXPECT_THAT(complaintAbout(block + "unit = \"mile\"\n"), HasSubstr("scene.toml:4: body[0].unit must be"));
+    EXPECT_THAT(complaintAbout(block + "unit = \"cm\"\nheight_m = 2\n"),
+                HasSubstr("scene.toml:5: body[0].height_m and unit exclude each other"));
     EXPECT_THAT(complaintAbout(block + "speed_mps = 9\n"), HasSubstr("no setting 'body[0].speed_mps'"));
     EXPECT_THAT(complaintAbout(block + "velocity_mps = [1, 0, 0]\n[solver]\nsettle_s = 0.1\n"),
                 HasSubstr("scene.toml:4: body[0].velocity_mps needs solver.settle_s = 0"));
