@@ -23,6 +23,7 @@
 #include "app/commands/info_command.h"
 #include "app/commands/interrupt.h"
 #include "app/commands/one_sentence.h"
+#include "app/commands/scene_command.h"
 #include "app/commands/view_command.h"
 #include "app/process/child_process.h"
 #include "app/reading/model_reader.h"
@@ -139,6 +140,7 @@ int run(int argument_count, char** arguments) {
     BreakageOptions breakage;
     CalibrateOptions calibrate;
     CheckOptions check;
+    SceneOptions scene;
     ShotOptions info;
     addViewCommand(app, view);
     addCaptureCommand(app, capture);
@@ -146,6 +148,7 @@ int run(int argument_count, char** arguments) {
     addBreakageCommand(app, breakage);
     addCalibrateCommand(app, calibrate);
     addCheckCommand(app, check);
+    addSceneCommand(app, scene);
     addInfoCommand(app, info);
     refuseEmptyValues(app);
     return parseAndRun(app, argument_count, arguments);
@@ -154,8 +157,9 @@ int run(int argument_count, char** arguments) {
 }  // namespace
 
 int runProgram(int argument_count, char** arguments) {
-    if (argument_count == 4 && std::string_view(arguments[1]) == kReadModelCommand)
-        serveModel(arguments[2], arguments[3]);
+    if (argument_count >= 4 && std::string_view(arguments[1]) == kReadModelCommand)
+        serveModel(arguments[2], {arguments + 3, arguments + argument_count});
+    if (argument_count == 3 && std::string_view(arguments[1]) == kReadSetCommand) serveSet(arguments[2]);
     try {
         setModelReader(kOwnProgram);
         setUpLog();

@@ -93,7 +93,11 @@ Json kindsJson(const BuiltShot& built) {
         if (alike[b] != b) continue;
         const Shot of = asOf(built.shot, bodies[b]);
         const BreakableBody& body = *built.cells.of_body[b];
-        kinds.push_back({{"model", of.model.filename().string()},
+        Json names = Json::array();
+        for (size_t i = 0; i < bodies.size(); ++i)
+            if (alike[i] == b && !bodies[i].name.empty()) names.push_back(bodies[i].name);
+        kinds.push_back({{"names", names},
+                         {"model", of.model.filename().string()},
                          {"material", of.material_name},
                          {"bodies", std::count(alike.begin(), alike.end(), b)},
                          {"particles", body.particles.size()},

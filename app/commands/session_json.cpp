@@ -6,8 +6,28 @@
 
 #include "app/commands/threshold_json.h"
 #include "app/session/json_text.h"
+#include "app/session/shot_bodies.h"
 
 namespace demolish {
+
+namespace {
+
+nlohmann::ordered_json bodiesJson(const Shot& shot) {
+    auto list = nlohmann::ordered_json::array();
+    for (size_t b = 0; b < shot.bodies.size(); ++b) {
+        const SceneBody& body = shot.bodies[b];
+        const Double3& p = body.position;
+        list.push_back({{"name", nameOf(shot, b)},
+                        {"position_m", {shot.height * p.x, shot.height * p.y, shot.height * p.z}},
+                        {"yaw_rad", body.yaw},
+                        {"material", body.material ? body.material->name : shot.material_name},
+                        {"hidden", body.hidden},
+                        {"locked", body.locked}});
+    }
+    return list;
+}
+
+}  // namespace
 
 std::string sessionJson(const Session& session) {
     const SessionStatus status = session.status();
@@ -16,6 +36,10 @@ std::string sessionJson(const Session& session) {
     json["impact_velocity"] = session.shot().impact.velocity;
     json["threshold"] = thresholdJson(session.shot(), *session.built().body);
     json["material"] = session.shot().material_name;
+    json["inner_material"] = session.shot().inner_material;
+    json["repair"] = repairModeName(session.shot().repair.mode);
+    json["body_size"] = status.body_size;
+    json["bodies"] = bodiesJson(session.shot());
     json["method"] = methodName(session.shot().method);
     json["device"] = session.built().solver->deviceName();
     json["particle_size"] = status.particle_size;

@@ -8,6 +8,7 @@
 
 #include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
+#include "app/session/set_scene.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
@@ -33,7 +34,10 @@ Shot baseShot(const ShotOptions& options) {
     if (!options.scene.empty() && !options.model.empty())
         throw UsageError("give a scene name or --model, not both ('" + options.scene + "' and '" +
                          options.model + "')");
+    if (options.split && options.model.empty())
+        throw UsageError("--split is for --model: it makes a scene of the nodes of a file");
     if (options.model.empty()) return loadScene(options.scene.empty() ? kDefaultScene : options.scene);
+    if (options.split) return splitShot(options.model, modelPart(options));
     return modelShot(options.model, Shot{}.material_name);
 }
 
@@ -92,11 +96,7 @@ void applySize(const ShotOptions& options, Shot& shot) {
             "--height and --unit exclude each other: one scales the model, the other keeps its size");
     if (options.height)
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
-    if (options.unit.empty()) return;
-    if (const std::string refusal = refusalOfUnit(shot.model); !refusal.empty())
-        throw UsageError("--unit is for files that do not say theirs: " + refusal +
-                         "; leave it out, or scale the model by --height");
-    setUnit(shot, lengthUnitOf(options.unit).value_or(0));
+    if (!options.unit.empty() && !options.split) setUnit(shot, shot.part.unit);
 }
 
 /// Benchmarks take the paper's mesh where there is one; a person who asks for it is told when there is none.
@@ -114,7 +114,9 @@ void applyPart(const ShotOptions& options, Shot& shot) {
     if (options.node.empty() && options.up.empty() && options.unit.empty()) return;
     if (options.model.empty())
         throw UsageError("--node, --up and --unit are for --model; scene files have keys of these names");
-    shot.part = {options.node, options.up == "z" ? UpAxis::kZ : UpAxis::kY};
+    if (options.split && !options.node.empty())
+        throw UsageError("--split takes all nodes of the file, and --node one of them; choose");
+    if (!options.split) shot.part = modelPart(options);
 }
 
 void applyRepair(const ShotOptions& options, Shot& shot) {
@@ -125,12 +127,14 @@ void applyRepair(const ShotOptions& options, Shot& shot) {
 
 /// A body's own material is the file's business; pieces are a matter of all bodies.
 void applyMaterialOptions(const ShotOptions& options, Shot& shot) {
-    if (!options.material.empty()) {
+    if (!options.material.empty() || !options.inner_material.empty()) {
         for (const SceneBody& body : shot.bodies)
             if (body.material)
-                throw UsageError("--material is for scenes of one material, and bodies of scene '" +
-                                 shot.scene + "' have their own; change them in " + shot.scene_file.string());
-        applyMaterial(shot, options.material);
+                throw UsageError(
+                    "--material and --inner-material are for scenes of one material, and bodies of scene '" +
+                    shot.scene + "' have their own; change them in " + shot.scene_file.string());
+        applyMaterials(shot, options.material.empty() ? shot.material_name : options.material,
+                       options.inner_material.empty() ? shot.inner_material : options.inner_material);
     }
     if (!options.pieces) return;
     const auto pieces = static_cast<uint32_t>(wholeNumber("--pieces", *options.pieces, kPiecesRange));
@@ -203,8 +207,15 @@ void addFinenessOptions(CLI::App& command, ShotOptions& options) {
 
 }  // namespace
 
-void addModelOptions(CLI::App& command, ShotOptions& options) {
-    command.add_option("--node", options.node, "Break this node of the model file alone")->type_name("NAME");
+ModelPart modelPart(const ShotOptions& options) {
+    const double unit = lengthUnitOf(options.unit).value_or(0);
+    if (const std::string refusal = unit > 0 ? refusalOfUnit(options.model) : ""; !refusal.empty())
+        throw UsageError("--unit is for files that do not say theirs: " + refusal +
+                         "; leave it out, or scale the model by --height");
+    return {options.node, options.up == "z" ? UpAxis::kZ : UpAxis::kY, unit};
+}
+
+void addLengthOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--up", options.up, "Axis of the model file that points up (y)")
         ->type_name("y|z")
         ->check(CLI::IsMember({"y", "z"}).description(""));
@@ -213,6 +224,11 @@ void addModelOptions(CLI::App& command, ShotOptions& options) {
                     "Of the model file, where its format says none: it keeps its size")
         ->type_name("m|cm|mm|in|ft")
         ->check(CLI::IsMember(lengthUnitNames()).description(""));
+}
+
+void addModelOptions(CLI::App& command, ShotOptions& options) {
+    command.add_option("--node", options.node, "Break this node of the model file alone")->type_name("NAME");
+    addLengthOptions(command, options);
     command
         .add_option("--repair", options.repair,
                     "How a model that is not closed is made one; exact: never with a new surface")
@@ -234,6 +250,8 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
                     "Scale the model to this height (--model: the file's size, or 1 m where it says no unit)")
         ->type_name("M");
     addModelOptions(command, options);
+    command.add_flag("--split", options.split,
+                     "Of --model: each node of the file is a body; collider_... nodes stand fixed");
     command
         .add_option("--impact-velocity", options.impact_velocity,
                     "Speed of the fastest ball, the others in proportion; 0 = nothing hits the body")
@@ -252,6 +270,10 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
     addFinenessOptions(command, options);
     command
         .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
+        ->type_name("NAME|FILE.toml");
+    command
+        .add_option("--inner-material", options.inner_material,
+                    "Breaks show the inside of this material, whatever the body is made of")
         ->type_name("NAME|FILE.toml");
     command
         .add_option("--looks", options.looks,

@@ -20,7 +20,7 @@ struct PictureSize {
 };
 
 struct ShotOptions {
-    std::string scene, model, device = "auto", material, looks, quality = "auto", size;
+    std::string scene, model, device = "auto", material, inner_material, looks, quality = "auto", size;
     std::optional<double> height, drop, impact_velocity, break_at, particle_size, fps, slow_motion;
     std::optional<double> particles, seed, substeps,
         pieces;                  ///< whole numbers, checked when the shot is made
@@ -30,11 +30,17 @@ struct ShotOptions {
     std::string mesh;  ///< "fine" or "paper"; "" = the command's own
     PictureOptions picture;
     std::string method, pattern;  ///< "" = the scene's
+    bool split = false;
     bool no_hand_over = false, no_sleep = false;
     std::string effects;  ///< "on" or "off"; "" = the command's own
     std::optional<double> grit, dust, sparks;
 };
 
+/// What of its model file is meant. Throws UsageError for a unit of a file that says its own.
+ModelPart modelPart(const ShotOptions& options);
+
+/// --up and --unit; part of addModelOptions().
+void addLengthOptions(CLI::App& command, ShotOptions& options);
 /// How a model file is read: --node, --up, --unit, --repair and --thickness; part of addShotOptions().
 void addModelOptions(CLI::App& command, ShotOptions& options);
 void addShotOptions(CLI::App& command, ShotOptions& options);

@@ -97,10 +97,15 @@ void showImpactPanel(PanelContext& context) {
         impact.ball_radius = radius;
         context.changed = true;
     }
-    context.changed |= slider(context,
-                              {"impact.height", "Hit at height", "%.2f of the body",
-                               "Where the ball hits, as a share of the body's height."},
-                              impact.height_fraction, {0.05, 0.95}, preset.height_fraction);
+    double fraction = impact.height_fraction.value_or(0.5);
+    if (slider(context,
+               {"impact.height", "Hit at height", "%.2f of the body",
+                "Where the ball hits, as a share of the body's height; untouched, in the middle of what is "
+                "seen of it."},
+               fraction, {0.05, 0.95}, preset.height_fraction.value_or(0.5))) {
+        impact.height_fraction = fraction;
+        context.changed = true;
+    }
 }
 
 }  // namespace demolish

@@ -11,15 +11,17 @@
 namespace demolish {
 namespace {
 
-enum class Kind : uint32_t { kMesh = 1, kRefusal = 2 };
+enum class Kind : uint32_t { kMesh = 1, kRefusal = 2, kSet = 3 };
+enum class Looks : uint32_t { kNone, kHere, kKnown };
 
 struct Header {
     std::array<char, 8> magic{'D', 'e', 'm', 'o', 'M', 'e', 's', 'h'};
-    uint32_t version = 3;
+    uint32_t version = 4;
     Kind kind = Kind::kMesh;
     uint64_t text = 0, positions = 0, triangles = 0;
     uint32_t meshes = 0, materials = 0, textures = 0, is_in_metres = 0;
-    uint32_t has_looks = 0, has_colours = 0, look_materials = 0, images = 0, notes = 0, reserved = 0;
+    Looks looks = Looks::kNone;
+    uint32_t has_colours = 0, look_materials = 0, images = 0, notes = 0, reserved = 0;
 };
 struct ImageHeader {
     uint32_t width = 0, height = 0;
@@ -108,7 +110,8 @@ void requireBounded(const Header& header) {
     const Header known;
     if (header.magic != known.magic) throw BrokenStream("these are other bytes");
     if (header.version != known.version) throw BrokenStream("this is another version");
-    if (header.text > kMostText || header.positions > kMostTriangles || header.triangles > kMostTriangles)
+    const uint64_t most_text = header.kind == Kind::kSet ? kMostSetText : kMostText;
+    if (header.text > most_text || header.positions > kMostTriangles || header.triangles > kMostTriangles)
         throw BrokenStream("there is too much of something");
     if (header.look_materials > kMostMaterials || header.images > kMostImages || header.notes > kMostNotes)
         throw BrokenStream("there are too many looks");
@@ -190,16 +193,20 @@ std::shared_ptr<const ModelLooks> readLooks(const Header& header, Reader& reader
     return looks;
 }
 
-}  // namespace
+void writeText(Kind kind, const std::string& text, Writer& writer) {
+    Header header;
+    header.kind = kind;
+    header.text = text.size();
+    writer.part(bytesOf(&header, 1));
+    writer.add(text);
+    writer.finish();
+}
 
-void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write) {
-    const auto* const refusal = std::get_if<ModelRefusal>(&answer);
-    const ImportedModel none, &model = refusal != nullptr ? none : std::get<ImportedModel>(answer);
+void writeModel(const ImportedModel& model, bool looks_known, Writer& writer) {
     const TriangleMesh& mesh = model.mesh;
     const ModelContents& contents = model.contents;
-    const std::string text = (refusal != nullptr ? refusal->sentence : mesh.name).substr(0, kMostText);
+    const std::string text = mesh.name.substr(0, kMostText);
     Header header;
-    header.kind = refusal != nullptr ? Kind::kRefusal : Kind::kMesh;
     header.text = text.size();
     header.positions = mesh.positions.size();
     header.triangles = mesh.triangles.size();
@@ -207,24 +214,37 @@ void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<c
     header.materials = contents.materials;
     header.textures = contents.textures;
     header.is_in_metres = contents.is_in_metres ? 1 : 0;
-    if (model.looks) {
-        header.has_looks = 1;
+    if (model.looks) header.looks = looks_known ? Looks::kKnown : Looks::kHere;
+    if (header.looks == Looks::kHere) {
         header.has_colours = model.looks->has_colours ? 1 : 0;
         header.look_materials = static_cast<uint32_t>(model.looks->materials.size());
         header.images = static_cast<uint32_t>(model.looks->images.size());
         header.notes = static_cast<uint32_t>(std::min<size_t>(model.looks->notes.size(), kMostNotes));
     }
-    Writer writer(write);
     writer.part(bytesOf(&header, 1));
     writer.add(text);
     writer.add(mesh.positions);
     writer.add(mesh.triangles);
     writer.add(mesh.corners);
-    if (model.looks) writeLooks(*model.looks, writer);
+    if (header.looks == Looks::kHere) writeLooks(*model.looks, writer);
     writer.finish();
 }
 
-ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill) {
+}  // namespace
+
+void writeAnswer(const ModelAnswer& answer, const std::function<void(std::span<const uint8_t>)>& write,
+                 bool looks_known) {
+    Writer writer(write);
+    if (const auto* refusal = std::get_if<ModelRefusal>(&answer))
+        writeText(Kind::kRefusal, refusal->sentence.substr(0, kMostText), writer);
+    else if (const auto* set = std::get_if<ModelSetText>(&answer))
+        writeText(Kind::kSet, set->text.substr(0, kMostSetText), writer);
+    else
+        writeModel(std::get<ImportedModel>(answer), looks_known, writer);
+}
+
+ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill,
+                       const std::shared_ptr<const ModelLooks>& known) {
     Reader reader(fill);
     Header header;
     reader.part(&header, 1);
@@ -236,9 +256,11 @@ ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill) {
     reader.take(mesh.triangles, header.triangles);
     reader.take(mesh.corners, header.triangles);
     std::shared_ptr<const ModelLooks> looks;
-    if (header.has_looks != 0) looks = readLooks(header, reader);
+    if (header.looks == Looks::kKnown) looks = known;
+    if (header.looks == Looks::kHere) looks = readLooks(header, reader);
     reader.finish();
     if (header.kind == Kind::kRefusal) return ModelRefusal{text};
+    if (header.kind == Kind::kSet) return ModelSetText{text};
     if (header.kind != Kind::kMesh) throw BrokenStream("this is neither a mesh nor a refusal");
     if (looks) requireSound(*looks);
     requireSound(mesh, looks ? looks->materials.size() : 0);

@@ -9,6 +9,7 @@
 #include "app/reading/mesh_stream.h"
 #include "app/reading/model_service.h"
 #include "app/reading/reading_limits.h"
+#include "app/reading/set_text.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -28,20 +29,20 @@ std::string& readerProgram() {
 /// One file and the child that reads it.
 class Reading {
   public:
-    Reading(const fs::path& file, const std::string& node, const ProgressCallback& progress)
+    Reading(const fs::path& file, const std::vector<std::string>& words, const ProgressCallback& progress)
         : file_(file),
           progress_(progress),
           most_time_(mostReadingTime(file)),
           deadline_(ChildProcess::Clock::now() + most_time_.waiting),
-          child_({.words = {"demolish", kReadModelCommand, file.string(), node},
+          child_({.words = words,
                   .program = readerProgram(),
                   .output = ChildStream::kPiped,
                   .errors = ChildStream::kNothing,
                   .own_group = true}) {}
 
-    ModelAnswer answer() {
+    ModelAnswer answer(const std::shared_ptr<const ModelLooks>& known = {}) {
         try {
-            return readAnswer([this](std::span<uint8_t> bytes) { fill(bytes); });
+            return readAnswer([this](std::span<uint8_t> bytes) { fill(bytes); }, known);
         } catch (const BrokenStream&) {
             return ModelRefusal{"The model '" + file_.string() + "' " + whatWentWrong() + "."};
         }
@@ -85,9 +86,20 @@ class Reading {
     ChildProcess child_;
 };
 
-ModelAnswer askReader(const fs::path& file, const std::string& node, const ProgressCallback& progress) {
+/// Of the kind that is asked for. Throws InputFileError with the sentence of a refusal.
+template <class Kind>
+Kind taken(ModelAnswer answer, const fs::path& file) {
+    if (const auto* refusal = std::get_if<ModelRefusal>(&answer)) throw InputFileError(refusal->sentence);
+    if (auto* kind = std::get_if<Kind>(&answer)) return std::move(*kind);
+    throw InputFileError("The model '" + file.string() + "' " + kNoAnswer + ".");
+}
+
+template <class Ask>
+auto asked(const fs::path& file, const std::vector<std::string>& words, const ProgressCallback& progress,
+           const Ask& ask) {
     try {
-        return Reading(file, node, progress).answer();
+        Reading reading(file, words, progress);
+        return ask(reading);
     } catch (const ChildError& error) {
         throw DeviceError(std::string("could not start the reader of model files: ") + error.what());
     }
@@ -99,11 +111,34 @@ void setModelReader(const std::string& program) {
     readerProgram() = program;
 }
 
+std::vector<ImportedModel> readModels(const fs::path& file, const std::vector<std::string>& nodes,
+                                      const ProgressCallback& progress) {
+    if (readerProgram().empty()) return importModels(file, nodes);
+    std::vector<std::string> words = {"demolish", kReadModelCommand, file.string()};
+    words.insert(words.end(), nodes.begin(), nodes.end());
+    return asked(file, words, progress, [&](Reading& reading) {
+        std::vector<ImportedModel> models;
+        for (size_t i = 0; i < nodes.size(); ++i)
+            models.push_back(
+                taken<ImportedModel>(reading.answer(models.empty() ? nullptr : models.front().looks), file));
+        return models;
+    });
+}
+
 ImportedModel readModel(const fs::path& file, const std::string& node, const ProgressCallback& progress) {
-    if (readerProgram().empty()) return importModel(file, node);
-    ModelAnswer answer = askReader(file, node, progress);
-    if (const auto* refusal = std::get_if<ModelRefusal>(&answer)) throw InputFileError(refusal->sentence);
-    return std::get<ImportedModel>(std::move(answer));
+    return std::move(readModels(file, {node}, progress).front());
+}
+
+ModelSet readModelSet(const fs::path& file) {
+    if (readerProgram().empty()) return importSet(file);
+    const auto text = asked(file, {"demolish", kReadSetCommand, file.string()}, {}, [&](Reading& reading) {
+        return taken<ModelSetText>(reading.answer(), file).text;
+    });
+    try {
+        return setOfText(text);
+    } catch (const BrokenStream&) {
+        throw InputFileError("The model '" + file.string() + "' " + kNoAnswer + ".");
+    }
 }
 
 std::shared_ptr<const SolidMesh> readSolidMesh(const fs::path& file, const MeshPlacement& placement,

@@ -4,8 +4,10 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "sim_cuda/api/model_file.h"
+#include "sim_cuda/api/model_set.h"
 
 namespace demolish {
 
@@ -20,6 +22,13 @@ void setModelReader(const std::string& program);
 /// be started.
 ImportedModel readModel(const std::filesystem::path& file, const std::string& node = {},
                         const ProgressCallback& progress = {});
+
+/// The same of several nodes of the file, which is read once for all of them; they share their looks.
+std::vector<ImportedModel> readModels(const std::filesystem::path& file,
+                                      const std::vector<std::string>& nodes,
+                                      const ProgressCallback& progress = {});
+/// As importSet(), by a reader as readModel().
+ModelSet readModelSet(const std::filesystem::path& file);
 
 /// readModel() and makeSolidMesh().
 std::shared_ptr<const SolidMesh> readSolidMesh(const std::filesystem::path& file,

@@ -8,9 +8,11 @@
 #include <cerrno>
 #include <cstdlib>
 #include <new>
+#include <utility>
 
 #include "app/reading/mesh_stream.h"
 #include "app/reading/reading_limits.h"
+#include "app/reading/set_text.h"
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/model_file.h"
 
@@ -31,27 +33,46 @@ void writeToStdout(std::span<const uint8_t> bytes) {
     }
 }
 
-ModelAnswer answerFor(const std::filesystem::path& file, const std::string& node) {
+/// What `read` gives, or why it gives nothing.
+template <class Read>
+std::vector<ModelAnswer> answersOf(const std::filesystem::path& file, const Read& read) {
     try {
-        ImportedModel model = importModel(file, node);
-        if (std::max(model.mesh.triangles.size(), model.mesh.positions.size()) <= kMostTriangles)
-            return model;
-        return ModelRefusal{"The model '" + file.string() + "' has more than " +
-                            std::to_string(kMostTriangles >> 20) + " million triangles; make it coarser."};
+        return read();
     } catch (const Error& error) {
-        return ModelRefusal{error.what()};
+        return {ModelRefusal{error.what()}};
     } catch (const std::exception& error) {
-        return ModelRefusal{"The model '" + file.string() + "' could not be read (" + error.what() + ")."};
+        return {ModelRefusal{"The model '" + file.string() + "' could not be read (" + error.what() + ")."}};
     }
+}
+
+template <class Read>
+[[noreturn]] void serve(const std::filesystem::path& file, const Read& read) {
+    limitThisReader(mostReadingTime(file).computing);
+    std::set_new_handler(endWithoutMemory);
+    bool is_first = true;
+    for (const ModelAnswer& answer : answersOf(file, read))
+        writeAnswer(answer, writeToStdout, !std::exchange(is_first, false));
+    _exit(EXIT_SUCCESS);  // nothing is worth cleaning up
 }
 
 }  // namespace
 
-void serveModel(const std::filesystem::path& file, const std::string& node) {
-    limitThisReader(mostReadingTime(file).computing);
-    std::set_new_handler(endWithoutMemory);
-    writeAnswer(answerFor(file, node), writeToStdout);
-    _exit(EXIT_SUCCESS);  // nothing is worth cleaning up
+void serveModel(const std::filesystem::path& file, const std::vector<std::string>& nodes) {
+    serve(file, [&] {
+        std::vector<ModelAnswer> answers;
+        for (ImportedModel& model : importModels(file, nodes)) {
+            if (std::max(model.mesh.triangles.size(), model.mesh.positions.size()) > kMostTriangles)
+                throw InputFileError("The model '" + file.string() + "' has more than " +
+                                     std::to_string(kMostTriangles >> 20) +
+                                     " million triangles; make it coarser.");
+            answers.emplace_back(std::move(model));
+        }
+        return answers;
+    });
+}
+
+void serveSet(const std::filesystem::path& file) {
+    serve(file, [&] { return std::vector<ModelAnswer>{ModelSetText{setText(importSet(file))}}; });
 }
 
 }  // namespace demolish

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <iterator>
+#include <map>
 #include <span>
 
 #include "app/session/scene_colliders.h"
@@ -42,6 +43,38 @@ glm::dvec3 aimPoint(const BreakableBody& body, double height_fraction) {
     }
     const glm::dvec3 middle = count > 0 ? sum / static_cast<double>(count) : glm::dvec3(0, y, 0);
     return {middle.x, y, middle.z};
+}
+
+/// Middle of the outline that the body shows to who looks along `way` (unit); where it is hollow there, the
+/// particle in sight that is nearest to that.
+glm::dvec3 middleSeen(const BreakableBody& body, const glm::dvec3& way) {
+    const glm::dvec3 up = std::abs(way.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+    const glm::dvec3 right = glm::normalize(glm::cross(way, up)), above = glm::cross(right, way);
+    const glm::dvec3 centre = 0.5 * (toGlm(body.bounds_min) + toGlm(body.bounds_max));
+    // The picture in squares that no row of particles slips through, and what is nearest in each. Counted
+    // from the centre in whole numbers, so that what is symmetric has its middle there to the last bit.
+    const double square = 1.2 * body.spacing;
+    using Square = std::pair<int64_t, int64_t>;
+    const auto squareOf = [&](const glm::dvec3& p) {
+        return Square(std::llround(glm::dot(p - centre, right) / square),
+                      std::llround(glm::dot(p - centre, above) / square));
+    };
+    std::map<Square, glm::dvec3> seen;
+    for (const auto& particle : body.particles) {
+        const glm::dvec3 seed = toGlm(particle.seed);
+        const auto [known, is_new] = seen.try_emplace(squareOf(seed), seed);
+        if (!is_new && glm::dot(seed - known->second, way) < 0) known->second = seed;
+    }
+    Square sum{0, 0};
+    for (const auto& [at, seed] : seen) sum = {sum.first + at.first, sum.second + at.second};
+    const double share = square / static_cast<double>(seen.size());
+    const glm::dvec3 middle = centre + share * static_cast<double>(sum.first) * right +
+                              share * static_cast<double>(sum.second) * above;
+    if (seen.contains(squareOf(middle))) return middle;
+    const auto aside = [&](const glm::dvec3& p) { return glm::length(glm::cross(p - middle, way)); };
+    return std::min_element(seen.begin(), seen.end(),
+                            [&](const auto& a, const auto& b) { return aside(a.second) < aside(b.second); })
+        ->second;
 }
 
 /// Where the centre of a ball of `radius` is when it touches the body, flying through `aim`: from the
@@ -106,6 +139,14 @@ ThrownBall thrownFree(const glm::dvec3& point, const glm::dvec3& velocity, doubl
     return result;
 }
 
+TimedBall ballOf(const Impact& impact) {
+    TimedBall ball;
+    ball.body = impact.body;
+    ball.arrival_time = impact.arrival_time;
+    ball.flight_time = std::min(ball.flight_time, ball.arrival_time);
+    return ball;
+}
+
 }  // namespace
 
 bool liesFlat(const BreakableBody& body) {
@@ -124,14 +165,11 @@ double ballRadius(const Shot& shot, const BreakableBody& body) {
 std::vector<TimedBall> ballsOf(const Shot& shot) {
     if (shot.impact.kind != ImpactKind::kBall || shot.impact.velocity <= 0) return {};
     if (!shot.balls.empty()) return shot.balls;
-    TimedBall ball;
-    ball.arrival_time = shot.impact.arrival_time;
-    ball.flight_time = std::min(ball.flight_time, ball.arrival_time);
-    return {ball};
+    return {ballOf(shot.impact)};
 }
 
 TimedBall fastestBall(const Shot& shot) {
-    if (shot.balls.empty()) return {};
+    if (shot.balls.empty()) return ballOf(shot.impact);
     return *std::max_element(
         shot.balls.begin(), shot.balls.end(),
         [](const TimedBall& a, const TimedBall& b) { return a.speed_share < b.speed_share; });
@@ -150,10 +188,12 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const glm::dquat rotation(q.w, q.x, q.y, q.z);
     const double radius = ball.radius.value_or(ballRadius(shot, body));
     const glm::dvec3 direction = wayOf(ball.direction.value_or(shot.impact.direction), body);
-    const glm::dvec3 aim = ball.aim
-                               ? shot.height * toGlm(*ball.aim)
-                               : aimPoint(body, ball.height_fraction.value_or(shot.impact.height_fraction));
-    const glm::dvec3 touch = touchPoint(body, aim, glm::inverse(rotation) * direction, radius);
+    const glm::dvec3 way = glm::inverse(rotation) * direction;
+    const auto height = ball.height_fraction ? ball.height_fraction : shot.impact.height_fraction;
+    const glm::dvec3 aim = ball.aim ? shot.height * toGlm(*ball.aim)
+                           : height ? aimPoint(body, *height)
+                                    : middleSeen(body, way);
+    const glm::dvec3 touch = touchPoint(body, aim, way, radius);
     const glm::dvec3 velocity = shot.impact.velocity * ball.speed_share * direction;
     return thrownFree(toGlm(instance.position) + rotation * touch, velocity, flight, radius,
                       setup.params.colliders);

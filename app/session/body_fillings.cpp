@@ -2,6 +2,7 @@
 #include "app/session/body_fillings.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "app/reading/model_reader.h"
 #include "app/session/progress_part.h"
@@ -35,26 +36,65 @@ const BodyFillings::Filling* find(const std::vector<BodyFillings::Filling>& fill
     return at == fillings.end() ? nullptr : &*at;
 }
 
+/// Made of what is kept where it can be; the others have no mesh yet.
+std::vector<BodyFillings::ReadMesh> meshesWanted(const std::vector<BodyFillings::ReadMesh>& of_body,
+                                                 const BodyFillings* reuse) {
+    std::vector<BodyFillings::ReadMesh> wanted;
+    for (const BodyFillings::ReadMesh& mesh : of_body) {
+        if (find(wanted, mesh) != nullptr) continue;
+        const auto* kept = reuse != nullptr ? find(reuse->meshes, mesh) : nullptr;
+        wanted.push_back(kept != nullptr ? *kept : mesh);
+    }
+    return wanted;
+}
+
+/// Each file is read once for all of its nodes that are wanted.
+void readMissing(std::vector<BodyFillings::ReadMesh>& meshes, const ProgressCallback& progress) {
+    for (const BodyFillings::ReadMesh& first : meshes) {
+        if (first.mesh) continue;
+        std::vector<BodyFillings::ReadMesh*> of_file;
+        std::vector<std::string> nodes;
+        for (BodyFillings::ReadMesh& mesh : meshes) {
+            if (mesh.mesh || mesh.model != first.model) continue;
+            of_file.push_back(&mesh);
+            nodes.push_back(mesh.placement.part.node);
+        }
+        std::vector<ImportedModel> models = readModels(first.model, nodes, progress);
+        for (size_t i = 0; i < models.size(); ++i) {
+            of_file[i]->contents = models[i].contents;
+            of_file[i]->size_in_file = sizeOf(models[i].mesh);
+            of_file[i]->mesh = makeSolidMesh(std::move(models[i].mesh), of_file[i]->model,
+                                             of_file[i]->placement, std::move(models[i].looks));
+        }
+    }
+}
+
 /// The mesh of each body.
 std::vector<std::shared_ptr<const SolidMesh>> readMeshes(const Shot& shot, const BodyFillings* reuse,
                                                          const ProgressCallback& progress,
                                                          BodyFillings& made) {
+    std::vector<BodyFillings::ReadMesh> bodies;
+    for (const SceneBody& body : bodiesOf(shot))
+        bodies.push_back({body.model.value_or(shot.model), placementOf(shot, body), nullptr});
+    made.meshes = meshesWanted(bodies, reuse);
+    readMissing(made.meshes, progress);
     std::vector<std::shared_ptr<const SolidMesh>> of_body;
-    for (const SceneBody& body : bodiesOf(shot)) {
-        BodyFillings::ReadMesh wanted{body.model.value_or(shot.model), placementOf(shot, body), nullptr};
-        if (const auto* known = find(made.meshes, wanted)) {
-            of_body.push_back(known->mesh);
-            continue;
-        }
-        const auto* kept = reuse != nullptr ? find(reuse->meshes, wanted) : nullptr;
-        wanted.mesh = kept != nullptr ? kept->mesh : readSolidMesh(wanted.model, wanted.placement, progress);
-        of_body.push_back(wanted.mesh);
-        made.meshes.push_back(std::move(wanted));
-    }
+    for (const BodyFillings::ReadMesh& body : bodies) of_body.push_back(find(made.meshes, body)->mesh);
     return of_body;
 }
 
 }  // namespace
+
+Double3 sizeOf(const TriangleMesh& mesh) {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    Double3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
+    for (const Double3& p : mesh.positions) {
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+    }
+    if (mesh.positions.empty()) return {};
+    return {high.x - low.x, high.y - low.y, high.z - low.z};
+}
 
 BodyFillings makeBodyFillings(const Shot& shot, bool on_gpu, bool draw_geometry, const BodyFillings* reuse,
                               const ProgressCallback& progress) {

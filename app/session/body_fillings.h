@@ -6,6 +6,7 @@
 
 #include "app/session/shot.h"
 #include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/model_file.h"
 
 namespace demolish {
 
@@ -14,6 +15,8 @@ struct BodyFillings {
         std::filesystem::path model;
         MeshPlacement placement;
         std::shared_ptr<const SolidMesh> mesh;
+        ModelContents contents = {};  ///< of the file
+        Double3 size_in_file = {};    ///< lengths of the file
     };
     struct Filling {
         std::shared_ptr<const SolidMesh> mesh;
@@ -26,6 +29,9 @@ struct BodyFillings {
     std::shared_ptr<const SolidMesh> subject_mesh;              ///< of subjectOf()
     std::shared_ptr<const BreakableBody> subject;
 };
+
+/// Along x, y, z; 0 for no vertices.
+Double3 sizeOf(const TriangleMesh& mesh);
 
 /// `reuse`: meshes and fillings that are taken over where they are what is wanted; may be null. Throws
 /// UsageError when the particles are too few or too many, the errors of authoring, and Cancelled.

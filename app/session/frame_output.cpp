@@ -14,7 +14,7 @@ namespace {
 std::vector<uint32_t> looksOfCells(const BuiltShot& built) {
     const ShotLooks list = looksOf(built.shot);
     std::vector<uint32_t> looks;
-    for (size_t b = 0; list.looks.size() > 1 && b < list.of_body.size(); ++b)
+    for (size_t b = 0; list.areSeveral() && b < list.of_body.size(); ++b)
         looks.insert(looks.end(), built.cells.of_body[b]->particles.size(), list.of_body[b]);
     return looks;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "app/reading/model_reader.h"
@@ -30,26 +29,22 @@ std::string counted(size_t count, const char* what) {
     return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-Double3 sizeOf(const TriangleMesh& mesh) {
-    constexpr double kFar = std::numeric_limits<double>::infinity();
-    Double3 low{kFar, kFar, kFar}, high{-kFar, -kFar, -kFar};
-    for (const Double3& p : mesh.positions) {
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-    }
-    if (mesh.positions.empty()) return {};
-    return {high.x - low.x, high.y - low.y, high.z - low.z};
+void lookAtMesh(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
+    check.unit = shot.part.unit;
+    check.repair = repairReport(mesh);
+    check.solid = meshInfo(mesh);
+    check.size_remark = sizeRemark(shot, check.solid.bounds_min, check.solid.bounds_max);
+    check.thin_wall = thinWall(mesh, kThinShare);
 }
 
-void lookAtBody(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
-    check.particles = particlesWanted(shot, mesh, false);
-    const auto body = fillWithParticles(mesh, {.particles = check.particles, .seed = shot.seed});
-    if (body->remeshed) check.repair.remeshed = RemeshCause::kCells;
-    if (body->remeshed) check.repair.untouched = false;
-    check.spacing = body->spacing;
-    check.open_cells = body->open_cells;
+void lookAtBody(const Shot& shot, const BreakableBody& body, ModelCheck& check) {
+    check.particles = static_cast<uint32_t>(body.particles.size());
+    if (body.remeshed) check.repair.remeshed = RemeshCause::kCells;
+    if (body.remeshed) check.repair.untouched = false;
+    check.spacing = body.spacing;
+    check.open_cells = body.open_cells;
     Shot fired = shot;
-    chooseVelocity(fired, *body);
+    chooseVelocity(fired, body);
     check.velocity = fired.impact.velocity;
 }
 
@@ -60,8 +55,8 @@ std::string sizeLine(const ModelCheck& check) {
         line += " m";
     else if (check.unit > 0)
         line += printed(", in units of %g m", check.unit);
-    else
-        line += " in a unit that the format does not say (--unit m, cm, mm, in or ft)";
+    else if (check.size_remark.empty())
+        line += " in a unit that the format does not say";
     return check.size_remark.empty() ? line : line + "; " + check.size_remark;
 }
 
@@ -102,18 +97,32 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
         ImportedModel model = readModel(shot.model, shot.part.node, progress);
         check.contents = model.contents;
         check.size_in_file = sizeOf(model.mesh);
-        check.unit = shot.part.unit;
         check.looks = model.looks;
         const auto mesh =
             makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot), std::move(model.looks));
-        check.repair = repairReport(*mesh);
-        check.solid = meshInfo(*mesh);
-        check.size_remark = sizeRemark(shot, check.solid.bounds_min, check.solid.bounds_max);
-        check.thin_wall = thinWall(*mesh, kThinShare);
-        lookAtBody(shot, *mesh, check);
+        lookAtMesh(shot, *mesh, check);
+        const FillOptions options{.particles = particlesWanted(shot, *mesh, false), .seed = shot.seed};
+        lookAtBody(shot, *fillWithParticles(*mesh, options), check);
     } catch (const InputFileError& error) {
         check.refusal = error.what();
     }
+    return check;
+}
+
+ModelCheck checkOf(const BuiltShot& built) {
+    ModelCheck check;
+    check.file = built.shot.model.string();
+    const BodyFillings& cells = built.cells;
+    const auto read = std::find_if(cells.meshes.begin(), cells.meshes.end(),
+                                   [&](const auto& mesh) { return mesh.mesh == cells.subject_mesh; });
+    if (read != cells.meshes.end()) {
+        check.contents = read->contents;
+        check.size_in_file = read->size_in_file;
+    }
+    if (const ModelLooks* looks = modelLooks(*cells.subject_mesh))
+        check.looks = std::shared_ptr<const ModelLooks>(cells.subject_mesh, looks);
+    lookAtMesh(built.shot, *cells.subject_mesh, check);
+    lookAtBody(built.shot, *cells.subject, check);
     return check;
 }
 

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/session/shot.h"
+#include "app/session/built_shot.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/model_file.h"
 
@@ -33,6 +33,9 @@ struct ModelCheck {
 /// Reads the shot's model, closes it, cuts it into cells and throws them away. What is wrong with the file is
 /// in ModelCheck::refusal; throws only UsageError, DeviceError and Cancelled.
 ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress = {});
+
+/// The same of a body that is made already.
+ModelCheck checkOf(const BuiltShot& built);
 
 /// A label and what is to be said, a line each.
 using LabelledLines = std::vector<std::pair<std::string, std::string>>;

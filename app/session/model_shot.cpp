@@ -27,6 +27,11 @@ std::optional<double> lengthUnitOf(const std::string& name) {
     return kMetres[at - kNames.begin()];
 }
 
+std::string lengthUnitName(double metres) {
+    const auto at = std::find(std::begin(kMetres), std::end(kMetres), metres);
+    return at == std::end(kMetres) ? "" : kNames[static_cast<size_t>(at - std::begin(kMetres))];
+}
+
 bool hasKnownSize(const std::filesystem::path& model, const ModelPart& part) {
     return part.unit > 0 || saysItsUnit(model);
 }
@@ -42,7 +47,10 @@ std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high
     if (!shot.keeps_size) {
         const bool is_said =
             shot.height != 1 || !shot.scene_file.empty() || hasKnownSize(shot.model, shot.part);
-        return is_said ? "" : name + " does not say its unit, so it is scaled to 1 m; --unit keeps its size";
+        return is_said ? ""
+                       : name +
+                             " does not say its unit, so it is scaled to 1 m; --unit m, cm, mm, in or ft "
+                             "keeps its size";
     }
     const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (longest >= kPlausibleSize.least && longest <= kPlausibleSize.most) return "";

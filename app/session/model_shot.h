@@ -15,6 +15,9 @@ const std::vector<std::string>& lengthUnitNames();
 /// m; none for another name.
 std::optional<double> lengthUnitOf(const std::string& name);
 
+/// The name of one of these, "" for 0.
+std::string lengthUnitName(double metres);
+
 /// How long 1 in the file is: its format says it, or part.unit does.
 bool hasKnownSize(const std::filesystem::path& model, const ModelPart& part);
 /// Why a model of this name takes no unit, a sentence without full stop; "" where it needs one.

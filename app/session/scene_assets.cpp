@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/session/scene_assets.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
 #include "app/session/model_shot.h"
@@ -11,7 +14,7 @@ namespace demolish {
 OwnMaterial loadMaterial(const std::string& name, const std::filesystem::path& file) {
     TomlReader reader(file);
     requireVersion(reader);
-    OwnMaterial own{name, {}, {}};
+    OwnMaterial own{name, {}, {}, {}};
     own.material.name = file.stem().string();
     std::string title;
     reader.read("name", own.material.name);
@@ -22,6 +25,24 @@ OwnMaterial loadMaterial(const std::string& name, const std::filesystem::path& f
     return own;
 }
 
+void showInside(const OwnMaterial& inner, OwnMaterial& own) {
+    for (const OwnMaterial* material : {static_cast<const OwnMaterial*>(&own), &inner})
+        if (material->look.isTransparent())
+            throw UsageError("an inner material goes with opaque materials, and " + material->name +
+                             " is transparent");
+    const engine::SurfaceLook& from = inner.look;
+    engine::SurfaceLook& to = own.look;
+    std::copy(std::begin(from.interior_colour), std::end(from.interior_colour), to.interior_colour);
+    std::copy(std::begin(from.dust_colour), std::end(from.dust_colour), to.dust_colour);
+    std::copy(std::begin(from.texture_colour), std::end(from.texture_colour), to.texture_colour);
+    to.interior_roughness = from.interior_roughness;
+    to.noise_strength = from.noise_strength;
+    to.texture = from.texture;
+    to.texture_size = from.texture_size;
+    to.texture_outside = 0;
+    own.inner = inner.name;
+}
+
 OwnMaterial readOwnMaterial(TomlReader& reader, const std::string& key) {
     std::string preset;
     reader.read(key, preset);
@@ -29,6 +50,16 @@ OwnMaterial readOwnMaterial(TomlReader& reader, const std::string& key) {
         const std::filesystem::path file = tomlFileOf(kMaterials, preset, reader.file().parent_path());
         const bool ships = std::filesystem::path(preset).extension() != ".toml";
         return loadMaterial(ships ? preset : file.string(), file);
+    } catch (const UsageError& error) {
+        reader.fail(key, std::string("is wrong: ") + error.what());
+    }
+}
+
+void readInside(TomlReader& reader, const std::string& key, OwnMaterial& own) {
+    if (!reader.has(key)) return;
+    const OwnMaterial inner = readOwnMaterial(reader, key);
+    try {
+        showInside(inner, own);
     } catch (const UsageError& error) {
         reader.fail(key, std::string("is wrong: ") + error.what());
     }

@@ -19,6 +19,13 @@ void readPart(TomlReader& reader, const std::string& prefix, const std::filesyst
 /// started.
 OwnMaterial readOwnMaterial(TomlReader& reader, const std::string& key);
 
+/// The key's material is the inside of `own`, where the key is given.
+void readInside(TomlReader& reader, const std::string& key, OwnMaterial& own);
+
+/// Breaks show the inside of another material: its colour, roughness, pattern and dust. Throws UsageError
+/// where either is transparent, since glass has no inside to be told from its outside.
+void showInside(const OwnMaterial& inner, OwnMaterial& own);
+
 /// A material's file. Throws InputFileError.
 OwnMaterial loadMaterial(const std::string& name, const std::filesystem::path& file);
 

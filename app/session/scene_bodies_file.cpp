@@ -61,6 +61,10 @@ void readSize(TomlReader& reader, const std::string& at, const Shot& shot, Scene
     body.height_share = (body.keeps_size ? 1 : height) / shot.height;
 }
 
+OwnMaterial ofShot(const Shot& shot) {
+    return {shot.material_name, shot.material, shot.look, shot.inner_material};
+}
+
 void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneBody& body) {
     if (reader.has(at + "model")) body.model = readModelPath(reader, at + "model");
     if (!body.model && shot.model.empty())
@@ -70,6 +74,12 @@ void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneB
     if (part != partOf(shot, body)) body.part = part;
     readSize(reader, at, shot, body);
     if (reader.has(at + "material")) body.material = readOwnMaterial(reader, at + "material");
+    if (reader.has(at + "inner_material")) {
+        if (!body.material) body.material = ofShot(shot);
+        readInside(reader, at + "inner_material", *body.material);
+    }
+    reader.read(at + "hidden", body.hidden);
+    reader.read(at + "locked", body.locked);
     reader.read(at + "breaks", body.breaks);
     readFineness(reader, at, shot.fineness, body);
 }
@@ -113,6 +123,7 @@ std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot) {
     std::vector<SceneBody> bodies(reader.count("body", kMostBodies));
     for (size_t i = 0; i < bodies.size(); ++i) {
         const std::string at = "body[" + std::to_string(i) + "].";
+        reader.read(at + "name", bodies[i].name);
         readPlace(reader, at, shot.height, bodies[i]);
         reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
         readOwn(reader, at, shot, bodies[i]);

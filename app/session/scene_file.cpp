@@ -21,6 +21,7 @@ namespace demolish {
 namespace {
 
 constexpr Range kAngleRange{-100, 100};  // rad
+constexpr Range kThresholdTimes{0.1, 20};
 
 void readStrengthRow(TomlReader& reader, std::string& row) {
     if (!reader.has("strength_row")) return;
@@ -81,9 +82,16 @@ void readImpact(TomlReader& reader, Impact& impact) {
     else
         reader.fail("impact.kind", "must be \"ball\", \"drop\" or \"none\"");
     reader.read("impact.velocity_mps", impact.velocity, kVelocityRange);
+    if (reader.has("impact.times_threshold")) {
+        if (reader.has("impact.velocity_mps"))
+            reader.fail("impact.times_threshold",
+                        "and velocity_mps exclude each other: one follows from the other");
+        reader.read("impact.times_threshold", impact.times_threshold.emplace(), kThresholdTimes);
+    }
     reader.read("impact.ball_radius_m", impact.ball_radius, {0, 100});
     reader.read("impact.direction", impact.direction, kDirectionRange);
-    reader.read("impact.height_fraction", impact.height_fraction, {0, 1});
+    if (reader.has("impact.height_fraction"))
+        reader.read("impact.height_fraction", impact.height_fraction.emplace(), {0, 1});
     reader.read("impact.arrival_s", impact.arrival_time, {0.01, 2});
     reader.read("impact.tilt_rad", impact.tilt, kAngleRange);
 }
@@ -105,12 +113,13 @@ void putIn(const OwnMaterial& own, Shot& shot) {
     shot.look = own.look;
     shot.material = own.material;
     shot.material_name = own.name;
+    shot.inner_material = own.inner;
 }
 
 void readPreset(TomlReader& reader, const std::string& key, Shot& shot) {
-    putIn(reader.has(key) ? readOwnMaterial(reader, key)
-                          : loadMaterial(shot.material_name, tomlFileOf(kMaterials, shot.material_name)),
-          shot);
+    OwnMaterial own = reader.has(key) ? readOwnMaterial(reader, key) : presetMaterial(shot.material_name);
+    readInside(reader, "inner_material", own);
+    putIn(own, shot);
 }
 
 /// What the scene says of all bodies is what the body that the fastest ball hits is like; the others keep
@@ -133,7 +142,7 @@ void takeFromSubject(Shot& shot) {
         shot.strength_row.clear();
     }
     if (!subject.material) return;
-    const OwnMaterial former{shot.material_name, shot.material, shot.look};
+    const OwnMaterial former{shot.material_name, shot.material, shot.look, shot.inner_material};
     for (SceneBody& body : shot.bodies) {
         if (!body.material)
             body.material = former;
@@ -143,14 +152,8 @@ void takeFromSubject(Shot& shot) {
     putIn(*subject.material, shot);
 }
 
-}  // namespace
-
-void applyMaterial(Shot& shot, const std::string& name) {
-    putIn(loadMaterial(name, tomlFileOf(kMaterials, name)), shot);
-}
-
-Shot loadSceneFile(const std::filesystem::path& file) {
-    TomlReader reader(file);
+Shot loadScene(TomlReader& reader) {
+    const std::filesystem::path& file = reader.file();
     Shot shot;
     shot.scene = file.stem().string();
     shot.scene_file = file;
@@ -183,6 +186,8 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.read("solver.time_scale", shot.time_scale, kTimeScaleRange);
     readImpact(reader, shot.impact);
     shot.bodies = readBodies(reader, shot);
+    reader.read("impact.body", shot.impact.body,
+                {0, static_cast<double>(std::max<size_t>(1, shot.bodies.size()) - 1)});
     shot.balls = readBalls(reader, {std::max<size_t>(1, shot.bodies.size()), shot.height}, shot.impact);
     shot.phases = readPhases(reader);
     readEffects(reader, shot.effects);
@@ -192,6 +197,32 @@ Shot loadSceneFile(const std::filesystem::path& file) {
     reader.requireAllRead();
     takeFromSubject(shot);
     return shot;
+}
+
+}  // namespace
+
+OwnMaterial presetMaterial(const std::string& name) {
+    return loadMaterial(name, tomlFileOf(kMaterials, name));
+}
+
+void applyMaterials(Shot& shot, const std::string& name, const std::string& inner) {
+    OwnMaterial own = presetMaterial(name);
+    if (!inner.empty()) showInside(presetMaterial(inner), own);
+    putIn(own, shot);
+}
+
+void applyMaterial(Shot& shot, const std::string& name) {
+    applyMaterials(shot, name, shot.inner_material);
+}
+
+Shot loadSceneFile(const std::filesystem::path& file) {
+    TomlReader reader(file);
+    return loadScene(reader);
+}
+
+Shot loadSceneText(const std::string& text, const std::filesystem::path& place) {
+    TomlReader reader(place, text);
+    return loadScene(reader);
 }
 
 Shot loadScene(const std::string& name) {

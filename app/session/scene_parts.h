@@ -20,6 +20,7 @@ struct OwnMaterial {
     std::string name;
     Material material;
     engine::SurfaceLook look;
+    std::string inner;  ///< name of the material whose inside `look` shows; "": its own
 
     bool operator==(const OwnMaterial&) const = default;
 };
@@ -35,6 +36,7 @@ struct OwnSize {
 /// One body of the scene: where it stands, how it moves at the start, and what it has of its own. All else is
 /// as the shot has it.
 struct SceneBody {
+    std::string name;      ///< "": it has none
     Double3 position;      ///< of the point that the model's origin comes to, in heights of the shot
     double yaw = 0;        ///< rad about the vertical, counter-clockwise seen from above
     uint32_t variant = 0;  ///< bodies of one variant share their cells; each variant has a seed of its own
@@ -49,6 +51,7 @@ struct SceneBody {
     double height_share = 1;        ///< its height, times the shot's
     bool keeps_size = false;        ///< as large as its file says, times the shot's height and this share
     std::optional<OwnMaterial> material;
+    bool hidden = false, locked = false;   ///< not drawn; not to be taken hold of in the window
     bool breaks = true;                    ///< false: whole whatever hits it, rigid when nothing swings in it
     double particles_share = 1;            ///< its number of particles, times the shot's
     std::optional<OwnSize> particle_size;  ///< in place of that
@@ -64,7 +67,7 @@ struct TimedBall {
     double speed_share = 1;                 ///< times Impact::velocity, so that one knob scales them all
     std::optional<double> radius;           ///< m; none: as Impact's
     std::optional<Double3> direction;       ///< in the scene, any length; none: as Impact's
-    std::optional<double> height_fraction;  ///< of the body's height; none: as Impact's
+    std::optional<double> height_fraction;  ///< as Impact's; none: as it says
     std::optional<Double3>
         aim;  ///< point of the body's frame to fly at, in heights of the body; none: its middle
 

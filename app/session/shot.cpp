@@ -14,7 +14,7 @@ namespace {
 
 /// What a threshold hangs on, but for the velocity.
 bool sameAim(const Impact& a, const Impact& b) {
-    return a.ball_radius == b.ball_radius && a.direction == b.direction &&
+    return a.body == b.body && a.ball_radius == b.ball_radius && a.direction == b.direction &&
            a.height_fraction == b.height_fraction;
 }
 
@@ -26,6 +26,7 @@ void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
     to.scene_file = from.scene_file;
     to.paper_model = from.paper_model;
     to.material_name = from.material_name;
+    to.inner_material = from.inner_material;
     to.material.name = from.material.name;
     to.material.tensile_strength = from.material.tensile_strength;
     to.phases = from.phases;

@@ -28,15 +28,17 @@ enum class ImpactKind { kNone, kBall, kDrop };
 
 struct Impact {
     ImpactKind kind = ImpactKind::kBall;
+    uint32_t body = 0;     ///< index into Shot::bodies, that the ball hits
     double velocity = 10;  ///< m/s at the moment of impact; 0 = nothing hits the body
     /// Set: the velocity is to be so many times the one from which the body is predicted to break;
     /// chooseVelocity() puts it in and clears this.
     std::optional<double> times_threshold;
-    double ball_radius = 0;        ///< m; 0 = a twelfth of the body's height (a sixth across)
-    Double3 direction{0, 0, 0};    ///< the way the ball flies, any length; 0 = across the body's longer side
-    double height_fraction = 0.5;  ///< of the body's height, where the ball hits
-    double arrival_time = 0.12;    ///< s from the start of the shot to the impact
-    Double3 tilt;                  ///< rad about x, y, z: how a dropped body lies in the air
+    double ball_radius = 0;      ///< m; 0 = a twelfth of the body's height (a sixth across)
+    Double3 direction{0, 0, 0};  ///< the way the ball flies, any length; 0 = across the body's longer side
+    /// Of the body's height, where the ball hits; none: the middle of what is seen from where it comes.
+    std::optional<double> height_fraction;
+    double arrival_time = 0.12;  ///< s from the start of the shot to the impact
+    Double3 tilt;                ///< rad about x, y, z: how a dropped body lies in the air
 
     bool operator==(const Impact&) const = default;
 };
@@ -71,6 +73,7 @@ struct Shot {
     RepairOptions repair;     ///< of a model that is not closed
     std::string material_name = "ceramic";
     Material material;
+    std::string inner_material;  ///< whose inside the breaks show, as material_name; "": the material's own
     /// m/s: the strength is chosen so that this shot's threshold is that velocity; critical_velocity follows.
     std::optional<double> break_at;
     Impact impact;

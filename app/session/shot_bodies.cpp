@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "app/session/ball_flight.h"
+#include "engine/scene/frame_view.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
@@ -16,6 +17,9 @@ bool madeAlike(const SceneBody& a, const SceneBody& b) {
            a.particles_share == b.particles_share && a.particle_size == b.particle_size &&
            a.model == b.model && a.part == b.part && a.material == b.material;
 }
+
+/// Beyond all that a scene may have: what no look of a view stands for is not drawn.
+constexpr uint32_t kHiddenLook = engine::kMostLooks - 1;
 
 /// Of bodies that say nothing about it.
 uint32_t usualParticles(const Shot& shot, bool on_gpu) {
@@ -111,17 +115,28 @@ ShotLooks looksOf(const Shot& shot) {
         const auto found = std::find_if(known.begin(), known.end(), [&](const OwnMaterial* material) {
             return material == nullptr ? !body.material : body.material && *material == *body.material;
         });
-        result.of_body.push_back(static_cast<uint32_t>(found - known.begin()));
+        result.of_body.push_back(body.hidden ? kHiddenLook : static_cast<uint32_t>(found - known.begin()));
         if (found != known.end()) continue;
         known.push_back(&*body.material);
         result.looks.push_back(body.material->look);
     }
+    const bool any_hidden = std::any_of(bodies.begin(), bodies.end(), [](const auto& b) { return b.hidden; });
+    if (any_hidden && !result.areSeveral()) result.looks.push_back(shot.look);  // look by look, then
     for (uint32_t look = 0; look < result.looks.size(); ++look) {
         const auto at = std::find(result.of_body.begin(), result.of_body.end(), look);
         result.example.push_back(
             at == result.of_body.end() ? 0 : static_cast<size_t>(at - result.of_body.begin()));
     }
     return result;
+}
+
+std::string nameOf(const Shot& shot, size_t body) {
+    const std::vector<SceneBody> bodies = bodiesOf(shot);
+    const SceneBody& of = bodies.at(body);
+    if (!of.name.empty()) return of.name;
+    const std::string& node = partOf(shot, of).node;
+    const std::string name = node.empty() ? of.model.value_or(shot.model).stem().string() : node;
+    return bodies.size() == 1 ? name : name + " " + std::to_string(body);
 }
 
 }  // namespace demolish

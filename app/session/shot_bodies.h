@@ -44,9 +44,13 @@ void requireFewEnough(const std::vector<uint32_t>& particles);
 /// own look changes.
 struct ShotLooks {
     std::vector<engine::SurfaceLook> looks;
-    std::vector<uint32_t> of_body;  ///< index into looks
+    std::vector<uint32_t> of_body;  ///< index into looks; of a hidden body one that is not there
     std::vector<size_t> example;    ///< of each look a body that has it
+    bool areSeveral() const { return looks.size() > 1; }
 };
 ShotLooks looksOf(const Shot& shot);
+
+/// Its own name; else that of its node or its model, and its number where there are several.
+std::string nameOf(const Shot& shot, size_t body);
 
 }  // namespace demolish

@@ -77,7 +77,7 @@ void addImpact(const Shot& shot, const BreakableBody& body, Hash& hash) {
     }
     hash.add(ball.radius.value_or(ballRadius(shot, body)));
     hash.add(ball.direction.value_or(impact.direction));
-    hash.add(ball.height_fraction.value_or(impact.height_fraction));
+    hash.add(ball.height_fraction ? *ball.height_fraction : impact.height_fraction.value_or(-1));
     hash.add(ball.aim.value_or(Double3{}));
     hash.add(ball.aim.has_value());
     hash.add(shot.settle_time * shot.settle_scale);

@@ -20,6 +20,15 @@ bool isWithin(double number, const Range& range) {
     return number >= range.least && number <= range.most;
 }
 
+std::string textOf(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (in) text << in.rdbuf();
+    if (!in)
+        throw InputFileError(file.string() + " cannot be opened; check that it is there and may be read");
+    return text.str();
+}
+
 }  // namespace
 
 struct TomlReader::State {
@@ -78,18 +87,19 @@ struct TomlReader::State {
     }
 };
 
-TomlReader::TomlReader(const std::filesystem::path& file) : state_(std::make_unique<State>()) {
+TomlReader::TomlReader(const std::filesystem::path& file) : TomlReader(file, textOf(file)) {}
+
+TomlReader::TomlReader(const std::filesystem::path& file, const std::string& text)
+    : state_(std::make_unique<State>()) {
     state_->file = file;
-    if (!std::ifstream(file))
-        throw InputFileError(file.string() + " cannot be opened; check that it is there and may be read");
     try {
-        state_->table = toml::parse_file(file.string());
+        state_->table = toml::parse(text, file.string());
     } catch (const toml::parse_error& error) {
-        std::ostringstream text;
-        text << file.string();
-        if (error.source().begin) text << ":" << error.source().begin.line;
-        text << ": " << error.description();
-        throw InputFileError(text.str());
+        std::ostringstream complaint;
+        complaint << file.string();
+        if (error.source().begin) complaint << ":" << error.source().begin.line;
+        complaint << ": " << error.description();
+        throw InputFileError(complaint.str());
     }
 }
 

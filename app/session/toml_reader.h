@@ -16,6 +16,8 @@ namespace demolish {
 class TomlReader {
   public:
     explicit TomlReader(const std::filesystem::path& file);
+    /// This text, in place of what the file holds.
+    TomlReader(const std::filesystem::path& file, const std::string& text);
     ~TomlReader();
 
     const std::filesystem::path& file() const;

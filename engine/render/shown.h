@@ -25,9 +25,10 @@ inline std::vector<SurfaceLook> looksOf(const FrameView& view) {
     return looks;
 }
 
-/// For kHiddenLooks: none of the looks but those which are transparent, or are not. 0 hides nothing.
+/// For kHiddenLooks: none of the looks but those which are transparent, or are not. 0 hides nothing. Of
+/// several, cells of looks that are not among them are hidden, too.
 inline uint32_t hiddenUnless(bool transparent, const std::vector<SurfaceLook>& looks) {
-    uint32_t hidden = 0;
+    uint32_t hidden = looks.size() == 1 || looks.size() == kMostLooks ? 0 : ~0u << looks.size();
     for (size_t k = 0; k < looks.size(); ++k)
         if (looks[k].isTransparent() != transparent) hidden |= 1u << k;
     return hidden;

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/model_looks.h"
@@ -38,6 +40,9 @@ struct ImportedModel {
 /// faces of vertices that are not there, numbers that are not finite. A damaged file may still end the
 /// process, by a fault in the library that reads it.
 ImportedModel importModel(const std::filesystem::path& file, const std::string& node = {});
+/// The same of several nodes; they share their looks.
+std::vector<ImportedModel> importModels(const std::filesystem::path& file,
+                                        const std::vector<std::string>& nodes);
 /// The mesh alone.
 TriangleMesh importTriangles(const std::filesystem::path& file);
 

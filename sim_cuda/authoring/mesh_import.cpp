@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Reads model files with assimp and turns them into one welded mesh.
 #include <assimp/material.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <set>
-#include <system_error>
 #include <unordered_map>
 
 #include "sim_cuda/api/model_file.h"
@@ -18,29 +15,12 @@
 #include "sim_cuda/authoring/looks/material_import.h"
 #include "sim_cuda/authoring/model_nodes.h"
 #include "sim_cuda/authoring/model_refusal.h"
+#include "sim_cuda/authoring/node_transform.h"
+#include "sim_cuda/authoring/scene_reading.h"
 #include "sim_cuda/authoring/unused_vertices.h"
 
 namespace demolish {
 namespace {
-
-/// Affine map of one scene node, in doubles so that deep hierarchies lose nothing.
-struct Transform {
-    Double3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin;  // images of the axes
-
-    Double3 direction(const Double3& v) const { return x * v.x + y * v.y + z * v.z; }
-    Double3 point(const Double3& p) const { return direction(p) + origin; }
-    double determinant() const { return dot(x, cross(y, z)); }
-    /// Normals go with the cofactors; the sign keeps them outward under a mirror.
-    Double3 normal(const Double3& n) const {
-        const Double3 image = cross(y, z) * n.x + cross(z, x) * n.y + cross(x, y) * n.z;
-        return normalized(determinant() < 0 ? -image : image);
-    }
-};
-
-Transform chained(const Transform& parent, const aiMatrix4x4& m) {
-    return {parent.direction({m.a1, m.b1, m.c1}), parent.direction({m.a2, m.b2, m.c2}),
-            parent.direction({m.a3, m.b3, m.c3}), parent.point({m.a4, m.b4, m.c4})};
-}
 
 struct PositionHash {
     size_t operator()(const std::array<uint64_t, 3>& bits) const {
@@ -81,14 +61,11 @@ class Welder {
     size_t triangles_seen_ = 0;
 };
 
-Double3 fromAssimp(const aiVector3D& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
 Float3 toFloat(const Double3& v) {
     return {float(v.x), float(v.y), float(v.z)};
 }
 /// Unit normal of the corner, or `fallback` where the file gives none that can be used.
-Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const Transform& transform,
+Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const NodeTransform& transform,
                     const Double3& fallback) {
     if (!mesh.HasNormals()) return toFloat(fallback);
     const Double3 n = transform.normal(fromAssimp(mesh.mNormals[vertex]));
@@ -129,7 +106,7 @@ struct FileFacts {
     bool linear_colours = false;
 };
 
-void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform, const FileFacts& facts) {
+void addMesh(Welder& welder, const aiMesh& mesh, const NodeTransform& transform, const FileFacts& facts) {
     const std::filesystem::path& file = facts.file;
     const bool has_looks = mesh.mMaterialIndex < facts.materials;
     const bool has_alpha = has_looks && hasAlpha(mesh);
@@ -141,14 +118,9 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform, con
                                  face.mIndices[mirrored ? 1 : 2]};
         std::array<Double3, 3> points;
         for (int k = 0; k < 3; ++k) {
-            if (ids[k] >= mesh.mNumVertices)
-                refuseModel(file,
-                            "has a face of a vertex that is not there; the file is damaged, export it again");
+            if (ids[k] >= mesh.mNumVertices) refuseModel(file, kNoSuchVertex);
             points[k] = transform.point(fromAssimp(mesh.mVertices[ids[k]]));
-            if (!isFinite(points[k]))
-                refuseModel(
-                    file,
-                    "has a vertex that is not a finite number; export it again without broken vertices");
+            if (!isFinite(points[k])) refuseModel(file, kEndlessNumber);
         }
         const Double3 flat = normalized(cross(points[1] - points[0], points[2] - points[0]));
         if (!isFinite(flat)) refuseModel(file, "is too large to be a body; export it in a smaller unit");
@@ -163,21 +135,15 @@ void addMesh(Welder& welder, const aiMesh& mesh, const Transform& transform, con
     }
 }
 
-/// From the node's own lengths to the file's.
-Transform placeOf(const aiNode& node) {
-    return chained(node.mParent != nullptr ? placeOf(*node.mParent) : Transform{}, node.mTransformation);
-}
-
-void addOwn(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& transform,
+void addOwn(Welder& welder, const aiScene& scene, const aiNode& node, const NodeTransform& transform,
             const FileFacts& facts) {
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-        if (node.mMeshes[i] >= scene.mNumMeshes)
-            refuseModel(facts.file, "names a part that is not there; the file is damaged, export it again");
+        if (node.mMeshes[i] >= scene.mNumMeshes) refuseModel(facts.file, kNoSuchPart);
         addMesh(welder, *scene.mMeshes[node.mMeshes[i]], transform, facts);
     }
 }
 
-void addAll(Welder& welder, const aiScene& scene, const aiNode& node, const Transform& transform,
+void addAll(Welder& welder, const aiScene& scene, const aiNode& node, const NodeTransform& transform,
             const FileFacts& facts) {
     addOwn(welder, scene, node, transform, facts);
     for (unsigned i = 0; i < node.mNumChildren; ++i)
@@ -190,23 +156,6 @@ void addPart(Welder& welder, const aiScene& scene, const std::string& node, cons
     const aiNode& part = node.empty() ? root : requireNode(root, node, facts.file);
     const bool has_own = !node.empty() && part.mNumMeshes > 0;
     (has_own ? addOwn : addAll)(welder, scene, part, placeOf(part), facts);
-}
-
-/// What assimp said, as one line without a closing full stop.
-std::string reasonOf(const Assimp::Importer& importer) {
-    std::string reason = importer.GetErrorString();
-    if (const size_t end = reason.find('\n'); end != std::string::npos) reason.resize(end);
-    while (!reason.empty() && (reason.back() == '.' || reason.back() == ' ')) reason.pop_back();
-    return reason.empty() ? "it holds no scene" : reason;
-}
-
-/// Devices and pipes may have no end.
-void requirePlainFile(const std::filesystem::path& file) {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(file, error)) return;
-    if (std::filesystem::is_directory(file, error)) refuseModel(file, "is a folder; name a file in it");
-    if (std::filesystem::exists(file, error)) refuseModel(file, "is not a plain file; copy it into one");
-    throw InputFileError("There is no model file '" + file.string() + "'; check the path.");
 }
 
 uint32_t textureCount(const aiScene& scene) {
@@ -223,39 +172,29 @@ uint32_t textureCount(const aiScene& scene) {
     return uint32_t(pictures.size());
 }
 
-std::string lowerEnding(const std::filesystem::path& file) {
-    std::string ending = file.extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    return ending;
-}
-
 }  // namespace
 
-/// Those that assimp knows; aiProcess_GlobalScale then makes metres of it.
-bool saysItsUnit(const std::filesystem::path& file) {
-    const std::string ending = lowerEnding(file);
-    return ending == ".gltf" || ending == ".glb" || ending == ".fbx" || ending == ".dae";
+std::vector<ImportedModel> importModels(const std::filesystem::path& file,
+                                        const std::vector<std::string>& nodes) {
+    Assimp::Importer importer;
+    const aiScene& scene = readScene(importer, file);
+    const std::shared_ptr<const ModelLooks> looks = importLooks(file, scene);
+    const FileFacts facts{file, looks ? uint32_t(looks->materials.size()) : 0, isGltf(file)};
+    const ModelContents contents{scene.mNumMeshes, scene.mNumMaterials, textureCount(scene),
+                                 saysItsUnit(file)};
+    std::vector<ImportedModel> models;
+    for (const std::string& node : nodes) {
+        Welder welder(file.stem().string());
+        addPart(welder, scene, node, facts);
+        if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
+        models.push_back({std::move(welder).take(), contents, looks});
+        dropUnusedVertices(models.back().mesh);  // those of dropped triangles
+    }
+    return models;
 }
 
 ImportedModel importModel(const std::filesystem::path& file, const std::string& node) {
-    requirePlainFile(file);
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFile(
-        file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale);
-    if (!scene || !scene->mRootNode)
-        refuseModel(file, "could not be read (" + reasonOf(importer) +
-                              "); use a format such as OBJ, PLY, STL, glTF or FBX");
-    Welder welder(file.stem().string());
-    std::shared_ptr<const ModelLooks> looks = importLooks(file, *scene);
-    const std::string ending = lowerEnding(file);
-    addPart(welder, *scene, node,
-            {file, looks ? uint32_t(looks->materials.size()) : 0, ending == ".glb" || ending == ".gltf"});
-    if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
-    ImportedModel model{std::move(welder).take(),
-                        {scene->mNumMeshes, scene->mNumMaterials, textureCount(*scene), saysItsUnit(file)},
-                        std::move(looks)};
-    dropUnusedVertices(model.mesh);  // those of dropped triangles
-    return model;
+    return std::move(importModels(file, {node}).front());
 }
 
 TriangleMesh importTriangles(const std::filesystem::path& file) {

@@ -12,6 +12,13 @@ namespace demolish {
 
 inline constexpr const char* kNoTriangles = "has no triangles; export it with its faces";
 
+inline constexpr const char* kNoSuchPart =
+    "names a part that is not there; the file is damaged, export it again";
+inline constexpr const char* kNoSuchVertex =
+    "has a face of a vertex that is not there; the file is damaged, export it again";
+inline constexpr const char* kEndlessNumber =
+    "has a vertex that is not a finite number; export it again without broken vertices";
+
 /// `why` goes on from "The model 'FILE'" and has no full stop.
 [[noreturn]] inline void refuseModel(const std::filesystem::path& file, const std::string& why) {
     throw InputFileError("The model '" + file.string() + "' " + why + ".");

@@ -187,5 +187,39 @@ TEST(BallFlight, AShotAtAPointPassesIt) {
     EXPECT_LT(nearest, 0.01);
 }
 
+/// A frame of beams: its middle is a hole.
+TEST(BallFlight, HitsTheMiddleOfWhatIsSeenAndNoHole) {
+    BreakableBody body = gridCube(9);
+    std::erase_if(body.particles, [&](const auto& particle) {
+        return std::abs(particle.seed.x) < 0.3 && std::abs(particle.seed.y - 0.5) < 0.3;
+    });
+    Shot shot;
+    shot.impact.direction = {0, 0, -1};
+    const auto frame = std::make_shared<const BreakableBody>(body);
+    const SceneSetup setup = makeSetup(shot, BodyList(1, frame));
+    const auto at_touch = [&](const Shot& of) {
+        const TimedBall timed = ballsOf(of).at(0);
+        return flown(makeBall(of, setup, timed, timed.flight_time).ball, timed.flight_time).position;
+    };
+    const Double3 at = at_touch(shot);
+    const double aside = std::max(std::abs(at.x), std::abs(at.y - 0.5));
+    EXPECT_GT(aside, 0.3) << "on a beam";
+    EXPECT_LT(aside, 0.5);
+    EXPECT_NEAR(at.z, 0.5 + 1.0 / 12, 0.06);
+
+    BreakableBody stair = gridCube(10);  // low on one side: the middle is not at half the height
+    std::erase_if(stair.particles,
+                  [](const auto& particle) { return particle.seed.x > 0 && particle.seed.y > 0.2; });
+    const SceneSetup steps = makeSetup(shot, BodyList(1, std::make_shared<const BreakableBody>(stair)));
+    const TimedBall timed = ballsOf(shot).at(0);
+    const Double3 on =
+        flown(makeBall(shot, steps, timed, timed.flight_time).ball, timed.flight_time).position;
+    EXPECT_NEAR(on.x, -0.25 * 5 / 6 + 0.25 / 6, 0.08);
+    EXPECT_NEAR(on.y, 0.5 * 5 / 6 + 0.1 / 6, 0.08);
+    shot.impact.height_fraction = 0.7;
+    EXPECT_NEAR(flown(makeBall(shot, steps, timed, timed.flight_time).ball, timed.flight_time).position.y,
+                0.7, 1e-9);
+}
+
 }  // namespace
 }  // namespace demolish

@@ -67,8 +67,9 @@ TEST_F(Check, ASheetGetsTheThicknessAskedFor) {
 
 TEST_F(Check, AUnitKeepsTheSizeOfAFileThatSaysNone) {
     const ProgramRun unknown = check(boxText(6));
-    EXPECT_THAT(unknown.out, AllOf(HasSubstr("1 x 1 x 1 in a unit that the format does not say"),
-                                   HasSubstr("scaled to 1 m; --unit keeps"), HasSubstr("1 x 1 x 1 m")));
+    EXPECT_THAT(unknown.out, AllOf(HasSubstr("1 x 1 x 1; model.obj does not say its unit"),
+                                   HasSubstr("scaled to 1 m; --unit m, cm, mm, in or ft keeps"),
+                                   HasSubstr("1 x 1 x 1 m")));
     const ProgramRun feet = check(boxText(6), {"--unit", "ft"});
     EXPECT_EQ(feet.exit_code, 0) << feet.err;
     EXPECT_THAT(feet.out, AllOf(HasSubstr("in units of 0.3048 m\n"), HasSubstr("0.305 x 0.305 x 0.305 m")));

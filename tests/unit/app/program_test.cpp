@@ -7,6 +7,7 @@
 
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
+#include "tests/unit/meshes/gltf_set.h"
 
 namespace demolish::test {
 namespace {
@@ -137,6 +138,23 @@ TEST_F(Program, EmptyValuesAreRefused) {
 TEST_F(Program, ParticleSizesThatCannotBeNameThoseThatCan) {
     expectOneSentence(runProgram({"bench", "block", "--no-draw", "--device", "cpu", "--particle-size", "9"}),
                       2, "out of range for the model 'block'; choose one from 0.");
+}
+
+TEST_F(Program, ASetBecomesASceneFileThatIsNeverWrittenOver) {
+    const std::string set =
+        test::writeGltfSet(folder_.path(), "set.gltf",
+                           R"([{"name":"a","mesh":0},{"name":"b","mesh":0,"translation":[3,0,0]}])", "[0,1]")
+            .string();
+    const std::string file = (folder_.path() / "my_shot.toml").string();
+    const ProgramRun written = runProgram({"scene", set, "--out", file});
+    EXPECT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_THAT(written.out, HasSubstr("2 bodies, 0 colliders"));
+    const ProgramRun run = runProgram({"bench", file, "--no-draw", "--device", "cpu", "--particles", "40",
+                                       "--frames", "2", "--warmup", "0"});
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    expectOneSentence(runProgram({"scene", set, "--out", file}), 6, "is there already");
+    expectOneSentence(runProgram({"scene", set, "--out", "my_shot.txt"}), 2, "ends in .toml");
+    expectOneSentence(runProgram({"bench", "block", "--no-draw", "--split"}), 2, "--split is for --model");
 }
 
 TEST_F(Program, BadInputFilesAreCodeThree) {

@@ -52,5 +52,33 @@ TEST(SceneLook, NothingOfOneMaterialStaysInTheNext) {
     }
 }
 
+TEST(SceneLook, BreaksShowTheInsideOfAnotherMaterial) {
+    const TemporaryFolder folder;
+    const Shot plain = loadSceneFile(folder.write("a.toml", kHead));
+    Shot brick = plain;
+    applyMaterial(brick, "brick");
+    Shot mixed = loadSceneFile(folder.write("b.toml", kHead + "inner_material = \"brick\"\n"));
+    EXPECT_EQ(mixed.inner_material, "brick");
+    EXPECT_TRUE(mixed.material == plain.material) << "as strong as it was";
+    EXPECT_EQ(mixed.look.exterior_colour[0], plain.look.exterior_colour[0]);
+    EXPECT_EQ(mixed.look.interior_colour[0], brick.look.interior_colour[0]);
+    EXPECT_EQ(mixed.look.texture, engine::SolidTexture::kBricks);
+    EXPECT_EQ(mixed.look.texture_outside, 0) << "the pattern is the inside's alone";
+    EXPECT_EQ(changeBetween(plain, mixed), Change::kNothing) << "nothing is computed anew";
+    applyMaterial(mixed, "concrete");
+    EXPECT_EQ(mixed.look.texture, engine::SolidTexture::kBricks) << "another material keeps it";
+    applyMaterials(mixed, "ceramic", "");
+    EXPECT_EQ(mixed.look, plain.look);
+
+    const std::string bodies = kHead + "[[body]]\n[[body]]\ninner_material = \"marble\"\n";
+    const Shot two = loadSceneFile(folder.write("c.toml", bodies));
+    EXPECT_EQ(two.bodies[1].material.value().name, "ceramic");
+    EXPECT_EQ(two.bodies[1].material.value().inner, "marble");
+    EXPECT_EQ(two.bodies[1].material.value().look.texture, engine::SolidTexture::kVeins);
+    EXPECT_THAT(complaintAbout(kHead + "inner_material = \"glass\"\n"), HasSubstr("glass is transparent"));
+    EXPECT_THAT(complaintAbout(kHead + "material_preset = \"ice\"\ninner_material = \"stone\"\n"),
+                HasSubstr("ice is transparent"));
+}
+
 }  // namespace
 }  // namespace demolish

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "app/reading/mesh_stream.h"
+#include "app/reading/set_text.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish {
@@ -111,6 +112,23 @@ TEST(MeshStream, LooksThatWouldCrashTheirUserAreRefused) {
     expectRefused([](ModelLooks& looks) { looks.images[1].height = 302; });  // fewer texels than it says
     expectRefused(
         [](ModelLooks& looks) { looks.materials[0].base_map.wrap_u = static_cast<TextureWrap>(3); });
+}
+
+TEST(MeshStream, WhatStandsInASetKeepsItsNumbersAndIsChecked) {
+    ModelSet set;
+    set.things = {{"cup \"1\"", {-0.1, 0, 0.3}, {1.0 / 3, 2, 3}, 12}};
+    set.camera = SetCamera{{1, 2, 3}, {0, 0, 0}, 0.7};
+    set.sun_direction = Double3{0, -1, 0};
+    const auto text = std::get<ModelSetText>(answerIn(bytesOf(ModelSetText{setText(set)}))).text;
+    const ModelSet got = setOfText(text);
+    ASSERT_EQ(got.things.size(), 1u);
+    EXPECT_EQ(got.things[0].node, set.things[0].node);
+    EXPECT_EQ(got.things[0].high, set.things[0].high);
+    EXPECT_EQ(got.camera.value().eye, set.camera->eye);
+    EXPECT_EQ(got.sun_direction, set.sun_direction);
+    for (const char* bad : {"", "7", "{}", R"({"things":[{"node":1}]})", R"({"things":[],"sun":[1,2]})",
+                            R"({"things":[],"sun":[1,2,1e999]})"})
+        EXPECT_THROW(setOfText(bad), BrokenStream) << bad;
 }
 
 TEST(MeshStream, ARefusalIsItsSentence) {

@@ -74,6 +74,29 @@ TEST_F(ModelReader, ReadsTheNodeThatIsAskedFor) {
     EXPECT_THROW(readModel(file, "c"), InputFileError);
 }
 
+TEST_F(ModelReader, ReadsSeveralNodesAtOnceAndWhatStandsInASet) {
+    useTheProgram();
+    const fs::path file = test::writeGltfSet(
+        folder_.path(), "set.gltf",
+        R"([{"name":"red","mesh":0},{"name":"two","mesh":0,"translation":[3,0,0]}])", "[0,1]",
+        R"(,"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[1,0,0,1]}}])");
+    const std::vector<ImportedModel> both = readModels(file, {"two", "red"});
+    ASSERT_EQ(both.size(), 2u);
+    EXPECT_TRUE(sameBits(both[0].mesh.positions, readModel(file, "two").mesh.positions));
+    EXPECT_TRUE(sameBits(both[1].mesh.corners, readModel(file, "red").mesh.corners));
+    EXPECT_EQ(both[0].looks, both[1].looks) << "sent once";
+    EXPECT_THROW(readModels(file, {"red", "c"}), InputFileError);
+
+    const ModelSet there = readModelSet(file), here = importSet(file);
+    ASSERT_EQ(there.things.size(), 2u);
+    EXPECT_EQ(there.things[1].node, "two");
+    EXPECT_EQ(there.things[1].low, here.things[1].low);
+    EXPECT_NEAR(there.things[1].high.x, 3.5, 1e-6);
+    EXPECT_EQ(there.things[1].triangles, 12u);
+    EXPECT_FALSE(there.camera || there.sun_direction);
+    EXPECT_THROW(readModelSet("no/such/set.glb"), InputFileError);
+}
+
 TEST_F(ModelReader, TurnsDownWithTheReadersOwnWords) {
     useTheProgram();
     try {

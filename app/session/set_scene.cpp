@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+// A set becomes a text first: what a person may edit and what --split runs are one and the same.
+#include "app/session/set_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <glm/glm.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/reading/model_reader.h"
+#include "app/session/model_shot.h"
+#include "app/session/scene_file.h"
+#include "app/session/shot_geometry.h"
+#include "sim_cuda/api/errors.h"
+
+namespace demolish {
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+/// Of all bodies together, on GPU and CPU; and the most of one.
+constexpr uint32_t kAllFull = 60000, kAllDraft = 6000, kMostFull = 10000, kMostDraft = 1200, kLeast = 60;
+
+bool isCollider(const SetThing& thing) {
+    return thing.node.starts_with(kColliderPrefix);
+}
+
+glm::dvec3 upright(const Double3& p, const SetFile& file) {
+    const glm::dvec3 at = file.metres * toGlm(p);
+    return file.up == UpAxis::kY ? at : glm::dvec3(at.x, at.z, -at.y);
+}
+
+/// m, of the scene.
+struct Extent {
+    glm::dvec3 low, high;
+    glm::dvec3 middle() const { return 0.5 * (low + high); }
+};
+
+Extent extentOf(const SetThing& thing, const SetFile& file) {
+    const glm::dvec3 a = upright(thing.low, file), b = upright(thing.high, file);
+    return {glm::min(a, b), glm::max(a, b)};
+}
+
+/// A basic string of TOML; JSON's is one.
+std::string quoted(const std::string& text) {
+    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string vectorText(const glm::dvec3& v) {
+    char text[96];
+    std::snprintf(text, sizeof text, "[%.6g, %.6g, %.6g]", v.x + 0.0, v.y + 0.0, v.z + 0.0);
+    return text;
+}
+
+double liftOf(const ModelSet& set, const SetFile& file) {
+    double lowest = 0;
+    for (const SetThing& thing : set.things)
+        if (!isCollider(thing)) lowest = std::min(lowest, extentOf(thing, file).low.y);
+    return -lowest;
+}
+
+/// The body in the middle of the camera's picture; without a camera the largest.
+size_t bodyToHit(const std::vector<Extent>& bodies, const ModelSet& set, const SetFile& file) {
+    const auto merit = [&](const Extent& body) {
+        const glm::dvec3 size = body.high - body.low;
+        if (!set.camera) return size.x * size.y * size.z;
+        const glm::dvec3 eye = upright(set.camera->eye, file), target = upright(set.camera->target, file);
+        return glm::dot(glm::normalize(body.middle() - eye), glm::normalize(target - eye));
+    };
+    const auto best = std::max_element(bodies.begin(), bodies.end(),
+                                       [&](const Extent& a, const Extent& b) { return merit(a) < merit(b); });
+    return static_cast<size_t>(best - bodies.begin());
+}
+
+std::string bodiesText(const std::vector<const SetThing*>& bodies, const SetFile& file, double lift) {
+    std::string text = "body = [\n";
+    for (const SetThing* body : bodies) {
+        const Extent extent = extentOf(*body, file);
+        const glm::dvec3 middle = extent.middle();
+        text += "  { name = " + quoted(body->node) + ", node = " + quoted(body->node) +
+                ", position_m = " + vectorText({middle.x, extent.low.y + lift, middle.z}) + " },\n";
+    }
+    return text + "]\n";
+}
+
+std::string collidersText(const ModelSet& set, const SetFile& file, double lift) {
+    std::string text;
+    size_t count = 0;
+    for (const SetThing& thing : set.things) {
+        if (!isCollider(thing)) continue;
+        ++count;
+        text += "\n[[collider]]\nshape = \"mesh\"\nmodel = " + quoted(file.model) +
+                "\nnode = " + quoted(thing.node) + "\n";
+        if (file.up == UpAxis::kZ) text += "up = \"z\"\n";
+        if (!file.unit.empty()) text += "unit = " + quoted(file.unit) + "\n";
+        if (lift > 0) text += "position_m = " + vectorText({0, lift, 0}) + "\n";
+    }
+    if (count >= kMaxColliders)
+        throw UsageError("the set has " + std::to_string(count) + " nodes named " + kColliderPrefix +
+                         "...; at most " + std::to_string(kMaxColliders - 1) +
+                         " are possible: join them, or put them below one node of such a name");
+    return text;
+}
+
+std::string cameraText(const SetCamera& camera, const SetFile& file, double lift) {
+    const glm::dvec3 up(0, lift, 0);
+    char angle[64];
+    std::snprintf(angle, sizeof angle, "field_of_view_deg = %.6g\n",
+                  std::clamp(camera.field_of_view / kDegree, 5.0, 120.0));
+    return "\n[camera]\neye_m = " + vectorText(upright(camera.eye, file) + up) +
+           "\ntarget_m = " + vectorText(upright(camera.target, file) + up) + "\n" + angle;
+}
+
+std::string impactText(const std::vector<Extent>& bodies, const ModelSet& set, const SetFile& file) {
+    std::string text = "\n[impact]\ntimes_threshold = " + plainNumber(kModelTimesThreshold) +
+                       "\nbody = " + std::to_string(bodyToHit(bodies, set, file)) + "\n";
+    if (!set.camera) return text;
+    glm::dvec3 way = upright(set.camera->target, file) - upright(set.camera->eye, file);
+    way.y = 0;  // level, as balls fly
+    if (glm::length(way) > 0.1) text += "direction = " + vectorText(glm::normalize(way)) + "\n";
+    return text;
+}
+
+std::string particlesText(size_t bodies) {
+    const auto each = [bodies](uint32_t all, uint32_t most) {
+        return std::to_string(std::clamp(all / static_cast<uint32_t>(bodies), kLeast, most));
+    };
+    return "\n[particles]\nfull = " + each(kAllFull, kMostFull) + "\ndraft = " + each(kAllDraft, kMostDraft) +
+           "\n";
+}
+
+}  // namespace
+
+std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
+    std::vector<const SetThing*> bodies;
+    std::vector<Extent> extents;
+    for (const SetThing& thing : set.things) {
+        if (isCollider(thing)) continue;
+        bodies.push_back(&thing);
+        extents.push_back(extentOf(thing, file));
+    }
+    if (bodies.empty()) throw UsageError("the set holds colliders only, and nothing that could break");
+    const double lift = liftOf(set, file);
+    std::string text =
+        "# A scene of Demolish; keys: docs/file_keys.md\nversion = 1\nmodel = " + quoted(file.model) + "\n";
+    if (file.up == UpAxis::kZ) text += "up = \"z\"\n";
+    if (!file.unit.empty()) text += "unit = " + quoted(file.unit) + "\n";
+    text += "material_preset = \"ceramic\"\n" + bodiesText(bodies, file, lift) +
+            impactText(extents, set, file) + particlesText(bodies.size());
+    if (set.camera) text += cameraText(*set.camera, file, lift);
+    if (set.sun_direction) {
+        SetFile turned = file;
+        turned.metres = 1;
+        text += "\n[light]\nsun_direction = " + vectorText(upright(*set.sun_direction, turned)) + "\n";
+    }
+    return text + collidersText(set, file, lift);
+}
+
+std::string sceneTextOf(const std::filesystem::path& model, const ModelPart& part,
+                        const std::filesystem::path& scene_file) {
+    if (!hasKnownSize(model, part))
+        throw UsageError("a set must be as large as it is meant, and the format of '" +
+                         model.filename().string() + "' does not say its unit: give --unit");
+    std::error_code error;
+    const std::filesystem::path folder = std::filesystem::absolute(scene_file).parent_path();
+    std::filesystem::path named = std::filesystem::relative(model, folder, error);
+    if (error || named.empty()) named = std::filesystem::absolute(model);
+    SetFile file{named.generic_string(), part.up, lengthUnitName(part.unit), part.unit > 0 ? part.unit : 1};
+    return sceneTextOf(readModelSet(model), file);
+}
+
+Shot splitShot(const std::filesystem::path& model, const ModelPart& part) {
+    return loadSceneText(sceneTextOf(model, part, model), model);
+}
+
+}  // namespace demolish

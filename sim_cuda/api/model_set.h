@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// A model file taken as a set: its things, its camera, its sun.
+#pragma once
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim_cuda/api/vectors.h"
+
+namespace demolish {
+
+/// A node with triangles, or one that its name makes a thing of its own: one whose name begins with
+/// `collider_` or `anchor_` and that has no triangles stands for all below it.
+struct SetThing {
+    std::string node;   ///< as ModelPart's
+    Double3 low, high;  ///< lengths of the file (metres where the format says its unit), round its triangles
+    size_t triangles = 0;
+};
+
+inline constexpr const char *kColliderPrefix = "collider_", *kAnchorPrefix = "anchor_";
+
+struct SetCamera {
+    Double3 eye, target;       ///< lengths of the file; the target is a length of 1 from the eye
+    double field_of_view = 1;  ///< rad, of the picture's height
+};
+
+struct ModelSet {
+    std::vector<SetThing> things;          ///< in the file's order
+    std::optional<SetCamera> camera;       ///< the first one, where the file's first frame has it
+    std::optional<Double3> sun_direction;  ///< unit, the way that the first sun's light travels
+};
+
+/// Throws InputFileError: no plain file, unreadable, no triangles. A damaged file may still end the process,
+/// as importModel() says.
+ModelSet importSet(const std::filesystem::path& file);
+
+}  // namespace demolish
