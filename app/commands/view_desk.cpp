@@ -49,9 +49,11 @@ std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& 
             shot = loadScene(is_scene_file ? model : scene);
         } else {
             shot = modelShot(model, present.material_name);
+            panels.open_report = true;
         }
         shot.device = present.device;
         preset = shot;
+        panels.chosen_body.reset();
         message.clear();
         return shot;
     } catch (const std::exception& error) {
@@ -92,6 +94,32 @@ void ViewDesk::obeyThreshold(const PanelContext& context, const Session& session
     calibration_.start(shot, session.built().body);
 }
 
+/// Walls are measured, so only while somebody looks.
+void ViewDesk::followReport(const Session& session) {
+    if (!panels.show_report || reported_ == session.built().body) return;
+    report_ = checkLines(checkOf(session.built()));
+    reported_ = session.built().body;
+}
+
+/// Names that panels chose become materials.
+void ViewDesk::takeMaterials(const Session& session, PanelContext& context) {
+    Shot& shot = context.shot;
+    try {
+        if (shot.material_name != session.shot().material_name ||
+            shot.inner_material != session.shot().inner_material)
+            applyMaterials(shot, shot.material_name, shot.inner_material);
+        if (!context.material_of_body || !panels.chosen_body) return;
+        std::optional<OwnMaterial>& own = shot.bodies.at(*panels.chosen_body).material;
+        own.reset();
+        if (!context.material_of_body->empty()) own = presetMaterial(*context.material_of_body);
+        context.changed = true;
+    } catch (const std::exception& error) {
+        message = error.what();
+        context.shot = session.shot();
+        context.changed = false;
+    }
+}
+
 std::vector<command::Any> ViewDesk::update(const Session& session, std::optional<PicturePoint>& click) {
     std::vector<command::Any> commands;
     if (!sameSubject(preset, session.shot()))
@@ -103,6 +131,8 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     status.message = oneSentence(status.message.empty() ? message : status.message);
     PanelContext context{session.shot(), preset, status, history,  gl_renderer, scenes, materials,
                          view,           panels, items,  commands, false,       {},     {}};
+    followReport(session);
+    if (panels.show_report) context.report = report_;
     context.threshold = threshold;
     context.pace = pace;
     context.colour_ramp = colour_ramp;
@@ -114,16 +144,17 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     handleShortcuts(context, camera, home);
     obeyThreshold(context, session);
     picture = pictureArea(panels);
-    click = mouse.update(camera, picture);
+    if (!gizmo_.update(context, session.built().cells.of_body, camera, picture))
+        click = mouse.update(camera, picture);
+    if (panels.arrange) click.reset();
 
     if (!context.load_scene.empty() || !context.load_model.empty()) {
         if (auto shot = load(context.load_scene, context.load_model, session.shot()))
             commands.emplace_back(command::ChangeShot{*shot});
-    } else if (context.changed) {
-        if (context.shot.material_name != session.shot().material_name)
-            applyMaterial(context.shot, context.shot.material_name);
-        commands.emplace_back(command::ChangeShot{context.shot});
+        return commands;
     }
+    takeMaterials(session, context);
+    if (context.changed) commands.emplace_back(command::ChangeShot{context.shot});
     return commands;
 }
 

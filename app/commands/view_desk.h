@@ -7,6 +7,7 @@
 
 #include "app/calibrate/calibration_worker.h"
 #include "app/panel/camera_control.h"
+#include "app/panel/gizmo.h"
 #include "app/panel/panel_context.h"
 #include "app/panel/shortcuts.h"
 
@@ -41,10 +42,15 @@ struct ViewDesk {
     engine::FrameView frameView(const Session& session) const;
 
   private:
+    void followReport(const Session& session);
+    void takeMaterials(const Session& session, PanelContext& context);
     void followThreshold(const Session& session);
     std::optional<Calibration> takeMeasurement();
     void obeyThreshold(const PanelContext& context, const Session& session);
 
+    LabelledLines report_;  ///< of `reported_`
+    std::shared_ptr<const BreakableBody> reported_;
+    Gizmo gizmo_;
     CalibrationWorker calibration_;
     Shot built_preset_;  ///< of what is on screen; `preset` runs ahead of it while that is made
     std::optional<Shot> threshold_shot_;  ///< that `threshold` speaks of

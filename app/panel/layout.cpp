@@ -36,6 +36,8 @@ void fixedWindow(const char* name, ImVec2 position, ImVec2 size, ImGuiWindowFlag
 
 void showColumn(PanelContext& context) {
     showShotPanel(context);
+    showImportPanel(context);
+    showBodiesPanel(context);
     showMethodPanel(context);
     showImpactPanel(context);
     showParticlesPanel(context);

@@ -55,6 +55,20 @@ bool showContact(PanelContext& context) {
     return changed;
 }
 
+void showInside(PanelContext& context) {
+    if (context.shot.look.isTransparent()) return;
+    constexpr const char* kOwn = "its own";
+    std::vector<std::string> names{kOwn};
+    names.insert(names.end(), context.materials.begin(), context.materials.end());
+    const std::string& present = context.shot.inner_material;
+    const int chosen =
+        combo(context, "material.inner", "Inside that breaks show", names, present.empty() ? kOwn : present,
+              "Colour, roughness and pattern of another material; strength stays as it is");
+    if (chosen < 0) return;
+    context.shot.inner_material = chosen == 0 ? "" : names[static_cast<size_t>(chosen)];
+    context.changed = true;
+}
+
 }  // namespace
 
 void showMaterialPanel(PanelContext& context) {
@@ -66,6 +80,7 @@ void showMaterialPanel(PanelContext& context) {
         context.shot.material_name = context.materials[static_cast<size_t>(chosen)];
         context.changed = true;
     }
+    showInside(context);
     context.changed |= showStrength(context);
     if (context.state.advanced) context.changed |= showContact(context);
     const SofteningReport& softening = context.status.softening;

@@ -9,6 +9,7 @@
 #include "app/panel/item_registry.h"
 #include "app/session/commands.h"
 #include "app/session/frame_times.h"
+#include "app/session/model_check.h"
 #include "app/session/session.h"
 #include "app/session/shot_cost.h"
 #include "app/session/threshold.h"
@@ -29,7 +30,11 @@ struct ViewSettings {
 /// What the window remembers about its panels.
 struct PanelState {
     bool show_panels = true, show_help = false, advanced = false;
-    std::string typed_model;      ///< path in the model field
+    std::string typed_model;   ///< path in the model field
+    bool show_report = false;  ///< of the model file
+    bool open_report = false;  ///< in the next frame, whatever it was
+    bool arrange = false;      ///< clicks into the picture choose bodies
+    std::optional<size_t> chosen_body;
     float statistics_height = 0;  ///< px, measured
 };
 
@@ -52,9 +57,11 @@ struct PanelContext {
     PanelState& state;
     ItemRegistry& items;
     std::vector<command::Any>& commands;
-    bool changed = false;    ///< shot was edited
-    std::string load_scene;  ///< scene to load instead, by name
-    std::string load_model;  ///< mesh file to load instead
+    bool changed = false;                           ///< shot was edited
+    std::string load_scene;                         ///< scene to load instead, by name
+    std::string load_model;                         ///< mesh file to load instead
+    std::optional<std::string> material_of_body{};  ///< chosen for the body; "": as the scene
+    LabelledLines report{};                         ///< what `demolish check` says; empty where not shown
     ThresholdView threshold{};
     DevicePace pace{};         ///< of the device that the shot runs on
     unsigned colour_ramp = 0;  ///< GL texture, the scale of the particle colours
@@ -62,6 +69,8 @@ struct PanelContext {
 };
 
 void showShotPanel(PanelContext& context);
+void showImportPanel(PanelContext& context);
+void showBodiesPanel(PanelContext& context);
 void showImpactPanel(PanelContext& context);
 void showMethodPanel(PanelContext& context);
 void showMaterialPanel(PanelContext& context);

@@ -15,8 +15,9 @@ namespace demolish {
 namespace {
 
 const std::map<std::string, size_t> kArguments = {
-    {"wait", 1},          {"until", 1},        {"set", 2}, {"type", 2},  {"click", 1},
-    {"click_picture", 2}, {"drag_picture", 4}, {"key", 1}, {"state", 1}, {"screenshot", 1}};
+    {"wait", 1},  {"until", 1},         {"set", 2},          {"type", 2},
+    {"click", 1}, {"click_picture", 2}, {"drag_picture", 4}, {"move_picture", 4},
+    {"key", 1},   {"state", 1},         {"screenshot", 1}};
 
 const std::map<std::string, int> kKeys = {
     {"space", GLFW_KEY_SPACE}, {"r", GLFW_KEY_R},           {"f", GLFW_KEY_F},
@@ -71,12 +72,14 @@ void ScriptDriver::preparePicture(const Line& line, const PictureArea& picture) 
         prepareClick(x(at(1)), y(at(2)));
         return;
     }
+    const bool by_left = line.words[0] == "move_picture";
     constexpr int kSteps = 10;
     for (int step = 0; step <= kSteps; ++step) {
         const float share = static_cast<float>(step) / kSteps;
         inputs_.push_back({.x = x(at(1) + share * (at(3) - at(1))),
                            .y = y(at(2) + share * (at(4) - at(2))),
-                           .middle = step > 0 && step < kSteps});
+                           .left = by_left && step > 0 && step < kSteps,
+                           .middle = !by_left && step > 0 && step < kSteps});
     }
 }
 
@@ -90,7 +93,7 @@ void ScriptDriver::prepare(const Line& line, const ItemRegistry& items, const Pi
         if (key == kKeys.end()) fail(line, "names no key: " + argument);
         inputs_.push_back({.shift = argument == "question", .key = key->second});
         inputs_.push_back({});
-    } else if (name == "click_picture" || name == "drag_picture") {
+    } else if (name == "click_picture" || name == "drag_picture" || name == "move_picture") {
         preparePicture(line, picture);
     } else {
         const ItemRect* item = items.find(argument);

@@ -28,6 +28,7 @@ namespace demolish {
 ///   click ID               a control; ID as panels name it ("transport.reset")
 ///   click_picture X Y      a left click at shares of the picture's width and height
 ///   drag_picture X Y X Y   a middle-button drag
+///   move_picture X Y X Y   a left-button drag
 ///   key NAME               space, r, f, tab, left, right, enter, escape, question
 ///   screenshot FILE        the whole window, PNG
 ///   state FILE             what the session says, JSON

@@ -29,17 +29,6 @@ void showModelField(PanelContext& context) {
     if ((entered || pressed) && path[0] != '\0') context.load_model = path;
 }
 
-void showLooks(PanelContext& context) {
-    bool of_file = context.shot.looks == LooksOf::kFile;
-    if (checkbox(context, "shot.looks", "Looks of the file", of_file,
-                 "The outside as the model file says; off: as the material")) {
-        context.shot.looks = of_file ? LooksOf::kFile : LooksOf::kMaterial;
-        context.changed = true;
-    }
-    for (const std::string& note : context.status.looks->notes)
-        ImGui::TextWrapped("Looks: %s.", note.c_str());
-}
-
 /// Bodies of a set that are as large as their files say keep their proportions.
 void showHeight(PanelContext& context) {
     Shot& shot = context.shot;
@@ -73,7 +62,7 @@ void showShotPanel(PanelContext& context) {
     if (scene >= 0) context.load_scene = context.scenes[static_cast<size_t>(scene)];
     showModelField(context);
     if (!context.status.repair.empty()) ImGui::TextWrapped("Repaired: %s.", context.status.repair.c_str());
-    if (context.status.looks != nullptr) showLooks(context);
+    if (!context.status.size_remark.empty()) ImGui::TextWrapped("%s.", context.status.size_remark.c_str());
     showHeight(context);
     if (!context.state.advanced) return;
     double seed = static_cast<double>(context.shot.seed);

@@ -30,7 +30,7 @@ class WindowProgram : public testing::Test {
 
     void run(const std::string& script, std::vector<std::string> more = {}, int particles = 300) {
         const auto file = folder_.write("script.txt", withPaths(script));
-        std::vector<std::string> words = {"view",      "block", "--particles", std::to_string(particles),
+        std::vector<std::string> words = {"view",      scene_,  "--particles", std::to_string(particles),
                                           "--device",  "cpu",   "--size",      "900x640",
                                           "--quality", "draft", "--no-vsync",  "--script",
                                           file};
@@ -63,6 +63,7 @@ class WindowProgram : public testing::Test {
     }
 
     TemporaryFolder folder_;
+    std::string scene_ = "block";
     const fs::path screenshots_ = DEMOLISH_SCREENSHOTS;
 };
 

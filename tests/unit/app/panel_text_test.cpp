@@ -111,6 +111,8 @@ class PanelText : public testing::TestWithParam<Screen> {
     /// The frames before settle sizes and scrolling.
     void show(SessionStatus status) {
         Shot shot = loadScene("bunny");
+        shot.bodies.resize(12);
+        for (SceneBody& body : shot.bodies) body.name = "plinth of the statue";
         const Shot preset = shot;
         FrameHistory history;
         FrameSample sample;
@@ -121,11 +123,15 @@ class PanelText : public testing::TestWithParam<Screen> {
         ViewSettings view;
         PanelState state;
         state.advanced = GetParam().advanced;
+        state.open_report = true;
+        state.chosen_body = 1;
         ItemRegistry items;
         std::vector<command::Any> commands;
         for (int frame = 0; frame < 3; ++frame) {
             PanelContext context{shot, preset, status, history,  renderer, scenes, materials,
                                  view, state,  items,  commands, false,    {},     {}};
+            context.report = {{"model", "/home/artist/projects/museum/statue_of_the_queen_final.glb"},
+                              {"holds", "1234567 triangles, 123 parts, 4567 open edges"}};
             ImGui::NewFrame();
             showPanels(context);
             ImGui::Render();
