@@ -108,6 +108,16 @@ void readEffects(TomlReader& reader, EffectsSettings& effects) {
     reader.read("effects.puffs", effects.puffs, kPuffRange);
 }
 
+void readMortar(TomlReader& reader, Shot& shot) {
+    if (!reader.has("mortar")) return;
+    Mortar mortar;
+    if (!reader.has("mortar.tensile_strength_pa")) reader.fail("mortar.tensile_strength_pa", "is missing");
+    reader.read("mortar.tensile_strength_pa", mortar.tensile_strength, {1, 1e11});
+    reader.read("mortar.joint_m", mortar.joint, {0, 0.1});
+    mortar.joint /= shot.height;
+    shot.mortar = mortar;
+}
+
 /// Nothing of another material stays.
 void putIn(const OwnMaterial& own, Shot& shot) {
     shot.look = own.look;
@@ -192,6 +202,7 @@ Shot loadScene(TomlReader& reader) {
     shot.phases = readPhases(reader);
     readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
+    readMortar(reader, shot);
     shot.anchors = readAnchors(reader, "", shot.height, std::max<size_t>(1, shot.bodies.size()));
     readPicture(reader, file.parent_path(), shot);
     reader.requireAllRead();

@@ -17,6 +17,7 @@
 #include "engine/scene/surface_look.h"
 #include "sim_cuda/api/mesh_repair.h"
 #include "sim_cuda/api/model_part.h"
+#include "sim_cuda/api/mortar.h"
 #include "sim_cuda/api/params.h"
 
 namespace demolish {
@@ -82,6 +83,7 @@ struct Shot {
     std::vector<Phase> phases;        ///< in order of time; empty: the shot has none
     std::vector<Collider> colliders;  ///< beside the floor, in heights of the body
     std::vector<Anchor> anchors;      ///< of the scene, in the world and in heights of the body
+    std::optional<Mortar> mortar;     ///< between bodies; its joint in heights of the body
     Fineness fineness;
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength

@@ -143,6 +143,8 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         setup.bodies.push_back(std::move(instance));
     }
     setup.anchors = anchorsOf(shot, setup.bodies);
+    if (shot.mortar && !setup.params.preset_pieces)  // which are cut body by body
+        setup.mortar = Mortar{shot.mortar->tensile_strength, shot.height * shot.mortar->joint};
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
     return setup;
 }

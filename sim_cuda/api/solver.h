@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "sim_cuda/api/anchors.h"
 #include "sim_cuda/api/breakable_body.h"
+#include "sim_cuda/api/mortar.h"
 #include "sim_cuda/api/params.h"
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/api/stats.h"
@@ -34,6 +36,7 @@ struct SceneSetup {
     std::vector<Projectile> projectiles;
     SolverParams params;
     std::vector<Anchor> anchors;
+    std::optional<Mortar> mortar;  ///< none: bodies only touch
 };
 
 /// What a progress bar shows; return false to cancel (then Cancelled is thrown).

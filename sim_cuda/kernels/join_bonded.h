@@ -8,6 +8,11 @@
 
 namespace demolish {
 
+/// Do both ends belong together? Without owners of particles all do that are bonded.
+DEM_FN bool isOfOneBody(const Span<const uint32_t>& owner, uint32_t i, uint32_t j) {
+    return owner.empty() || owner[i] == owner[j];
+}
+
 /// The lowest of a particle and the particles bonded to it: most of a fragment hangs together before anything
 /// is joined.
 struct StartLabels {
@@ -15,13 +20,14 @@ struct StartLabels {
     Span<const BondLink> link;
     Span<uint32_t> label;
     uint32_t in_bodies = 0;
+    Span<const uint32_t> owner{};  ///< as isOfOneBody
 
     DEM_FN void operator()(uint32_t i) const {
         uint32_t lowest = i;
         if (i < in_bodies)
             for (uint32_t slot = bond_row[i]; slot < bond_row[i + 1]; ++slot) {
                 const uint32_t j = linkedParticle(link[slot]);
-                if (j < lowest && isBonded(link[slot])) lowest = j;
+                if (j < lowest && isBonded(link[slot]) && isOfOneBody(owner, i, j)) lowest = j;
             }
         label[i] = lowest;
     }
@@ -55,12 +61,13 @@ struct JoinBonded {
     Span<const uint32_t> bond_row;
     Span<const BondLink> link;
     Span<uint32_t> label;
+    Span<const uint32_t> owner{};  ///< as isOfOneBody
 
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k / kThreads;
         for (uint32_t slot = bond_row[i] + k % kThreads; slot < bond_row[i + 1]; slot += kThreads) {
             const uint32_t j = linkedParticle(link[slot]);
-            if (j > i && isBonded(link[slot])) join(label, i, j);
+            if (j > i && isBonded(link[slot]) && isOfOneBody(owner, i, j)) join(label, i, j);
         }
     }
 };

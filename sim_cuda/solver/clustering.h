@@ -20,8 +20,9 @@ class Clustering {
     /// Keeps a reference to the backend. Call update() before anything else.
     Clustering(Backend& backend, ParticleCounts counts);
 
-    /// Call when bonds have broken. Does not wait for the device.
-    void update(Span<const uint32_t> bond_row, Span<const BondLink> link);
+    /// Call when bonds have broken. owner: of each particle, so that only those of one body are joined; none:
+    /// all are. Does not wait for the device.
+    void update(Span<const uint32_t> bond_row, Span<const BondLink> link, Span<const uint32_t> owner = {});
 
     /// Of every particle: the lowest particle id of its fragment; a projectile slot is on its own.
     Span<const uint32_t> fragment() const { return label_.view(); }
@@ -45,12 +46,14 @@ Clustering<Backend>::Clustering(Backend& backend, ParticleCounts counts)
       size_(backend.template allocate<uint32_t>(counts.in_bodies)) {}
 
 template <class Backend>
-void Clustering<Backend>::update(Span<const uint32_t> bond_row, Span<const BondLink> link) {
+void Clustering<Backend>::update(Span<const uint32_t> bond_row, Span<const BondLink> link,
+                                 Span<const uint32_t> owner) {
     const Span<uint32_t> label = label_.span();
-    backend_.forEach(counts_.total, StartLabels{bond_row, link, label, counts_.in_bodies}, "start labels");
+    backend_.forEach(counts_.total, StartLabels{bond_row, link, label, counts_.in_bodies, owner},
+                     "start labels");
     backend_.forEach(counts_.in_bodies, FlattenLabels{label}, "flatten labels");
     constexpr uint32_t kThreads = Backend::kOnGpu ? 4 : 1;
-    backend_.forEach(size_t{counts_.in_bodies} * kThreads, JoinBonded<kThreads>{bond_row, link, label},
+    backend_.forEach(size_t{counts_.in_bodies} * kThreads, JoinBonded<kThreads>{bond_row, link, label, owner},
                      "join bonded");
     backend_.forEach(counts_.in_bodies, FlattenLabels{label}, "flatten labels");
     backend_.orderByKey(label_.view().part(0, counts_.in_bodies), order_.span());

@@ -54,7 +54,7 @@ struct DeviceScene {
           data(backend, tables, static_cast<uint32_t>(from.params.colliders.size())),
           lists(backend, tables.counts, tables.largest_radius),
           regimes(backend, from, tables),
-          fragments(backend, tables.counts, from.bodies),
+          fragments(backend, tables.counts, from),
           release(backend, from, tables.owners()),
           held(backend, from, tables),
           params(makeStepParams<Real>(from.params, tables, mesh_steps.view())) {

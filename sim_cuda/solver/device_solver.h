@@ -102,7 +102,7 @@ DeviceSolver<Backend, Real>::DeviceSolver(const SceneSetup& setup, const Progres
 
 template <class Backend, class Real>
 FinishedFrame<Real> DeviceSolver<Backend, Real>::finishedFrame() const {
-    const auto& clusters = scene_.fragments.clusters;
+    const auto& clusters = scene_.fragments.drawn().clusters;
     const auto& data = scene_.data;
     return {scene_.state(),
             clusters.rows(),

@@ -20,9 +20,9 @@ class FragmentMotion {
     using Buffer = typename Backend::template Buffer<T>;
 
     /// rest_position: per particle in bodies, m, in the frame that orientation 1 belongs to. body_particles:
-    /// how many particles each body has, in order.
+    /// how many particles each body has, in order. across: fragments may be of several bodies.
     FragmentMotion(Backend& backend, const std::vector<Vec4<Real>>& rest_position,
-                   const std::vector<uint32_t>& body_particles);
+                   const std::vector<uint32_t>& body_particles, bool across);
 
     /// Once a frame, after clustering.
     void advanceAges(const FragmentRows& rows);
@@ -66,10 +66,10 @@ inline std::vector<uint32_t> ownersOf(const std::vector<uint32_t>& body_particle
 
 template <class Backend, class Real>
 FragmentMotion<Backend, Real>::FragmentMotion(Backend& backend, const std::vector<Vec4<Real>>& rest_position,
-                                              const std::vector<uint32_t>& body_particles)
+                                              const std::vector<uint32_t>& body_particles, bool across)
     : backend_(backend),
       count_(static_cast<uint32_t>(rest_position.size())),
-      largest_body_(*std::max_element(body_particles.begin(), body_particles.end())),
+      largest_body_(across ? count_ : *std::max_element(body_particles.begin(), body_particles.end())),
       rest_position_(backend.uploaded(rest_position)),
       body_particles_(backend.uploaded(body_particles)),
       owner_(backend.uploaded(ownersOf(body_particles))),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The fragments of the scene: which particles belong to which, and how each moves as a whole.
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "sim_cuda/solver/clustering.h"
@@ -25,25 +26,52 @@ inline std::vector<uint32_t> particlesPerBody(const std::vector<BodyInstance>& b
     return counts;
 }
 
-/// Owns the clusters and their sums; both lag behind the particles until they are told to follow.
+/// Particles that hang together, and how they move as a whole.
 template <class Backend, class Real>
-struct Fragments {
+struct Clusters {
     Clustering<Backend> clusters;
     FragmentMotion<Backend, Real> motion;
 
+    Clusters(Backend& backend, const ParticleCounts& counts, const std::vector<BodyInstance>& bodies,
+             bool across)
+        : clusters(backend, counts),
+          motion(backend, restPositions<Real>(bodies), particlesPerBody(bodies), across) {}
+
+    void gather(const SolverData<Backend, Real>& data) {
+        motion.gather(clusters.rows(), data.particles.in(data.current), data.ownMasses());
+    }
+};
+
+/// Owns the clusters and their sums; both lag behind the particles until they are told to follow. Where
+/// mortar joins bodies, a fragment moves as one, but each of its bodies is drawn from its own frame.
+template <class Backend, class Real>
+class Fragments : public Clusters<Backend, Real> {
+  public:
+    using Clusters<Backend, Real>::clusters;
+    using Clusters<Backend, Real>::motion;
+
     /// Keeps a reference to the backend. Call recluster() before anything else.
-    Fragments(Backend& backend, const ParticleCounts& counts, const std::vector<BodyInstance>& bodies)
-        : clusters(backend, counts), motion(backend, restPositions<Real>(bodies), particlesPerBody(bodies)) {}
+    Fragments(Backend& backend, const ParticleCounts& counts, const SceneSetup& setup)
+        : Clusters<Backend, Real>(backend, counts, setup.bodies, setup.mortar.has_value()) {
+        if (setup.mortar) of_bodies_.emplace(backend, counts, setup.bodies, false);
+    }
+
+    /// Pieces of single bodies, for whoever draws them.
+    Clusters<Backend, Real>& drawn() { return of_bodies_ ? *of_bodies_ : *this; }
 
     /// Call when bonds have broken.
     void recluster(const SolverData<Backend, Real>& data) {
-        clusters.update(data.bonds.row_start.view(), data.bonds.link.view());
+        const Span<const uint32_t> rows = data.bonds.row_start.view();
+        clusters.update(rows, data.bonds.link.view());
+        if (of_bodies_)
+            of_bodies_->clusters.update(rows, data.bonds.link.view(), data.particles.owner.view());
     }
     /// A frame has passed.
-    void advanceAges() { motion.advanceAges(clusters.rows()); }
+    void advanceAges() { drawn().motion.advanceAges(drawn().clusters.rows()); }
     /// Mass and pose of each, of the present state.
     void gather(const SolverData<Backend, Real>& data) {
-        motion.gather(clusters.rows(), data.particles.in(data.current), data.ownMasses());
+        Clusters<Backend, Real>::gather(data);
+        if (of_bodies_) of_bodies_->gather(data);
     }
     /// Both at once: particles were put elsewhere and bonds set otherwise.
     void follow(const SolverData<Backend, Real>& data) {
@@ -52,6 +80,9 @@ struct Fragments {
     }
     /// After gather(). Waits.
     FragmentSummary summary() { return motion.summary(clusters.rows()); }
+
+  private:
+    std::optional<Clusters<Backend, Real>> of_bodies_;
 };
 
 }  // namespace demolish

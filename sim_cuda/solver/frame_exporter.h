@@ -85,8 +85,8 @@ void FrameExporter<Backend, Real>::write(Scene& scene, const Projectiles& projec
     writeFragments(scene, streams);
     const bool draws_surface = streams.commands.data != nullptr, lists_changed = written_of_ != broken;
     if (draws_surface && (streams_fresh || lists_changed))
-        surface_.write(streams, scene.fragments.clusters.fragment(), scene.fragments.clusters.rows().size,
-                       streams_fresh);
+        surface_.write(streams, scene.fragments.drawn().clusters.fragment(),
+                       scene.fragments.drawn().clusters.rows().size, streams_fresh);
     else
         surface_.tellUnchanged(streams);
     if (draws_surface && !streams_fresh) written_of_ = broken;  // fresh streams may be another reader's
@@ -98,11 +98,12 @@ void FrameExporter<Backend, Real>::writeParticles(Scene& scene, const RenderStre
     const Real speed_scale = static_cast<Real>(1 / speedOfFullColour(scene.setup));
     const auto writeFrom = [&](uint32_t first, const Stream<ParticleInstance>& stream) {
         if (stream.data == nullptr) return;
-        scene.backend.forEach(total - first,
-                              WriteParticles<Real>{scene.arrays(), scene.fragments.clusters.fragment(),
-                                                   waiting_.view(), Span(stream.data, stream.capacity),
-                                                   in_bodies, first, streams.colour, speed_scale},
-                              "write particles");
+        scene.backend.forEach(
+            total - first,
+            WriteParticles<Real>{scene.arrays(), scene.fragments.drawn().clusters.fragment(), waiting_.view(),
+                                 Span(stream.data, stream.capacity), in_bodies, first, streams.colour,
+                                 speed_scale},
+            "write particles");
     };
     writeFrom(0, streams.particles);
     writeFrom(in_bodies, streams.projectiles);
@@ -121,13 +122,14 @@ void FrameExporter<Backend, Real>::writeColours(Scene& scene, const ColourStream
 
 template <class Backend, class Real>
 void FrameExporter<Backend, Real>::writeFragments(Scene& scene, const RenderStreams& streams) {
-    const auto& clusters = scene.fragments.clusters;
+    const auto& clusters = scene.fragments.drawn().clusters;
     if (const auto& slots = streams.particle_fragment; slots.data != nullptr)
         scene.backend.forEach(std::min<size_t>(scene.tables.counts.total, slots.capacity),
                               CopyFragments{clusters.fragment(), Span(slots.data, slots.capacity)},
                               "write fragments");
     if (const auto& transforms = streams.transforms; transforms.data != nullptr)
-        scene.fragments.motion.writeTransforms(clusters.rows(), Span(transforms.data, transforms.capacity));
+        scene.fragments.drawn().motion.writeTransforms(clusters.rows(),
+                                                       Span(transforms.data, transforms.capacity));
 }
 
 template <class Backend, class Real>
@@ -154,7 +156,7 @@ Fracture FrameExporter<Backend, Real>::fracture(Scene& scene) {
     scene.backend.forEach(bonds.count,
                           MarkBrokenBonds{bonds.slot_of_bond.view(), bonds.link.view(), broken_bonds_.span()},
                           "mark broken bonds");
-    const auto& clusters = scene.fragments.clusters;
+    const auto& clusters = scene.fragments.drawn().clusters;
     return {clusters.fragment(), clusters.rows().size, broken_bonds_.view()};
 }
 

@@ -90,7 +90,7 @@ BodyLaw<double> bodyLaw(const Material& material, const BodyConstants& constants
     return {constants.shear_ratio,
             constants.beta_r,
             constants.largest_radius / kShares,
-            constants.report.strength * constants.largest_strength / kShares,
+            constants.strength_scale / kShares,
             {material.friction, material.rolling_friction, material.adhesion_energy}};
 }
 

@@ -18,14 +18,11 @@
 #include "sim_cuda/physics/strength.h"
 #include "sim_cuda/physics/time_step.h"
 #include "sim_cuda/physics/tough_cells.h"
+#include "sim_cuda/solver/body_constants.h"
+#include "sim_cuda/solver/mortar_groups.h"
 
 namespace demolish {
 namespace {
-
-/// Modulus with which the highest frequency is found before the true one is known.
-constexpr double kTrialModulus = 1e7;
-/// E_eff / E of spheres bonded across gaps at 8.5 bonds a particle and a* = 0.5 (physics A.3, test D.14).
-constexpr double kSpheresModulusShare = 0.66;
 
 Vec3<double> vec(const Double3& a) {
     return {a.x, a.y, a.z};
@@ -81,14 +78,6 @@ void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables&
     }
 }
 
-/// m, of the bonds' mean area: where (13) is the
-/// strength that the report shows; 1 without bonds.
-double meanBondRadius(const BreakableBody& body) {
-    double area = 0;
-    for (const BondGeometry& bond : body.bonds) area += bond.area;
-    return area > 0 ? faceBondRadius(area / static_cast<double>(body.bonds.size())) : 1;
-}
-
 /// Strength factors of a body's bonds: Weibull
 /// scatter, 1/sqrt(a_b) of (13), tough cells
 /// (models E.3).
@@ -114,21 +103,6 @@ std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed)
     for (size_t b = 0; b < factors.size(); ++b)
         if (label[body.bonds[b].i] == label[body.bonds[b].j]) factors[b] *= instance.material.tough_factor;
     return factors;
-}
-
-BondStiffness<double> stiffnessOf(const Material& material, const BondGeometry& bond, double modulus) {
-    if (material.bond_law == BondLaw::kBeam)
-        return beamBond(modulus, bond.area, bond.length, material.shear_ratio);
-    const double radius = faceBondRadius(bond.area);
-    const double ratio =
-        material.bond_law == BondLaw::kSpheres ? material.bond_ratio : faceRatioNeck(radius, bond.length);
-    return paperBond(modulus, material.poisson_ratio, ratio, radius);
-}
-
-/// k_T / k_N: of the beam law a free choice.
-double shearRatio(const Material& material) {
-    if (material.bond_law == BondLaw::kBeam) return material.shear_ratio;
-    return paperShearRatio(material.poisson_ratio);
 }
 
 /// Rows of one body at the trial modulus; bond (i,
@@ -171,69 +145,6 @@ void appendBonds(const BodyInstance& instance, uint32_t first, uint64_t seed, Sc
     }
 }
 
-/// E_eff of a body with bonds of this modulus, Pa.
-double effectiveModulusOf(const Material& material, double bond_modulus) {
-    switch (material.bond_law) {
-        case BondLaw::kBeam:
-            return effectiveModulus(bond_modulus, material.shear_ratio);
-        case BondLaw::kPaper:
-            return effectiveModulusPaper(bond_modulus);
-        case BondLaw::kSpheres:
-            break;
-    }
-    return kSpheresModulusShare * bond_modulus;
-}
-
-/// Of the strength that holds the critical
-/// velocity; in steps of 1/256, the same on every
-/// machine, whatever its pow() gives.
-double thinWallShareOf(const BreakableBody& body) {
-    if (!(body.mesh_area > 0)) return 1;  // particles without a surface
-    return std::round(256 * thinWallShare(cellsThroughWall(body.mesh_volume, body.mesh_area, body.spacing))) /
-           256;
-}
-
-/// sigma_c, Pa, of a bond of mean area: (13), or
-/// the rule that holds the critical velocity.
-double strengthOf(const BodyInstance& instance, const SofteningReport& report) {
-    const Material& material = instance.material;
-    if (material.fracture_energy > 0)
-        return griffithStrength(report.bond_modulus, material.poisson_ratio, material.fracture_energy,
-                                meanBondRadius(*instance.body));
-    return thinWallShareOf(*instance.body) *
-           bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
-}
-
-/// Modulus, strength and damping from the step
-/// (softened) or from the material.
-BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
-                            double dt) {
-    const Material& material = instance.material;
-    const double safety = std::min(params.step_safety, dampedStepShare(material.damping_ratio));
-    BodyConstants constants;
-    SofteningReport& report = constants.report;
-    if (!params.soften)
-        report.bond_modulus = material.bond_law == BondLaw::kSpheres
-                                  ? material.youngs_modulus
-                                  : material.youngs_modulus / effectiveModulusOf(material, 1);
-    else if (trial_omega > 0)
-        report.bond_modulus = bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
-    else {  // no bonds: c_eff = kappa sf h / dt
-            // with the kappa of solid bodies (E.1)
-        const double speed = 0.68 * safety * instance.body->spacing / dt;
-        report.bond_modulus = material.density * speed * speed / effectiveModulusOf(material, 1);
-    }
-    report.effective_modulus = effectiveModulusOf(material, report.bond_modulus);
-    report.wave_speed = waveSpeed(report.effective_modulus, material.density);
-    report.strength = strengthOf(instance, report);
-    report.strain_at_failure = strainAtFailure(report.strength, report.effective_modulus);
-    report.highest_frequency = trial_omega * std::sqrt(report.bond_modulus / kTrialModulus);
-    constants.shear_ratio = shearRatio(material);
-    if (report.highest_frequency > 0)
-        constants.beta_r = stiffnessDamping(material.damping_ratio, report.highest_frequency);
-    return constants;
-}
-
 /// Scales a body's slots from the trial modulus to
 /// its own and collects what its laws need.
 void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double spacing,
@@ -247,6 +158,7 @@ void finishBody(uint32_t first, uint32_t count, BodyConstants& constants, double
         constants.largest_radius = std::max(constants.largest_radius, tables.slots[s].radius);
         constants.largest_strength = std::max(constants.largest_strength, tables.slots[s].strength);
     }
+    constants.strength_scale = constants.report.strength * constants.largest_strength;
     constants.mean_stiffness = end > begin ? sum / (end - begin) : constants.report.bond_modulus * spacing;
 }
 
@@ -334,6 +246,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     holdAnchored(setup, tables);
     tables.counts = {first.back(), first.back() + kMaxProjectiles};
     tables.row_start.resize(tables.counts.total + 1, tables.row_start.back());
+    const MortarGroups groups = joinBodies(setup, tables, omega);
     const double dt = chooseTimeStep(setup, omega);
     tables.substeps = substepsWithin(setup.params.frame_time, dt);
     tables.time_step = setup.params.frame_time / tables.substeps;
@@ -342,6 +255,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
         tables.body.push_back(bodyConstants(setup.bodies[b], setup.params, omega[b], tables.time_step));
         finishBody(first[b], first[b + 1] - first[b], tables.body[b], setup.bodies[b].body->spacing, tables);
     }
+    shareConstants(groups, tables);
     report(progress, 1, "Finding the stable time step");
     return tables;
 }

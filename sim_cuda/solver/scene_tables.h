@@ -19,6 +19,7 @@ struct BodyConstants {
     double mean_stiffness = 0;    ///< N/m, mean k_N: the stiffness of plain contacts
     double largest_radius = 0;    ///< m, a_b
     double largest_strength = 0;  ///< s_b
+    double strength_scale = 0;    ///< Pa, of a bond of that factor
 };
 
 /// One direction of a bond.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Anchors and paths in scene files: what is read, where it stands in the world, what is refused.
+// Anchors, paths and mortar in scene files: what is read, where it stands in the world, what is refused.
 #include "app/session/scene_anchors.h"
 
 #include <gmock/gmock.h>
@@ -87,6 +87,22 @@ TEST(SceneAnchors, WhatIsWrongIsRefusedWithItsKey) {
                 HasSubstr("body[0].velocity_mps and path exclude each other"));
     EXPECT_THAT(complaintAbout(body("anchor = [{ shape = \"sphere\", radius_m = 1, body = 0 }]")),
                 HasSubstr("there is no setting 'body[0].anchor[0].body'"));
+}
+
+TEST(SceneMortar, IsReadAndRefusedWithItsKey) {
+    const TemporaryFolder folder;
+    const Shot shot = loadSceneFile(folder.write(
+        "wall.toml", kHead + "height_m = 0.5\n[mortar]\ntensile_strength_pa = 4e5\njoint_m = 0.001\n"));
+    ASSERT_TRUE(shot.mortar);
+    EXPECT_EQ(shot.mortar->tensile_strength, 4e5);
+    EXPECT_NEAR(shot.mortar->joint, 0.002, 1e-12) << "in heights of the bodies";
+    EXPECT_FALSE(loadSceneFile(folder.write("dry.toml", kHead)).mortar);
+    EXPECT_THAT(complaintAbout(kHead + "[mortar]\njoint_m = 0.001\n"),
+                HasSubstr("scene.toml:3: mortar.tensile_strength_pa is missing"));
+    EXPECT_THAT(complaintAbout(kHead + "[mortar]\ntensile_strength_pa = -1\n"),
+                HasSubstr("mortar.tensile_strength_pa must be a number between"));
+    EXPECT_THAT(complaintAbout(kHead + "[mortar]\ntensile_strength_pa = 1e5\nstrength = 2\n"),
+                HasSubstr("there is no setting 'mortar.strength'"));
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ struct Gathered {
           row_start(backend.uploaded(block.grid.row_start)),
           link(backend.uploaded(block.grid.link)),
           clustering(backend, {block.grid.count(), block.grid.count() + kMaxProjectiles}),
-          motion(backend, block.rest, {block.grid.count()}),
+          motion(backend, block.rest, {block.grid.count()}, false),
           state{position.view(), rotation.view(), velocity.view(), spin.view()} {
         cluster(block.grid);
     }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where bodies lie against each other, cell by cell, and the bonds that mortar makes of it (api/mortar.h).
+// Host code in double.
+#pragma once
+#include <vector>
+
+#include "sim_cuda/solver/scene_tables.h"
+
+namespace demolish {
+
+/// Two cells of different bodies whose outsides face each other.
+struct MortarJoint {
+    uint32_t i = 0, j = 0;  ///< i < j, particles of the scene
+    double area = 0;        ///< m^2, where they lie against each other
+    double stiffness = 0;   ///< N/m, k_N at the trial modulus
+};
+
+/// Of all bodies that mortar may join, sorted by (i, j): those with equal `kind`, which are turned alike.
+/// From the outsides that are drawn: a body without draw geometry has no joints.
+std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& tables,
+                                    const std::vector<uint32_t>& kind);
+
+/// Adds bonds at these joints, as strong as mortar is, to the rows of the bodies, of which they change
+/// nothing. They come after all others in the order of bonds.
+void appendJoints(const std::vector<MortarJoint>& joints, const SceneSetup& setup, SceneTables& tables);
+
+}  // namespace demolish
