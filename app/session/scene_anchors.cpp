@@ -4,6 +4,7 @@
 
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/asset_files.h"
 #include "app/session/scene_shapes.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
@@ -52,7 +53,8 @@ Anchor placed(Anchor anchor, const BodyInstance& body) {
     if (auto* box = std::get_if<Box>(&anchor.region)) {
         const Quaternion& own = box->rotation;
         box->position = place(box->position);
-        box->rotation = fromGlm(turn * glm::dquat(own.w, own.x, own.y, own.z));
+        const glm::dquat turned = turn * glm::dquat(own.w, own.x, own.y, own.z);
+        box->rotation = {turned.x, turned.y, turned.z, turned.w};
     }
     return anchor;
 }
