@@ -192,6 +192,21 @@ void addEffectOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("FACTOR");
 }
 
+void addMaterialOptions(CLI::App& command, ShotOptions& options) {
+    command
+        .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
+        ->type_name("NAME|FILE.toml");
+    command
+        .add_option("--inner-material", options.inner_material,
+                    "Breaks show the inside of this material, whatever the body is made of")
+        ->type_name("NAME|FILE.toml");
+    command
+        .add_option("--looks", options.looks,
+                    "The outside as the model file says where it says something, or as the material")
+        ->type_name("file|material")
+        ->check(CLI::IsMember({"file", "material"}).description(""));
+}
+
 void addFinenessOptions(CLI::App& command, ShotOptions& options) {
     command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
         ->type_name("N");
@@ -268,18 +283,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("fine|paper")
         ->check(CLI::IsMember({"fine", "paper"}).description(""));
     addFinenessOptions(command, options);
-    command
-        .add_option("--material", options.material, "Material in place of the scene's: a preset, or a file")
-        ->type_name("NAME|FILE.toml");
-    command
-        .add_option("--inner-material", options.inner_material,
-                    "Breaks show the inside of this material, whatever the body is made of")
-        ->type_name("NAME|FILE.toml");
-    command
-        .add_option("--looks", options.looks,
-                    "The outside as the model file says where it says something, or as the material")
-        ->type_name("file|material")
-        ->check(CLI::IsMember({"file", "material"}).description(""));
+    addMaterialOptions(command, options);
     command.add_option("--device", options.device, "Where to simulate; auto: on the GPU if there is one")
         ->type_name("auto|cpu|cuda")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}).description(""))

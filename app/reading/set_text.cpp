@@ -1,72 +1,91 @@
 // SPDX-License-Identifier: Apache-2.0
+// Words and numbers in lines; a name, which may hold any bytes, behind its length.
 #include "app/reading/set_text.h"
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <limits>
+#include <sstream>
 
 #include "app/reading/mesh_stream.h"
 
 namespace demolish {
 namespace {
 
-using Json = nlohmann::json;
-
-Json jsonOf(const Double3& v) {
-    return {v.x, v.y, v.z};
+std::ostream& operator<<(std::ostream& out, const Double3& v) {
+    return out << v.x << ' ' << v.y << ' ' << v.z << ' ';
 }
 
-double numberOf(const Json& json) {
-    const double number = json.get<double>();
-    if (!std::isfinite(number)) throw BrokenStream("a number is not finite");
-    return number;
-}
+class SetParser {
+  public:
+    explicit SetParser(const std::string& text) : in_(text) {}
 
-Double3 pointOf(const Json& json) {
-    return {numberOf(json.at(0)), numberOf(json.at(1)), numberOf(json.at(2))};
-}
-
-ModelSet setOf(const Json& json) {
-    ModelSet set;
-    if (json.at("things").size() > kMostThings) throw BrokenStream("there are too many things");
-    for (const Json& thing : json.at("things"))
-        set.things.push_back({thing.at("node").get<std::string>(), pointOf(thing.at("low")),
-                              pointOf(thing.at("high")), thing.at("triangles").get<size_t>()});
-    if (json.contains("camera")) {
-        const Json& camera = json.at("camera");
-        set.camera = SetCamera{pointOf(camera.at("eye")), pointOf(camera.at("target")),
-                               numberOf(camera.at("field_of_view"))};
+    ModelSet set() {
+        ModelSet set;
+        const size_t count = whole(kMostThings);
+        for (size_t i = 0; i < count; ++i) set.things.push_back(thing());
+        if (whole(1) == 1) set.camera = SetCamera{point(), point(), number()};
+        if (whole(1) == 1) set.sun_direction = point();
+        return set;
     }
-    if (json.contains("sun")) set.sun_direction = pointOf(json.at("sun"));
-    return set;
-}
+
+  private:
+    SetThing thing() {
+        SetThing thing;
+        thing.low = point();
+        thing.high = point();
+        thing.triangles = whole(kMostTriangles);
+        thing.node.resize(whole(kMostText));
+        in_.get();  // the blank
+        in_.read(thing.node.data(), static_cast<std::streamsize>(thing.node.size()));
+        requireGood();
+        return thing;
+    }
+    Double3 point() {
+        const double x = number(), y = number();
+        return {x, y, number()};
+    }
+    double number() {
+        double value = 0;
+        in_ >> value;
+        requireGood();
+        if (!std::isfinite(value)) throw BrokenStream("a number is not finite");
+        return value;
+    }
+    size_t whole(uint64_t most) {
+        uint64_t value = 0;
+        in_ >> value;
+        requireGood();
+        if (value > most) throw BrokenStream("there is too much of something");
+        return static_cast<size_t>(value);
+    }
+    void requireGood() {
+        if (!in_) throw BrokenStream("this is no set");
+    }
+    std::istringstream in_;
+};
 
 }  // namespace
 
 std::string setText(const ModelSet& set) {
-    Json json;
-    json["things"] = Json::array();
-    for (size_t i = 0; i < std::min(set.things.size(), kMostThings); ++i) {
+    std::ostringstream out;
+    out.precision(std::numeric_limits<double>::max_digits10);
+    const size_t count = std::min(set.things.size(), kMostThings);
+    out << count << '\n';
+    for (size_t i = 0; i < count; ++i) {
         const SetThing& thing = set.things[i];
-        json["things"].push_back({{"node", thing.node},
-                                  {"low", jsonOf(thing.low)},
-                                  {"high", jsonOf(thing.high)},
-                                  {"triangles", thing.triangles}});
+        const std::string name = thing.node.substr(0, kMostText);
+        out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << '\n';
     }
-    if (set.camera)
-        json["camera"] = {{"eye", jsonOf(set.camera->eye)},
-                          {"target", jsonOf(set.camera->target)},
-                          {"field_of_view", set.camera->field_of_view}};
-    if (set.sun_direction) json["sun"] = jsonOf(*set.sun_direction);
-    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+    out << (set.camera ? 1 : 0) << '\n';
+    if (set.camera) out << set.camera->eye << set.camera->target << set.camera->field_of_view << '\n';
+    out << (set.sun_direction ? 1 : 0) << '\n';
+    if (set.sun_direction) out << *set.sun_direction << '\n';
+    return out.str();
 }
 
 ModelSet setOfText(const std::string& text) {
-    try {
-        return setOf(Json::parse(text));
-    } catch (const Json::exception&) {
-        throw BrokenStream("this is no set");
-    }
+    return SetParser(text).set();
 }
 
 }  // namespace demolish

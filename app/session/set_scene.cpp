@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/reading/model_reader.h"
+#include "app/session/json_text.h"
 #include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
 #include "app/session/shot_geometry.h"
@@ -23,6 +24,15 @@ constexpr uint32_t kAllFull = 60000, kAllDraft = 6000, kMostFull = 10000, kMostD
 
 bool isCollider(const SetThing& thing) {
     return thing.node.starts_with(kColliderPrefix);
+}
+
+/// A region that is held must not come out as a body that falls.
+void requireNoAnchors(const ModelSet& set) {
+    for (const SetThing& thing : set.things)
+        if (thing.node.starts_with(kAnchorPrefix))
+            throw UsageError("the node '" + thing.node +
+                             "' is to hold what it touches, and sets have no anchors: rename it, or leave it "
+                             "out of the file");
 }
 
 glm::dvec3 upright(const Double3& p, const SetFile& file) {
@@ -43,7 +53,7 @@ Extent extentOf(const SetThing& thing, const SetFile& file) {
 
 /// A basic string of TOML; JSON's is one.
 std::string quoted(const std::string& text) {
-    return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+    return jsonText(nlohmann::ordered_json(text), -1);
 }
 
 std::string vectorText(const glm::dvec3& v) {
@@ -132,6 +142,7 @@ std::string particlesText(size_t bodies) {
 }  // namespace
 
 std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
+    requireNoAnchors(set);
     std::vector<const SetThing*> bodies;
     std::vector<Extent> extents;
     for (const SetThing& thing : set.things) {

@@ -113,7 +113,7 @@ std::vector<std::string> othersThat(const std::regex& habit, const std::string& 
 
 TEST(House, WhatHasItsPlaceIsDoneThereAlone) {
     const std::vector<std::string> none;
-    const std::regex model_file(R"(\b(loadSolidMesh|importTriangles|importModel)\s*\()");
+    const std::regex model_file(R"(\b(loadSolidMesh|importTriangles|importModels?|importSet)\s*\()");
     const std::regex json(R"(\.dump\()");
     const std::regex child(R"(\b(posix_spawnp?|fork|popen|system|waitpid|wait4)\s*\()");
     EXPECT_EQ(othersThat(model_file, "app/reading/"), none) << "untrusted input";

@@ -77,8 +77,8 @@ state locked
     const auto place = [](const nlohmann::json& state) {
         return state["bodies"][1]["position_m"].get<std::vector<double>>();
     };
-    EXPECT_GT(place(moved)[0], 0.7) << "to the right, as the mouse went";
-    EXPECT_GT(place(moved)[2], 0.05) << "and nearer";
+    EXPECT_GT(place(moved)[0], 0.62) << "to the right, as the mouse went";
+    EXPECT_GT(place(moved)[2], 0.3) << "and nearer";
     EXPECT_NEAR(place(moved)[1], 0, 1e-3) << "on the floor";
     EXPECT_EQ(place(locked), place(moved));
     EXPECT_EQ(moved["bonds_broken"], 0) << "a click chooses, and shoots nothing";

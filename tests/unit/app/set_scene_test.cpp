@@ -91,6 +91,15 @@ TEST_F(SetScene, NamesMakeColliders) {
     }
 }
 
+TEST_F(SetScene, WhatIsToBeHeldDoesNotBecomeABody) {
+    try {
+        split(set(R"([{"name":"beam","mesh":0},{"name":"anchor_left","mesh":0}])", "[0,1]", ""));
+        FAIL() << "no complaint";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("'anchor_left' is to hold what it touches"));
+    }
+}
+
 TEST_F(SetScene, CameraAndSunAreTaken) {
     const Shot shot = split(set());
     ASSERT_TRUE(shot.camera);
