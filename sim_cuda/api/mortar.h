@@ -4,7 +4,8 @@
 
 namespace demolish {
 
-/// Cells of different bodies of one material are bonded where their faces lie against each other at the start.
+/// Cells of different bodies of one material are bonded where their faces lie against each other at the
+/// start.
 struct Mortar {
     /// Pa, of the real mortar: a joint is as strong as this is beside the tensile strength of the material.
     double tensile_strength = 0.3e6;

@@ -18,7 +18,7 @@ class HeldParticles {
     HeldParticles(Backend& backend, const SceneSetup& setup, const SceneTables& tables);
 
     /// False: nothing is held, and nothing below is to be called.
-    bool on() const { return !tables_empty_; }
+    bool on() const { return on_; }
     /// Does any path lead anywhere between these times (s)?
     bool leads(double from, double to) const { return ledBetween(from, to) != 0; }
     /// Of the present fragments, in the time from `from` to `to` (s). Does not wait.
@@ -36,7 +36,7 @@ class HeldParticles {
     void gatherPaths(const SceneSetup& setup, const SceneTables& tables);
 
     Backend& backend_;
-    bool tables_empty_;
+    bool on_;
     std::vector<MotionPath> paths_;
     std::vector<Vec3<double>> pivots_;  ///< of the paths, at the start
     Buffer<uint32_t> path_, leader_, flags_;
@@ -46,7 +46,7 @@ class HeldParticles {
 template <class Backend, class Real>
 HeldParticles<Backend, Real>::HeldParticles(Backend& backend, const SceneSetup& setup,
                                             const SceneTables& tables)
-    : backend_(backend), tables_empty_(tables.anchor.empty()) {
+    : backend_(backend), on_(!tables.anchor.empty()) {
     if (on()) gatherPaths(setup, tables);
 }
 

@@ -24,7 +24,7 @@ const std::string kSet = kHead +
                          "body = [\n"
                          "  { anchor = [{ shape = \"sphere\", radius_m = 0.1, position_m = [0.2, 0, 0] }], "
                          "position_m = [1, 0, 0], rotation_deg = [0, 90, 0] },\n"
-                         "  { breaks = false, position_m = [0, 2, 0], path_motion = \"smooth\",\n"
+                         "  { breaks = false, position_m = [0, 2, 0], path_motion = \"smooth\", "
                          "    path = [{ at_s = 0.5, position_m = [0, -1, 0] }, { at_s = 1, rotation_deg = "
                          "[0, 0, 720] }] },\n"
                          "]\n"
