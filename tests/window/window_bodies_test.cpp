@@ -44,10 +44,12 @@ screenshot 21_left_hidden
 state hidden
 click bodies.eye.0
 until rebuilt
+wait 2
 click bodies.name.1
 click bodies.material
 click bodies.material.concrete
 until rebuilt
+wait 2
 state material
 click bodies.arrange
 click_picture 0.7 0.52
@@ -60,8 +62,10 @@ screenshot 23_moved
 state moved
 click bodies.lock.1
 until rebuilt
+wait 2
 move_picture 0.8 0.64 0.6 0.64
 until rebuilt
+wait 2
 state locked
 )",
         {}, 200);
@@ -102,6 +106,7 @@ click import.unit
 click import.unit.cm
 wait 3
 until rebuilt
+wait 2
 state unit
 click import.repair
 click import.repair.off
