@@ -13,7 +13,7 @@ namespace {
 
 const std::vector<std::string> kNames{"m", "cm", "mm", "in", "ft"};
 constexpr double kMetres[] = {1, 0.01, 0.001, 0.0254, 0.3048};
-constexpr Range kPlausibleSize{0.01, 100};  // m
+constexpr Range kPlausibleSize{0.00999, 100.1};  // m: 1 cm to 100 m, and what is rounded
 
 }  // namespace
 
