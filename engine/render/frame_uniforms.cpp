@@ -94,7 +94,7 @@ glm::vec4 shadowSizes(const ShadowRegion& region, int texels) {
 
 /// Light of the sunlit floor seen from below, as a diffuse reflector that what stands on it shades.
 glm::vec3 floorBounce(const Lighting& light, glm::vec3 to_sun) {
-    constexpr float kUnshaded = 0.6f;
+    constexpr float kUnshaded = 0.8f;
     const glm::vec3 sky = evaluate(surroundingsOf(light).above, {0, 1, 0});
     return kUnshaded * light.floor_colour * (light.sun_colour * std::max(to_sun.y, 0.0f) + sky);
 }

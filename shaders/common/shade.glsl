@@ -24,6 +24,13 @@ float visibilityNearFloor(Surface s) {
 }
 #endif
 
+// Neighbours that hide the sky send on what falls on them, the more the paler they are; they are taken to be of the same
+// albedo (fit of Jimenez and others 2016).
+vec3 openTo(float visibility, vec3 albedo) {
+    vec3 a = 2.0404 * albedo - 0.3324, b = 0.6417 - 4.7951 * albedo, c = 2.7552 * albedo + 0.6903;
+    return max(vec3(visibility), ((visibility * a + b) * visibility + c) * visibility);
+}
+
 // `visibility`: share of the sky that neighbours leave open, 0..1.
 vec3 shade(Surface s, float visibility, vec2 pixel) {
 #ifdef SHADOW_DRAFT
@@ -55,8 +62,8 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
     vec3 share = environmentShare(f0, s.roughness, n_dot_v);
     vec3 around = ambientRadiance(s.normal);
     vec3 mirrored_light = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness, around);
-    vec3 ambient = (1.0 - share) * diffuse * around + share * mirrored_light;
-    return direct * mix(1.0, visibility, kDirectShare) + ambient * visibility + sent_out;
+    vec3 scattered = (1.0 - share) * diffuse * around * openTo(visibility, s.albedo);
+    return direct * mix(1.0, visibility, kDirectShare) + scattered + share * mirrored_light * visibility + sent_out;
 }
 
 #if FLOOR == FLOOR_SHADOW
