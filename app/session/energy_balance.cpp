@@ -22,7 +22,8 @@ double magnitude(const EnergyLedger& e) {
 }  // namespace
 
 double EnergyBalance::broughtIn() const {
-    return start.kinetic + (now.external - start.external) + std::max(0.0, start.potential - now.potential);
+    return start.kinetic + (now.external - start.external) + std::max(0.0, start.potential - now.potential) +
+           std::max(0.0, start.elastic - now.elastic);
 }
 
 double EnergyBalance::closure() const {

@@ -12,7 +12,7 @@ struct EnergyBalance {
     EnergyLedger now;    ///< J
     double since = 0;    ///< s, of the shot
 
-    /// J that came in: motion at the start, shots fired since, height lost.
+    /// J that came in: motion at the start, shots fired since, height lost, strain let go.
     double broughtIn() const;
     /// What is found again (kinetic, elastic, potential, damping, friction, fracture) less what was there,
     /// over what came in, plus 1. 1.00 when the books close; a run that steps badly gains energy. 1 when

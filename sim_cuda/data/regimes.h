@@ -34,16 +34,18 @@ struct BondedWork {
     }
 };
 
+/// Half substeps, more than any lag (Flight).
+inline constexpr int32_t kMostLag = 64;
 /// What a rigid body leaves to the one that goes on with its fragment, in one word: its contacts, and its
 /// flight.
 DEM_FN uint32_t memoryOf(const RigidBody& body) {
-    return body.contacts | body.flight.lag << 24 | body.flight.free << 31;
+    return body.contacts | static_cast<uint32_t>(body.flight.lag + kMostLag) << 24 | body.flight.free << 31;
 }
 DEM_FN uint32_t rememberedContacts(uint32_t memory) {
     return memory & 0xffffffu;
 }
 DEM_FN Flight rememberedFlight(uint32_t memory) {
-    return {memory >> 24 & 0x7fu, memory >> 31};
+    return {static_cast<int32_t>(memory >> 24 & 0x7fu) - kMostLag, memory >> 31};
 }
 
 /// A warp moves a fragment of so many active particles or fewer, a block one of more.

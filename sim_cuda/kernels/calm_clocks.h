@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// For how long each fragment has been calm inside, and at rest.
+// For how long each fragment has been calm inside and at rest, watched once a frame.
 #pragma once
 #include <bit>
 
 #include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/kernels/lead_held.h"
+#include "sim_cuda/physics/hand_over.h"
 
 namespace demolish {
 
@@ -41,6 +42,7 @@ struct AdvanceClocks {
     Span<const PoseSums> pose;       ///< by place
     Span<const SpinSums> spin;       ///< by place
     Span<const double> calm_speed2;  ///< per owner, m^2/s^2
+    Span<const uint32_t> age;  ///< per slot of a body's fragment: frames, 1: it has just come into being
     Span<CalmClock> clock;
     float rest_speed2 = 0;
     uint32_t in_bodies = 0;
@@ -52,7 +54,7 @@ struct AdvanceClocks {
         if (label[slot] != slot || !(constants[slot].takesPart())) return;
         CalmClock next = clock[slot];
         const bool rests = std::bit_cast<float>(fastest[slot]) <= rest_speed2 && !holds.lead(slot);
-        next.calm = isCalm(slot) ? grown(next.calm) : 0;
+        next.calm = !isCalm(slot) ? 0 : isNewborn(slot) ? next.calm : grown(next.calm);
         next.rest = rests ? grown(next.rest) : 0;
         clock[slot] = next;
     }
@@ -71,6 +73,9 @@ struct AdvanceClocks {
             spin[place], pose[place].now.mass, turn,
             motion[slot].velocity - velocityAt(asDouble(xyz(state.velocity[leader])), turn, arm));
     }
+    /// It may be in the middle of the hit that broke it off, whose contacts longer steps would not bear: a
+    /// frame of its own has to pass.
+    DEM_FN bool isNewborn(uint32_t slot) const { return slot < in_bodies && age[slot] == 1; }
     DEM_FN uint32_t grown(uint32_t before) const { return before > 0x7fffffffu ? before : before + substeps; }
 };
 

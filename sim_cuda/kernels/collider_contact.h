@@ -70,7 +70,7 @@ DEM_FN Pressed<Real> pressedSphere(const StepParams<Real>& params, const OwnPart
     at.gap = -at.depth;
     at.arm = -tangent.distance * at.normal;
     const Real opening = dot(xyz(own.state.velocity), at.normal);
-    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, params.dt));
+    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, params.drift));
     return at;
 }
 /// What a point of depth -distance leaves to the ledger; `opening`: m/s.
@@ -105,7 +105,7 @@ DEM_FN void pressOnPlane(const CornersIn<Real>& corners, const StepParams<Real>&
     forEachCorner<4>(corners, row, [&](const Vec3<Real>& corner) {
         const Real distance = tangent.distance + dot(up, corner);
         sums.add(distance, corner);
-        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.dt);
+        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.drift);
     });
     at.normal = normal;
     at.gap = sums.nearest();
@@ -125,7 +125,7 @@ DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>&
     const auto addPoint = [&](const Vec3<Real>& arm, const Vec3<Real>& out, Real distance) {
         normal = axpy(sums.add(distance, arm), out, normal);
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
-        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.dt);
+        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.drift);
     };
     forEachCorner<1>(corners, row, [&](const Vec3<Real>& corner) {
         const Vec3<Real> arm = rotate(turned, corner);

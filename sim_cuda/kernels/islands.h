@@ -285,9 +285,14 @@ struct FlagIslands {
             const Real gap = tangent.distance - radius;
             const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
             const auto reaches = [&](Real t) { return madd(t, closing, Real(0.5) * t * t * falling) > gap; };
-            if (closing > limit && reaches(soon)) note(reaches(meetings.at_once));
+            if (isFaster(limit, closing, falling, gap) && reaches(soon)) note(reaches(meetings.at_once));
         }
         return hard;
+    }
+    /// When it arrives: frames may be long, and what falls gets faster.
+    DEM_FN static bool isFaster(Real limit, Real closing, Real falling, Real gap) {
+        if (!(gap > Real(0)) || !(falling > Real(0))) return closing > limit;
+        return madd(closing, closing, Real(2) * falling * gap) > limit * limit;
     }
 };
 

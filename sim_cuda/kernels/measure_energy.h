@@ -119,7 +119,7 @@ struct MeasureEnergy {
         const Real overlap = (own.constants.contact_radius + other.contact_radius) - line.distance;
         if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
         const KeptTouch<Real> touch = touchOf(spring, line.normal);
-        const Real former = formerOverlap(pair, overlap, line.distance, params.dt),
+        const Real former = formerOverlap(pair, overlap, line.distance, params.drift),
                    pressed = overlap - unloadedOverlap(spring, touch, former, overlap);
         const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(

@@ -109,16 +109,18 @@ template <bool kLedger, class Real>
 struct StepRigid {
     SubstepArrays<Real> arrays;  ///< `in` and `out` are both brought up to date
     StateOut<Real> state;        ///< the memory behind arrays.in
-    StepParams<Real> params;
+    StepParams<Real> params;     ///< of a substep
     RigidWork work;
     Span<const RigidLoad<Real>> load;
     Span<ParticleConstants<Real>> constants;    ///< those that contact steps use,
     Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles in substeps
     Span<const ParticleConstants<Real>> own_constants;
-    uint32_t stride = kRigidStride;  ///< substeps in this step
-    double push = 0;                 ///< s, pushedSubsteps()
+    uint32_t previous = kRigidStride,
+             stride = kRigidStride;  ///< substeps in the step before, and in this one
     double carried_share = 0;  ///< of what carried particles felt in the substeps: 1 / their number; 0: none
 
+    /// s for which what touches pushes.
+    DEM_FN double push() const { return pushedSubsteps(previous, stride) * double(params.dt); }
     DEM_FN RigidRow row(uint32_t entry) const {
         return {work.fragment[entry], work.first[entry], work.last[entry]};
     }
@@ -149,14 +151,20 @@ struct StepRigid {
         return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
-        const double dt = double(params.dt);
+        const double substep = double(params.dt);
         if (body.isHeld()) {
-            lead(body, dt);
+            lead(body, stride * substep);
             return countContacts(body, total.touching);
         }
-        const double fallen = fallenSubsteps(body.flight, stride, total.touching > 0) / stride * dt;
-        advance(body, push * total.force, push * total.torque, fallen * asDouble(params.gravity), dt);
+        const double fallen = substep * fallenSubsteps(body.flight, previous, stride, total.touching > 0);
+        if (isLight(body.inverse_mass * total.force)) body.flight.free = 1;
+        advance(body, push() * total.force, push() * total.torque, fallen * asDouble(params.gravity),
+                stride * substep);
         countContacts(body, total.touching + total.coming);
+    }
+    /// What touches gives less than half of what gravity does (m/s^2): the body falls on.
+    DEM_FN bool isLight(const Vec3<double>& given) const {
+        return length2(given) < 0.25 * length2(asDouble(params.gravity));
     }
     DEM_FN void keep(const RigidBody& body, const RigidRow& row) const {
         work.body[row.slot] = body;
@@ -182,18 +190,18 @@ struct StepRigid {
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
                 const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, Real(push));
+                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, Real(push()));
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
-                               Real(carried_share * push));
+                               Real(carried_share * push()));
             }
         }
     }
     /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
     DEM_FN void bookHeld(const RigidSeat& seat, const LoadedState<Real>& now) const {
         Vec4<Real>& ledger = arrays.ledger[seat.particle];
-        bookHold(ledger, load[seat.place].wrench, now, now, Real(push));
-        bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push));
+        bookHold(ledger, load[seat.place].wrench, now, now, Real(push()));
+        bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push()));
     }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {

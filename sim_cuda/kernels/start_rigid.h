@@ -107,6 +107,7 @@ struct SettleRegimes {
     StateOut<Real> state, other;  ///< the memory behind `in`; the other instant
     Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label, regime, former;
+    Span<const uint32_t> memory;  ///< per slot, of the last step: bodies themselves are in no snapshot
     Span<const RigidBody> body;
     Span<Vec3<double>> arm;
     Span<Quat<double>> start_rotation;
@@ -120,7 +121,7 @@ struct SettleRegimes {
         const uint32_t slot = label[i], now = regime[slot];
         const bool wakes = now == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kRigid);
         if (!frame_starts && i < in_bodies && !wakes) return;
-        if (wakes) catchUp(i, body[slot].flight);
+        if (wakes) catchUp(i, rememberedFlight(memory[slot]));
         if (now != wordOf(Regime::kBonded)) hang(i, slot);
         if (now == wordOf(Regime::kAsleep) && former[slot] != now) stop(i);
         copyState(i);

@@ -24,6 +24,7 @@ struct BodyLaw {
 
 template <class Real>
 struct StepParams : TouchStep<Real> {
+    Real drift{};        ///< s, way from the state before to this one: dt unless contact steps change length
     Real carry_time{};   ///< s that carried particles go along their velocity; not always dt
     Vec3<Real> gravity;  ///< m/s^2
     Real velocity_keep{

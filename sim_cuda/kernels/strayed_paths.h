@@ -44,6 +44,7 @@ struct SeeStrayed {
     Span<const uint32_t> label, regime;  ///< without `regime` everything is moved with its bonds
     Span<const ParticleConstants<Real>> constants;
     ColliderSet<Real> colliders;
+    Real gravity{};    ///< m/s^2
     Real remaining{};  ///< s that the lists hold from here
     Real gentle{};     ///< m/s: no meeting slower than this wakes bonds
     uint32_t in_bodies = 0;
@@ -135,8 +136,11 @@ struct SeeStrayed {
             const Approach<Real> then = colliders.approach(c, xyz(before.position), xyz(before.velocity));
             const bool was_near =
                 then.distance - maxOf(then.speed, Real(0)) * remaining < radius + Real(0.5) * skin;
-            if (way.speed > gentle || !was_near)
-                tell(kMustDecide, gap > Real(0) ? minOf(gap / way.speed, remaining) : Real(0));
+            // What falls gets faster on its way, and is there before its path says so.
+            const Real there =
+                gap > Real(0) ? squareRoot(madd(way.speed, way.speed, 2 * gravity * gap)) : way.speed;
+            if (there > gentle || !was_near)
+                tell(kMustDecide, gap > Real(0) ? minOf(2 * gap / (way.speed + there), remaining) : Real(0));
         }
     }
 };

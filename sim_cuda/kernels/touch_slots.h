@@ -53,7 +53,7 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
                                const StepParams<Real>& params, Tally<Real>& tally) {
     const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, before.spring, params.dt);
     if constexpr (kLedger) {
-        const Real overlap = overlapBefore(at.overlap, effect.opening, params.dt);
+        const Real overlap = overlapBefore(at.overlap, effect.opening, params.drift);
         bookTouch(law, effect, overlapChange(at.overlap, overlap), before, Real(0.5), tally);
     }
     slot = packed(touchAfter(law, effect, before), at.normal);
@@ -95,7 +95,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real overlap = (radius + other.contact_radius) - line.distance;
     const Vec4<Real> held = slot;
     KeptTouch<Real> before = touchOf(held, line.normal);
-    const Real former = formerOverlap(pair, overlap, line.distance, params.dt);
+    const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
     const Real pressed = overlap - before.unloaded;
     const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)),
@@ -204,7 +204,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
         TouchLaw<Real> faces;
         faces.stiffness = bond.stiffness.normal;
         faces.shear = bond.stiffness.shear;
-        const Real overlap_before = formerOverlap(pair, overlap, line.distance, params.dt);
+        const Real overlap_before = formerOverlap(pair, overlap, line.distance, params.drift);
         releaseTouch<kLedger>(faces, overlapChange(overlap, overlap_before), before,
                               arrays.bond_spring[former.slot], Real(0.5), tally);
         const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);

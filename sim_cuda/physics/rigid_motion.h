@@ -26,8 +26,8 @@ inline constexpr uint32_t kRigidStride = 10;
 /// contact step is longer than a substep: by so much a falling body's velocity lags behind that of a falling
 /// particle, half the contact step less one substep.
 struct Flight {
-    uint32_t lag = 0;   ///< half substeps
-    uint32_t free = 0;  ///< 1: nothing touched it in the last step
+    int32_t lag = 0;    ///< half substeps
+    uint32_t free = 0;  ///< 1: nothing touched it in the last step, or hardly
 };
 
 /// World frame. `turned` starts at 1 with the body's axes along the world's.
@@ -73,21 +73,25 @@ DEM_FN void lead(RigidBody& body, double dt) {
     if (length2(body.spin) > 0) body.turned = advanced(body.turned, body.spin, dt);
 }
 
-/// Substeps of gravity in a contact step of `stride` of them: fewer in the first one of a body that was moved
-/// with its bonds before. Where something touches it, gravity goes on as its contacts do.
-DEM_FN double fallenSubsteps(Flight& flight, uint32_t stride, bool touched) {
-    const uint32_t before = flight.lag;
-    flight.free = touched ? 0 : 1;
-    if (touched) return stride;
-    flight.lag = stride - 1;
-    return stride - 0.5 * (double(flight.lag) - double(before));
-}
-
 /// Substeps for which what touches pushes in a contact step of `stride` substeps after one of `before`: from
 /// the middle of the one to the middle of the other, or a step that is shorter or longer than the one before
 /// it would not keep the energy of what touches.
 DEM_FN double pushedSubsteps(uint32_t before, uint32_t stride) {
     return 0.5 * (double(before) + double(stride));
+}
+
+/// Substeps of gravity in a contact step of `stride` of them: fewer in the first one of a body that was moved
+/// with its bonds before. Where something touches it, gravity goes on as its contacts do, after a step of
+/// `before` substeps, or what lies would be lifted and dropped wherever steps change their length.
+DEM_FN double fallenSubsteps(Flight& flight, uint32_t before, uint32_t stride, bool touched) {
+    const int32_t lag = flight.lag, length = static_cast<int32_t>(stride);
+    flight.free = touched ? 0 : 1;
+    if (!touched) {
+        flight.lag = length - 1;
+        return 0.5 * double(lag + 1 + length);
+    }
+    flight.lag = lag + length - static_cast<int32_t>(before);
+    return pushedSubsteps(before, stride);
 }
 
 }  // namespace demolish

@@ -25,7 +25,7 @@ class RigidRunner<CudaBackend, Real> {
             uint32_t previous = step.before;
             for (uint32_t done = 0; done < n;) {
                 const uint32_t stride = std::min(kRigidStride, n - done);
-                gather(backend, step, stride, follows || done > 0);
+                gather(backend, step, previous, stride, follows || done > 0);
                 move(backend, step, previous, stride, false);
                 previous = stride;
                 done += stride;
@@ -47,8 +47,8 @@ class RigidRunner<CudaBackend, Real> {
         }
         if (n > 0) steps(n);
     }
-    void gather(CudaBackend& backend, const Step& step, uint32_t stride, bool follows) {
-        launchGather(backend, follows, gatherOf(step, stride), roundedUp(step.work.active_at_most),
+    void gather(CudaBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool follows) {
+        launchGather(backend, follows, gatherOf(step, previous, stride), roundedUp(step.work.active_at_most),
                      step.ledger);
     }
     void moveCarrying(CudaBackend& backend, const Step& step, uint32_t stride) {
@@ -127,8 +127,8 @@ class RigidRunner<CudaBackend, Real> {
         backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, gatherBlocks<T>(active), kSubstepBlock,
                        "gathering loads of rigid fragments", gather);
     }
-    RigidGather<Real> gatherOf(const Step& step, uint32_t stride) {
-        return {step.arrays(), rigidParams(step.params, stride), step.work, load_.span()};
+    RigidGather<Real> gatherOf(const Step& step, uint32_t previous, uint32_t stride) {
+        return {step.arrays(), rigidParams(step.params, previous, stride), step.work, load_.span()};
     }
     template <bool kLedger>
     static void launchMove(CudaBackend& backend, const StepRigid<kLedger, Real>& step) {

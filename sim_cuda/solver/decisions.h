@@ -78,7 +78,7 @@ void Decisions<Backend, Real>::bookSoftening() {
     MeasureEnergy<Real> carried = bonded, rigid = bonded;
     carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);
-    rigid.params = rigidParams(scene_.params, kRigidStride);
+    rigid.params = rigidParams(scene_.params, kRigidStride, kRigidStride);
     scene_.backend.forEach(
         scene_.tables.counts.total,
         BookSoftening<Real>{bonded, carried, rigid, scene_.fragments.clusters.fragment(),

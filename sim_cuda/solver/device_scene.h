@@ -20,7 +20,7 @@ template <class Real>
 StepParams<Real> makeStepParams(const SolverParams& from, const SceneTables& tables,
                                 Span<const float> mesh_steps = {}) {
     StepParams<Real> params;
-    params.dt = params.carry_time = static_cast<Real>(tables.time_step);
+    params.dt = params.drift = params.carry_time = static_cast<Real>(tables.time_step);
     params.gravity = toReal<Real>({from.gravity.x, from.gravity.y, from.gravity.z});
     params.stiffness_cap = static_cast<Real>(tables.contact_cap);
     params.hertz = from.contact_law == ContactLaw::kHertz ? 1 : 0;

@@ -37,6 +37,8 @@ class FragmentMotion {
     /// What the fit was made of, by place in the rows: after gather(), after fitMotions().
     Span<const PoseSums> poses() const { return pose_.view(); }
     Span<const SpinSums> spins() const { return spin_.view(); }
+    /// As AdvanceAges leaves them, at the fragments' slots.
+    Span<const uint32_t> ages() const { return age_.view(); }
     /// After gather(). Waits.
     FragmentSummary summary(const FragmentRows& rows);
 

@@ -240,6 +240,7 @@ Stretch FrameLoop<Backend, Real>::stretch() const {
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::runAwake(uint32_t n) {
+    if (n == 0) return;  // no step: the length of the last one stays what it was
     stepper_.run(scene_, n);
     lists_.pass(n);
 }

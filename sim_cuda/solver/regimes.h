@@ -144,7 +144,8 @@ template <class Backend, class Real>
 Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
     : backend_(backend),
       counts_of_(tables.counts),
-      hand_over_(setup.params.hand_over),
+      hand_over_(setup.params.hand_over &&
+                 (setup.params.preset_pieces.has_value() || tables.time_step <= kLongestHandOverStep)),
       sleeping_(setup.params.sleeping),
       no_bonds_(setup.params.preset_pieces.has_value()),
       decision_substeps_(
@@ -286,8 +287,8 @@ void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const 
         total,
         AdvanceClocks<Real>{clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
                             constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(),
-                            clock_.span(), static_cast<float>(kRestSpeed * kRestSpeed), counts_of_.in_bodies,
-                            substeps, holds_, data.particles.in(data.current)},
+                            motion.ages(), clock_.span(), static_cast<float>(kRestSpeed * kRestSpeed),
+                            counts_of_.in_bodies, substeps, holds_, data.particles.in(data.current)},
         "advance clocks");
 }
 
@@ -347,8 +348,9 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
         total,
         SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),
                             meetings.constants, meetings.label, regime_.view(), former_.view(),
-                            moved_.bodies(), moved_.arms(), moved_.startRotations(), data.ledger.span(),
-                            asDouble(params.gravity), double(params.dt), counts_of_.in_bodies, frame_starts},
+                            body_memory_.view(), moved_.bodies(), moved_.arms(), moved_.startRotations(),
+                            data.ledger.span(), asDouble(params.gravity), double(params.dt),
+                            counts_of_.in_bodies, frame_starts},
         "settle regimes");
 }
 

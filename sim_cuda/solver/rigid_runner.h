@@ -2,17 +2,22 @@
 // Contact steps of rigid fragments. How they run depends on the backend: here the CPU, for CUDA see
 // cuda_rigid_runner.cuh.
 #pragma once
+#include <algorithm>
+
 #include "sim_cuda/backend/cpu_backend.h"
 #include "sim_cuda/kernels/rigid_step.h"
 #include "sim_cuda/solver/solver_data.h"
 
 namespace demolish {
 
-/// What a contact step of `stride` substeps changes in the constants of a substep.
+/// What a contact step of `stride` substeps after one of `previous` changes in the constants of a substep.
+/// What touches may push for longer than the step lasts, and its laws have to bear that.
 template <class Real>
-StepParams<Real> rigidParams(StepParams<Real> params, uint32_t stride) {
-    params.dt = static_cast<Real>(stride) * params.dt;
-    const double dt = static_cast<double>(params.dt);
+StepParams<Real> rigidParams(StepParams<Real> params, uint32_t previous, uint32_t stride) {
+    const double length = std::max<double>(stride, pushedSubsteps(previous, stride)),
+                 dt = length * static_cast<double>(params.dt);
+    params.drift = static_cast<Real>(previous) * params.dt;
+    params.dt = static_cast<Real>(dt);
     params.stiffness_cap = params.face_cap = static_cast<Real>(kContactStiffnessShare / (dt * dt));
     params.softening = params.leaves_out = 1;
     return params;
@@ -42,17 +47,16 @@ struct RigidStepOf {
     template <bool kLedger>
     StepRigid<kLedger, Real> mover(Span<const RigidLoad<Real>> load, uint32_t previous, uint32_t stride,
                                    bool carried) const {
-        const double push = pushedSubsteps(carried ? stride : previous, stride) * double(params.dt);
         return {arrays(),
                 data.particles.out(data.current),
-                rigidParams(params, stride),
+                params,
                 work,
                 load,
                 constants.in_contact_steps,
                 constants.in_substeps,
                 data.particles.constants.view(),
+                carried ? stride : previous,
                 stride,
-                push,
                 carried ? 1.0 / stride : 0.0};
     }
 };
@@ -70,7 +74,7 @@ class RigidRunner<CpuBackend, Real> {
         uint32_t previous = step.before;
         for (uint32_t done = 0; done < n;) {
             const uint32_t stride = std::min(kRigidStride, n - done);
-            gather(backend, step, stride, done > 0);
+            gather(backend, step, previous, stride, done > 0);
             move(backend, step, previous, stride, false);
             previous = stride;
             done += stride;
@@ -83,11 +87,12 @@ class RigidRunner<CpuBackend, Real> {
     }
     /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.
-    void gather(CpuBackend& backend, const Step& step, uint32_t stride, bool) {
+    void gather(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool) {
         if (load_.size() < step.work.active_at_most)
             load_ =
                 backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
-        step.ledger ? gatherWith<true>(backend, step, stride) : gatherWith<false>(backend, step, stride);
+        step.ledger ? gatherWith<true>(backend, step, previous, stride)
+                    : gatherWith<false>(backend, step, previous, stride);
     }
     void moveCarrying(CpuBackend& backend, const Step& step, uint32_t stride) {
         move(backend, step, stride, stride, true);
@@ -99,11 +104,12 @@ class RigidRunner<CpuBackend, Real> {
                     : moveWith<false>(backend, step, previous, stride, carried);
     }
     template <bool kLedger>
-    void gatherWith(CpuBackend& backend, const Step& step, uint32_t stride) {
-        backend.forEach(step.work.active_at_most,
-                        GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, stride),
-                                                       step.work, load_.span()},
-                        "rigid load");
+    void gatherWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride) {
+        backend.forEach(
+            step.work.active_at_most,
+            GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, previous, stride),
+                                           step.work, load_.span()},
+            "rigid load");
     }
     template <bool kLedger>
     void moveWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {

@@ -37,7 +37,8 @@ class Stepper {
     /// True if a caller has to let them follow by itself, who then does so.
     bool takePlacing() { return std::exchange(rigid_lags_, false); }
 
-    /// Substeps of the last contact step; part of what changes while stepping.
+    /// Substeps of the last contact step, 1 if what is rigid now was moved with its bonds before; part of
+    /// what changes while stepping.
     uint32_t contactStride() const { return contact_stride_; }
     void resume(uint32_t contact_stride) { contact_stride_ = contact_stride; }
 
@@ -73,11 +74,14 @@ template <class Backend, class Real>
 void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
     const auto& regimes = scene.regimes;
     const bool follows = std::exchange(lists_stand_, true);
-    if (regimes.on() && regimes.movesRigid())
+    if (regimes.on() && regimes.movesRigid()) {
         runRigid(scene, n, follows);
-    else if (!regimes.on() || regimes.movesBonds())
-        runner_.run(scene.backend, scene.data, scene.lists.contacts(), scene.params,
-                    scene.setup.params.ledger, n, follows);
+    } else {
+        if (!regimes.on() || regimes.movesBonds())
+            runner_.run(scene.backend, scene.data, scene.lists.contacts(), scene.params,
+                        scene.setup.params.ledger, n, follows);
+        contact_stride_ = 1;
+    }
     scene.substeps += n;
 }
 
@@ -107,7 +111,7 @@ void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, ui
             const uint32_t stride = std::min(kRigidStride, substeps - done);
             StepParams<Real> params = scene.params;
             params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
-            rigid_runner_.gather(backend, step, stride, follows || done > 0);
+            rigid_runner_.gather(backend, step, stride, stride, follows || done > 0);
             runner_.runOne(backend, scene.data, step.contacts, params, step.ledger, true);
             runner_.runOn(backend, scene.data, step.contacts, scene.params, step.ledger, stride - 1);
             rigid_runner_.moveCarrying(backend, step, stride);

@@ -49,9 +49,9 @@ typename StrayPaths<Backend, Real>::Answer StrayPaths<Backend, Real>::restart(
         SeeStrayed<kThreads, Real>{
             paths, scene.data.bonds.in(), contacts.in(), scene.fragments.clusters.fragment(),
             regimes.on() ? regimes.regime() : Span<const uint32_t>{}, scene.data.particles.constants.view(),
-            scene.params.colliders, static_cast<Real>(scene.lists.horizon() - elapsed),
-            static_cast<Real>(regimes.gentlestHit()), scene.tables.counts.in_bodies, strayed_.view(),
-            lacking_.span(), words_.span()},
+            scene.params.colliders, length(scene.params.gravity),
+            static_cast<Real>(scene.lists.horizon() - elapsed), static_cast<Real>(regimes.gentlestHit()),
+            scene.tables.counts.in_bodies, strayed_.view(), lacking_.span(), words_.span()},
         "see the strayed");
     scene.backend.forEach(
         kMostStrayed,

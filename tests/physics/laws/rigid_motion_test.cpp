@@ -2,6 +2,7 @@
 // Rigid bodies between two kinds of step: gravity, and a turn without a torque.
 #include <gtest/gtest.h>
 
+#include "sim_cuda/data/regimes.h"
 #include "tests/physics/laws/laws.h"
 
 namespace demolish {
@@ -13,13 +14,13 @@ struct Fallen {
     double substeps = 0;
 };
 struct Fall {
-    DEM_FN Fallen operator()(Flight flight, uint32_t stride, bool touched) const {
-        const double substeps = fallenSubsteps(flight, stride, touched);
+    DEM_FN Fallen operator()(Flight flight, uint32_t before, uint32_t stride, bool touched) const {
+        const double substeps = fallenSubsteps(flight, before, stride, touched);
         return {flight, substeps};
     }
 };
-double fallenIn(Flight& flight, uint32_t stride, bool touched) {
-    const Fallen fallen = laws::evaluate(Fall{}, flight, stride, touched);
+double fallenIn(Flight& flight, uint32_t before, uint32_t stride, bool touched) {
+    const Fallen fallen = laws::evaluate(Fall{}, flight, before, stride, touched);
     flight = fallen.flight;
     return fallen.substeps;
 }
@@ -27,14 +28,14 @@ double fallenIn(Flight& flight, uint32_t stride, bool touched) {
 /// Substeps of gravity in steps of these lengths, one after the other, with nothing that touches.
 double fallen(Flight& flight, std::initializer_list<uint32_t> strides) {
     double sum = 0;
-    for (const uint32_t stride : strides) sum += fallenIn(flight, stride, false);
+    for (const uint32_t stride : strides) sum += fallenIn(flight, stride, stride, false);
     return sum;
 }
 
 TEST(Flight, LagsByHalfAStepLessHalfASubstep) {
     Flight flight;
     EXPECT_EQ(fallen(flight, {10}), 5.5) << "from half a substep before to half a contact step after";
-    EXPECT_EQ(flight.lag, 9u);
+    EXPECT_EQ(flight.lag, 9);
     EXPECT_EQ(flight.free, 1u);
     EXPECT_EQ(fallen(flight, {10, 10}), 20);
 }
@@ -51,13 +52,38 @@ TEST(Flight, WhatIsCaughtUpIsWhatSubstepsFallWhateverTheSteps) {
 
 TEST(Flight, GravityGoesOnWithTheContactsOfWhatIsTouched) {
     Flight flight;
-    EXPECT_EQ(fallenIn(flight, 10, true), 10);
-    EXPECT_EQ(flight.lag, 0u);
+    EXPECT_EQ(fallenIn(flight, 10, 10, true), 10);
+    EXPECT_EQ(flight.lag, 0);
     EXPECT_EQ(flight.free, 0u);
     (void)fallen(flight, {10});
-    EXPECT_EQ(fallenIn(flight, 10, true), 10) << "a bounce keeps the lag";
-    EXPECT_EQ(flight.lag, 9u);
+    EXPECT_EQ(fallenIn(flight, 10, 10, true), 10) << "a bounce keeps the lag";
+    EXPECT_EQ(flight.lag, 9);
     EXPECT_EQ(flight.free, 0u);
+}
+
+TEST(Flight, WhatLiesIsPulledForAsLongAsItIsPushedHoweverStepsChangeTheirLength) {
+    Flight flight;
+    double substeps = 0;
+    uint32_t before = 1, passed = 0;
+    for (const uint32_t stride : {10u, 10u, 5u, 10u, 3u, 4u}) {
+        const double pulled = fallenIn(flight, before, stride, true);
+        EXPECT_EQ(pulled, pushedSubsteps(before, stride)) << "after " << before << ", in " << stride;
+        substeps += pulled;
+        passed += stride;
+        before = stride;
+    }
+    EXPECT_EQ(substeps + 0.5 * flight.lag, passed) << "and nothing of the fall is lost";
+}
+
+TEST(Flight, IsRememberedWithItsSign) {
+    for (const int32_t lag : {-9, 0, 9}) {
+        RigidBody body;
+        body.contacts = 77;
+        body.flight = {lag, 1};
+        EXPECT_EQ(rememberedFlight(memoryOf(body)).lag, lag);
+        EXPECT_EQ(rememberedFlight(memoryOf(body)).free, 1u);
+        EXPECT_EQ(rememberedContacts(memoryOf(body)), 77u);
+    }
 }
 
 TEST(Flight, WhatTouchesPushesFromTheMiddleOfAStepToTheMiddleOfTheNext) {

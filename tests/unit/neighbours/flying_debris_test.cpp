@@ -42,6 +42,7 @@ struct Flight {
                                                            {},
                                                            arrays.particles.constants.view(),
                                                            {},
+                                                           9.81f,
                                                            float(lists.horizon()) - since_build,
                                                            1e9f,
                                                            cloud.in_bodies,
