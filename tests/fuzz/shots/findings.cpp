@@ -11,6 +11,9 @@ namespace {
 constexpr double kLeastClosure = 0.98, kMostClosure = 1.02;
 /// Of the bodies' weight times their height: what stands still and sags a little brings in less.
 constexpr double kLeastShare = 1e-3;
+/// Spacings in a substep. From a quarter on a hit is over in a few of them: leapfrog has then been seen to
+/// gain or lose up to 4 %.
+constexpr double kFarthestStep = 0.25;
 
 /// Knobs are options, or keys of a scene file.
 bool namesAKnob(const std::string& status) {
@@ -37,14 +40,15 @@ void checkBooks(const ShotRun& run, std::vector<Finding>& findings) {
     if (!tells || (run.closure >= kLeastClosure && run.closure <= kMostClosure)) return;
     std::ostringstream text;
     text.precision(4);
-    text << "the books close to " << run.closure << " of " << run.brought_in << " J";
-    findings.push_back({"books", text.str()});
+    text << "the books close to " << run.closure << " of " << run.brought_in << " J, with " << run.step_length
+         << " spacings a substep";
+    findings.push_back({run.step_length < kFarthestStep ? "books" : "coarse", text.str()});
 }
 
 }  // namespace
 
-bool failsWhenStrictOnly(const Finding& finding) {
-    return finding.kind == "hash" || finding.kind == "books";
+bool fails(const Finding& finding) {
+    return finding.kind != "coarse";
 }
 
 std::vector<Finding> findingsOf(const ShotRun& alone, const ShotRun& watched) {

@@ -9,12 +9,12 @@
 namespace demolish::fuzz {
 
 struct Finding {
-    std::string kind;      ///< "crash", "hang", "body", "frame", "refusal", "status", "hash", "books"
+    std::string kind;  ///< "crash", "hang", "body", "frame", "refusal", "status", "hash", "books", "coarse"
     std::string sentence;  ///< what was seen
 };
 
-/// Kinds that fail a run only when it is asked to be strict: their causes are known and not mended yet.
-bool failsWhenStrictOnly(const Finding& finding);
+/// All kinds but "coarse": open books of what moves too far in a substep for a hit to be resolved.
+bool fails(const Finding& finding);
 
 std::vector<Finding> findingsOf(const ShotRun& alone, const ShotRun& watched);
 
