@@ -104,9 +104,10 @@ std::vector<std::shared_ptr<const BreakableBody>> fillPackings(const Shot& shot,
     for (auto p = static_cast<uint32_t>(packings.size()); p < count; ++p) {
         if (progress && !progress(static_cast<double>(p) / count, "filling with particles"))
             throw Cancelled();
-        packings.push_back(fillWithParticles(mesh, {.particles = particlesWanted(shot, mesh, on_gpu),
-                                                    .seed = shot.seed + p,
-                                                    .draw_geometry = false}));
+        FillOptions options = fillOptionsOf(shot, bodiesOf(shot)[subjectOf(shot)], mesh, on_gpu);
+        options.seed = shot.seed + p;
+        options.draw_geometry = false;
+        packings.push_back(fillWithParticles(mesh, options));
     }
     return packings;
 }

@@ -64,6 +64,8 @@ void applyFineness(const ShotOptions& options, Shot& shot) {
     if (options.particles)
         shot.fineness.particles = static_cast<uint32_t>(
             wholeNumber("--particles", *options.particles, {kMinParticles, kMaxParticles}));
+    if (options.refine) shot.refine = inRange("--refine", *options.refine, kRefineRange, "");
+    if (!options.conform.empty()) shot.conform = options.conform == "on";
     if (options.quality == "draft") shot.fineness.full = shot.fineness.draft;
     if (options.quality == "full") shot.fineness.draft = shot.fineness.full;
     if (options.substeps)
@@ -150,14 +152,24 @@ void applyEffects(const ShotOptions& options, Shot& shot) {
     if (options.dust) shot.effects.dust = inRange("--dust", *options.dust, kAmountRange, "");
 }
 
+Double3 axisOf(const std::vector<double>& values) {
+    for (const double value : values) requireInRange("--pattern-axis", value, kDirectionRange, "");
+    const Double3 axis{values[0], values[1], values[2]};
+    if (axis == Double3{}) throw UsageError("--pattern-axis is 0,0,0, which points nowhere");
+    return axis;
+}
+
 /// Preset pieces move as rigid bodies; heavy physics never lets anything rest.
 void applyMethod(const ShotOptions& options, Shot& shot) {
     if (const auto method = methodOf(options.method)) shot.method = *method;
     if (const auto pattern = patternOf(options.pattern)) shot.pattern = pattern;
     const MethodTraits& method = traitsOf(shot.method);
     const std::string name = std::string("method ") + methodName(shot.method);
-    if (!options.pattern.empty() && !method.pattern_turns)
-        throw UsageError("--pattern is for the methods pattern and pattern-at-impact, and not for " + name);
+    if (!options.pattern_axis.empty()) {
+        if (method.pattern_turns || !shot.pattern)
+            throw UsageError("--pattern-axis is for tough cells of a --pattern, and not for " + name);
+        shot.pattern_axis = axisOf(options.pattern_axis);
+    }
     if (method.pattern_turns && options.no_hand_over)
         throw UsageError(name + " steps no bonds; leave out --no-hand-over");
     if (method.on_cpu && options.device == "cuda")
@@ -175,9 +187,16 @@ void addMethodOptions(CLI::App& command, ShotOptions& options) {
         ->check(CLI::IsMember(methodNames()).description(""));
     command
         .add_option("--pattern", options.pattern,
-                    "Of preset pieces: uniform, radial, slabs, bricks or splinters; --pieces says how many")
+                    "Of tough cells or preset pieces: uniform, radial, slabs, bricks or splinters; --pieces "
+                    "says how many")
         ->type_name("NAME")
         ->check(CLI::IsMember(patternNames()).description(""));
+    command
+        .add_option("--pattern-axis", options.pattern_axis,
+                    "Of a pattern of tough cells (upright; of radial ones the shot's way)")
+        ->type_name("X,Y,Z")
+        ->delimiter(',')
+        ->expected(3);
 }
 
 void addEffectOptions(CLI::App& command, ShotOptions& options) {
@@ -214,6 +233,15 @@ void addFinenessOptions(CLI::App& command, ShotOptions& options) {
         .add_option("--particle-size", options.particle_size,
                     "Mean spacing of the particles, instead of their number")
         ->type_name("M");
+    command
+        .add_option("--conform", options.conform,
+                    "Cells follow the borders of tough cells: even cracks, another packing")
+        ->type_name("on|off")
+        ->check(CLI::IsMember({"on", "off"}).description(""));
+    command
+        .add_option("--refine", options.refine,
+                    "Finer particles where the shot is aimed: spacing far from there over that there, 1..4")
+        ->type_name("FACTOR");
     command
         .add_option("--particles", options.particles,
                     "Particles of each body, 2 to 4,000,000 (default: the scene's)")

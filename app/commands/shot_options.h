@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app/commands/picture_options.h"
 #include "app/session/shot.h"
@@ -31,6 +32,9 @@ struct ShotOptions {
     PictureOptions picture;
     std::string method, pattern;  ///< "" = the scene's
     bool split = false;
+    std::vector<double> pattern_axis;
+    std::string conform;  ///< "on" or "off"; "" = the scene's
+    std::optional<double> refine;
     bool no_hand_over = false, no_sleep = false;
     std::string effects;  ///< "on" or "off"; "" = the command's own
     std::optional<double> grit, dust, sparks;

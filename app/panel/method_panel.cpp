@@ -1,18 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
-// How the body breaks: our method, and those of the paper's comparison. A change makes a new solver on the
-// same cells.
+// How the body breaks: our method, and those of the paper's comparison; into which pieces.
 #include "app/panel/widgets.h"
 
 namespace demolish {
 namespace {
 
+constexpr const char* kIrregular = "irregular";
+
+/// Bonds can do without a pattern: tough cells are irregular then.
 void showPattern(PanelContext& context) {
     Shot& shot = context.shot;
-    const Pattern pattern = shot.pattern.value_or(usualPattern(shot.method));
-    const int chosen = combo(context, "pattern", "Pattern", patternNames(), patternName(pattern),
-                             "Of the pieces; about as many as the body has tough cells");
+    const bool is_preset = traitsOf(shot.method).pattern_turns.has_value();
+    std::vector<std::string> names = patternNames();
+    if (!is_preset) names.insert(names.begin(), kIrregular);
+    const std::string current = shot.pattern ? patternName(*shot.pattern)
+                                : is_preset  ? patternName(usualPattern(shot.method))
+                                             : kIrregular;
+    const int chosen =
+        combo(context, "pattern", "Pattern", names, current,
+              "Of the pieces: cut beforehand, or made to come apart along it by stronger bonds within. About "
+              "as many as the body has tough cells");
     if (chosen < 0) return;
-    shot.pattern = static_cast<Pattern>(chosen);
+    shot.pattern = patternOf(names[static_cast<size_t>(chosen)]);
     context.changed = true;
 }
 
@@ -28,7 +37,7 @@ void showMethodPanel(PanelContext& context) {
         shot.method = static_cast<Method>(chosen);
         context.changed = true;
     }
-    if (traitsOf(shot.method).pattern_turns) showPattern(context);
+    showPattern(context);
 }
 
 }  // namespace demolish

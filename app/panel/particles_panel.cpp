@@ -77,6 +77,15 @@ void showParticlesPanel(PanelContext& context) {
         fineness.particles.reset();
         context.changed = true;
     }
+    if (slider(context,
+               {"particles.refine", "Finer at the impact", "%.1f x",
+                "Spacing far from where the shot is aimed over that there, 1 to 4; as many particles. Finer "
+                "ones need more substeps. Rebuilds."},
+               context.shot.refine, {kRefineRange.least, kRefineRange.most}, context.preset.refine))
+        context.changed = true;
+    if (checkbox(context, "particles.conform", "Even cracks", context.shot.conform,
+                 "Cells follow the borders of tough cells. Rebuilds, and breaks a little otherwise."))
+        context.changed = true;
     showWork(context, size);
     showRebuild(context);
 }

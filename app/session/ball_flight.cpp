@@ -17,17 +17,22 @@
 namespace demolish {
 namespace {
 
-double longestAcross(const BreakableBody& body) {
-    return std::max(body.bounds_max.x - body.bounds_min.x, body.bounds_max.z - body.bounds_min.z);
+/// m, edges of the box about a body
+glm::dvec3 boxOf(const BreakableBody& body) {
+    return toGlm(body.bounds_max) - toGlm(body.bounds_min);
+}
+double longestAcross(const glm::dvec3& box) {
+    return std::max(box.x, box.z);
+}
+bool liesFlat(const glm::dvec3& box) {
+    return box.y < 0.15 * longestAcross(box);
 }
 
-glm::dvec3 wayOf(const Double3& chosen_direction, const BreakableBody& body) {
+glm::dvec3 wayOf(const Double3& chosen_direction, const glm::dvec3& box) {
     const glm::dvec3 chosen = toGlm(chosen_direction);
     if (glm::length(chosen) > 1e-9) return glm::normalize(chosen);
-    if (liesFlat(body)) return {0, -1, 0};
-    const double along_x = body.bounds_max.x - body.bounds_min.x;
-    const double along_z = body.bounds_max.z - body.bounds_min.z;
-    return along_x >= along_z ? glm::dvec3(0, 0, -1) : glm::dvec3(-1, 0, 0);
+    if (liesFlat(box)) return {0, -1, 0};
+    return box.x >= box.z ? glm::dvec3(0, 0, -1) : glm::dvec3(-1, 0, 0);
 }
 
 /// Middle of the particles near the height of the impact; on the body even where its middle is hollow.
@@ -150,16 +155,16 @@ TimedBall ballOf(const Impact& impact) {
 }  // namespace
 
 bool liesFlat(const BreakableBody& body) {
-    return heightOf(body) < 0.15 * longestAcross(body);
+    return liesFlat(boxOf(body));
 }
 
 Double3 flightDirection(const Double3& chosen, const BreakableBody& body) {
-    return fromGlm(wayOf(chosen, body));
+    return fromGlm(wayOf(chosen, boxOf(body)));
 }
 
 double ballRadius(const Shot& shot, const BreakableBody& body) {
     if (shot.impact.ball_radius > 0) return shot.impact.ball_radius;
-    return (liesFlat(body) ? longestAcross(body) : heightOf(body)) / 12;
+    return (liesFlat(body) ? longestAcross(boxOf(body)) : heightOf(body)) / 12;
 }
 
 std::vector<TimedBall> ballsOf(const Shot& shot) {
@@ -187,7 +192,7 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const Quaternion& q = instance.rotation;
     const glm::dquat rotation(q.w, q.x, q.y, q.z);
     const double radius = ball.radius.value_or(ballRadius(shot, body));
-    const glm::dvec3 direction = wayOf(ball.direction.value_or(shot.impact.direction), body);
+    const glm::dvec3 direction = wayOf(ball.direction.value_or(shot.impact.direction), boxOf(body));
     const glm::dvec3 way = glm::inverse(rotation) * direction;
     const auto height = ball.height_fraction ? ball.height_fraction : shot.impact.height_fraction;
     const glm::dvec3 aim = ball.aim ? shot.height * toGlm(*ball.aim)
@@ -197,6 +202,24 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const glm::dvec3 velocity = shot.impact.velocity * ball.speed_share * direction;
     return thrownFree(toGlm(instance.position) + rotation * touch, velocity, flight, radius,
                       setup.params.colliders);
+}
+
+ShotAim aimOf(const Shot& shot, const SceneBody& place, const SolidMeshInfo& body) {
+    const glm::dquat turn = turnOf(place);
+    ShotAim aim;
+    if (shot.impact.kind == ImpactKind::kDrop) {
+        const glm::dquat tilted = turn * glm::dquat(toGlm(shot.impact.tilt));
+        aim.way = fromGlm(glm::inverse(tilted) * glm::dvec3(0, 1, 0));
+        aim.is_wall = true;
+        return aim;
+    }
+    const glm::dvec3 low = toGlm(body.bounds_min), box = toGlm(body.bounds_max) - low;
+    const TimedBall ball = fastestBall(shot);
+    aim.way = fromGlm(glm::inverse(turn) * wayOf(ball.direction.value_or(shot.impact.direction), box));
+    if (ball.aim) aim.through = fromGlm(shot.height * toGlm(*ball.aim));
+    const auto height = ball.height_fraction ? ball.height_fraction : shot.impact.height_fraction;
+    aim.height = low.y + height.value_or(0.5) * box.y;
+    return aim;
 }
 
 Projectile makeBallAt(const Shot& shot, const BreakableBody& body, const Double3& from,

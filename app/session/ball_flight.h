@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "app/session/shot.h"
+#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
@@ -38,6 +39,9 @@ struct ThrownBall {
 /// after a shorter flight, where that one would begin below the floor. The body counts where the setup places
 /// it.
 ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& ball, double flight);
+
+/// Where the fastest ball is aimed at a body so placed, or what of it the floor meets first.
+ShotAim aimOf(const Shot& shot, const SceneBody& place, const SolidMeshInfo& body);
 
 /// A ball that passes `target` after a short flight from the side of `from`, with the shot's velocity and
 /// radius there.

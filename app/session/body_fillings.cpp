@@ -16,9 +16,6 @@ constexpr double kReadingShare = 0.07;  // of the bar
 bool samePlacement(const MeshPlacement& a, const MeshPlacement& b) {
     return a.height == b.height && a.keep_units == b.keep_units && a.part == b.part && a.repair == b.repair;
 }
-bool sameOptions(const FillOptions& a, const FillOptions& b) {
-    return a.particles == b.particles && a.seed == b.seed && a.draw_geometry == b.draw_geometry;
-}
 
 const BodyFillings::ReadMesh* find(const std::vector<BodyFillings::ReadMesh>& meshes,
                                    const BodyFillings::ReadMesh& wanted) {
@@ -31,7 +28,7 @@ const BodyFillings::ReadMesh* find(const std::vector<BodyFillings::ReadMesh>& me
 const BodyFillings::Filling* find(const std::vector<BodyFillings::Filling>& fillings,
                                   const BodyFillings::Filling& wanted) {
     const auto at = std::find_if(fillings.begin(), fillings.end(), [&](const auto& filling) {
-        return filling.mesh == wanted.mesh && sameOptions(filling.options, wanted.options);
+        return filling.mesh == wanted.mesh && filling.options == wanted.options;
     });
     return at == fillings.end() ? nullptr : &*at;
 }
@@ -101,16 +98,16 @@ BodyFillings makeBodyFillings(const Shot& shot, bool on_gpu, bool draw_geometry,
     BodyFillings made;
     const auto mesh = readMeshes(shot, reuse, part(progress, 0, kReadingShare), made);
     const std::vector<SceneBody> bodies = bodiesOf(shot);
+    std::vector<FillOptions> options;
     std::vector<uint32_t> particles;
-    for (size_t b = 0; b < bodies.size(); ++b)
-        particles.push_back(particlesWanted(shot, bodies[b], *mesh[b], on_gpu));
+    for (size_t b = 0; b < bodies.size(); ++b) {
+        options.push_back(fillOptionsOf(shot, bodies[b], *mesh[b], on_gpu));
+        options.back().draw_geometry = draw_geometry;
+        particles.push_back(options.back().particles);
+    }
     requireFewEnough(particles);
     for (size_t b = 0; b < bodies.size(); ++b) {
-        BodyFillings::Filling wanted{mesh[b],
-                                     {.particles = particles[b],
-                                      .seed = shot.seed + bodies[b].variant,
-                                      .draw_geometry = draw_geometry},
-                                     nullptr};
+        BodyFillings::Filling wanted{mesh[b], options[b], nullptr};
         const auto* known = find(made.fillings, wanted);
         if (known == nullptr) {
             const double share = (1 - kReadingShare) / static_cast<double>(bodies.size()),

@@ -68,6 +68,9 @@ void readMethod(TomlReader& reader, Shot& shot) {
              [&](const std::string& name) { shot.method = *methodOf(name); });
     readName(reader, "pattern", patternNames(),
              [&](const std::string& name) { shot.pattern = patternOf(name); });
+    if (!reader.has("pattern_axis")) return;
+    reader.read("pattern_axis", shot.pattern_axis.emplace(), kDirectionRange);
+    if (*shot.pattern_axis == Double3{}) reader.fail("pattern_axis", "is 0, 0, 0, which points nowhere");
 }
 
 void readImpact(TomlReader& reader, Impact& impact) {
@@ -189,6 +192,8 @@ Shot loadScene(TomlReader& reader) {
     uint32_t seed = static_cast<uint32_t>(shot.seed);
     reader.read("particles.seed", seed, {0, 4294967295.0});
     shot.seed = seed;
+    reader.read("particles.conform", shot.conform);
+    reader.read("particles.refine", shot.refine, kRefineRange);
     reader.read("solver.wave_speed_mps", shot.wave_speed, {0, 10000});
     reader.read("solver.settle_s", shot.settle_time, {0, 10});
     reader.read("solver.scene_radius_m", shot.scene_radius, {0.1, 1e4});

@@ -6,6 +6,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "app/session/shot_bodies.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
@@ -16,6 +17,17 @@ namespace {
 bool sameAim(const Impact& a, const Impact& b) {
     return a.body == b.body && a.ball_radius == b.ball_radius && a.direction == b.direction &&
            a.height_fraction == b.height_fraction;
+}
+
+/// Cells lie round where the shot is aimed.
+bool hangsOnAim(const Shot& shot) {
+    return shot.refine > 1 || (laysToughCells(shot) && shot.pattern == Pattern::kRadial);
+}
+void keepAim(const Impact& aimed, Impact& impact) {
+    impact.kind = aimed.kind;
+    impact.direction = aimed.direction;
+    impact.height_fraction = aimed.height_fraction;
+    impact.tilt = aimed.tilt;
 }
 
 // What a shot has taken over from another no longer tells them apart: each of these takes what one level of
@@ -50,7 +62,8 @@ void takeWhatIsLive(const Shot& from, Shot& to) {
     to.effects.sparks = from.effects.sparks;
     to.effects.crumbling = from.effects.crumbling;
     to.time_scale = from.time_scale;
-    if (to.impact.kind != from.impact.kind || (from.break_at && !sameAim(to.impact, from.impact))) return;
+    if (to.impact.kind != from.impact.kind) return;
+    if ((from.break_at || hangsOnAim(from)) && !sameAim(to.impact, from.impact)) return;
     const Impact before = to.impact;
     to.impact = from.impact;
     if (before.kind != ImpactKind::kDrop) return;
@@ -60,16 +73,23 @@ void takeWhatIsLive(const Shot& from, Shot& to) {
 
 void takeWhatTheSolverIsMadeOf(const Shot& from, Shot& to) {
     to.strength_row = from.strength_row;
+    const uint32_t cells = to.material.tough_cells;
     to.material = from.material;
     to.break_at = from.break_at;
+    const Impact impact = to.impact;
     to.impact = from.impact;
     to.wave_speed = from.wave_speed;
     to.substeps = from.substeps;
     to.settle_time = from.settle_time;
     to.settle_scale = from.settle_scale;
     to.scene_radius = from.scene_radius;
+    const bool lay = laysToughCells(from) || laysToughCells(to);
     to.method = from.method;
-    to.pattern = from.pattern;
+    if (lay)
+        to.material.tough_cells = cells;
+    else
+        to.pattern = from.pattern;
+    if (hangsOnAim(from)) keepAim(impact, to.impact);
     to.hand_over = from.hand_over;
     to.sleeping = from.sleeping;
     to.colliders = from.colliders;
@@ -112,6 +132,7 @@ void validate(const Shot& shot) {
     if (shot.fineness.particles)
         requireInRange("the number of particles", *shot.fineness.particles, {kMinParticles, kMaxParticles},
                        "");
+    requireInRange("the refinement", shot.refine, kRefineRange, "");
     if (shot.substeps) requireInRange("the number of substeps", *shot.substeps, kSubstepRange, "");
 }
 

@@ -85,6 +85,8 @@ struct Shot {
     std::vector<Anchor> anchors;      ///< of the scene, in the world and in heights of the body
     std::optional<Mortar> mortar;     ///< between bodies; its joint in heights of the body
     Fineness fineness;
+    bool conform = false;  ///< cells follow the borders of tough cells, which are made with them
+    double refine = 1;     ///< spacing farthest from where the shot is aimed over that there; 1: the same
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
@@ -92,8 +94,10 @@ struct Shot {
     double settle_scale = 1;           ///< of that time at this height
     double scene_radius = 1000;        ///< m, what flies farther ends the run
     Method method = Method::kOurs;
-    std::optional<Pattern> pattern;  ///< of methods with preset pieces; none: usualPattern()
-    bool hand_over = true;           ///< as SolverParams, where the method lets pieces rest
+    /// Of preset pieces, none: usualPattern(); else of the tough cells, none: irregular.
+    std::optional<Pattern> pattern;
+    std::optional<Double3> pattern_axis;  ///< of tough cells; none: upright, of radial ones the shot's way
+    bool hand_over = true;                ///< as SolverParams, where the method lets pieces rest
     bool sleeping = true;
     double fps = 60;        ///< frames per simulated second
     double time_scale = 1;  ///< slow motion, 0 < time_scale <= 1
@@ -127,6 +131,7 @@ inline constexpr Range kTimeScaleRange{0.01, 1};
 inline constexpr Range kSubstepRange{1, 20000};
 inline constexpr Range kAmountRange{0, 10};  // of grit, dust or sparks, times the material's
 inline constexpr Range kGrainRange{1, kMaxGrains}, kPuffRange{1, kMaxPuffs};
+inline constexpr Range kRefineRange{1, 4};
 inline constexpr Range kHourRange{5, 19};         // the sun is up
 inline constexpr Range kTurnRange{-360, 360};     // degrees
 inline constexpr Range kExposureRange{0.01, 20};  // times

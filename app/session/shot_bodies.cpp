@@ -95,6 +95,32 @@ uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu) {
     return particlesWanted(shot, bodiesOf(shot)[subjectOf(shot)], mesh, on_gpu);
 }
 
+bool laysToughCells(const Shot& shot) {
+    return shot.conform || (shot.pattern && !traitsOf(shot.method).pattern_turns);
+}
+
+FillOptions fillOptionsOf(const Shot& shot, const SceneBody& body, const SolidMesh& mesh, bool on_gpu) {
+    FillOptions options;
+    options.particles = particlesWanted(shot, body, mesh, on_gpu);
+    options.seed = shot.seed + body.variant;
+    const bool has_pattern = shot.pattern && !traitsOf(shot.method).pattern_turns;
+    if (!body.breaks) return options;
+    options.refine = shot.refine;
+    if (options.refine > 1 || (has_pattern && *shot.pattern == Pattern::kRadial))
+        options.aim = aimOf(shot, body, meshInfo(mesh));
+    if (!laysToughCells(shot)) return options;
+    ToughCellOptions& tough = options.tough.emplace();
+    tough.cells = asOf(shot, body).material.tough_cells;
+    tough.conform = shot.conform;
+    if (!has_pattern) return options;
+    tough.pattern = shot.pattern;
+    if (shot.pattern_axis)
+        tough.axis = *shot.pattern_axis;
+    else if (*shot.pattern == Pattern::kRadial)
+        tough.axis = options.aim.way;
+    return options;
+}
+
 void requireFewEnough(const std::vector<uint32_t>& particles) {
     const uint64_t sum = std::accumulate(particles.begin(), particles.end(), uint64_t{0});
     if (sum <= kMaxSceneParticles) return;

@@ -35,6 +35,12 @@ MeshPlacement placementOf(const Shot& shot);
 uint32_t particlesWanted(const Shot& shot, const SceneBody& body, const SolidMesh& mesh, bool on_gpu);
 uint32_t particlesWanted(const Shot& shot, const SolidMesh& mesh, bool on_gpu);
 
+/// How the body is to be filled, in any place; with the body's variant in the seed. Throws as
+/// particlesWanted().
+FillOptions fillOptionsOf(const Shot& shot, const SceneBody& body, const SolidMesh& mesh, bool on_gpu);
+/// True if tough cells are made together with the cells, and not drawn by the solver.
+bool laysToughCells(const Shot& shot);
+
 /// Of all bodies together: a scene's triangles are indexed by 32 bits, with some 135 indices a particle.
 inline constexpr uint32_t kMaxSceneParticles = 16'000'000;
 /// Throws UsageError where these, one a body, are more than that together.

@@ -22,11 +22,6 @@ constexpr double kKappa = 0.68;    // dt_crit c_eff / h of compact bodies, model
 constexpr double kSagFactor = 60;  // c_eff / sqrt(g H) at which no model of models.md E.4 sagged visibly
 constexpr uint32_t kLeastSubsteps = 40;
 
-glm::dquat turnOf(const SceneBody& body) {
-    const Quaternion& q = body.turn;
-    return glm::angleAxis(body.yaw, glm::dvec3(0, 1, 0)) * glm::dquat(q.w, q.x, q.y, q.z);
-}
-
 Quaternion fromGlm(const glm::dquat& q) {
     return {q.x, q.y, q.z, q.w};
 }

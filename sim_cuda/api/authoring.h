@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "sim_cuda/api/breakable_body.h"
@@ -52,10 +53,36 @@ double thinWall(const SolidMesh& mesh, double share);
 
 inline constexpr uint32_t kMinParticles = 2, kMaxParticles = 4'000'000;
 
+/// Tough cells (models E.3) that are laid into a body while it is filled. Else the solver draws them.
+struct ToughCellOptions {
+    uint32_t cells = 0;  ///< K; 0, 1, or as many as particles: the solver draws them after all
+    /// Their shape; none: irregular, round seeds drawn from the packing. Of a pattern about as many as K;
+    /// radial ones lie round the aim, all others in the middle of the body.
+    std::optional<Pattern> pattern = std::nullopt;
+    Double3 axis{0, 1, 0};  ///< of the pattern, body frame; any length but 0
+    bool conform = false;   ///< cells of particles follow their borders (geometry 1.1)
+    bool operator==(const ToughCellOptions&) const = default;
+};
+
+/// Where something is to hit the body: the place of its surface that a line meets first, or a wall across it.
+struct ShotAim {
+    Double3 way{0, 0, -1};  ///< the line's, body frame; any length but 0
+    std::optional<Double3> through =
+        std::nullopt;   ///< m, body frame; none: the middle of the body at `height`
+    double height = 0;  ///< m
+    bool is_wall = false;
+    bool operator==(const ShotAim&) const = default;
+};
+
 struct FillOptions {
     uint32_t particles = 1000;  ///< N; see particlesForSize
     uint64_t seed = 1;
     bool draw_geometry = true;  ///< false: no FractureGeometry (benchmarks without drawing)
+    std::optional<ToughCellOptions> tough = std::nullopt;
+    /// Spacing of cells far from the aim, or deep below it, over the spacing there: 1 (all alike) to 4.
+    double refine = 1;
+    ShotAim aim = {};  ///< of radial tough cells and of `refine`
+    bool operator==(const FillOptions&) const = default;
 };
 
 /// N = round(V / h^3). Throws UsageError when outside kMinParticles..kMaxParticles, naming the possible

@@ -7,13 +7,13 @@ namespace demolish {
 
 namespace {
 
-constexpr double kLeastArea = 0.02;  // h^2: below it a bond only costs time step
+constexpr double kLeastArea = 0.02;  // h^2, of the finer cell: below it a bond only costs time step
 
 }  // namespace
 
-std::vector<BondGeometry> makeBonds(const CellComplex& complex, double spacing) {
+std::vector<BondGeometry> makeBonds(const CellComplex& complex, double spacing,
+                                    const std::vector<double>& cell_spacing) {
     std::vector<BondGeometry> bonds;
-    const double least = kLeastArea * spacing * spacing;
     for (size_t first = 0; first < complex.faces.size();) {
         BondGeometry bond;
         bond.i = complex.faces[first].cell_a;
@@ -27,7 +27,9 @@ std::vector<BondGeometry> makeBonds(const CellComplex& complex, double spacing) 
             moment += complex.faces[end].centroid * complex.faces[end].area;
         }
         first = end;
-        if (bond.area < least) continue;
+        const double finer =
+            cell_spacing.empty() ? spacing : std::min(cell_spacing[bond.i], cell_spacing[bond.j]);
+        if (bond.area < kLeastArea * finer * finer) continue;
         bond.centroid = moment * (1 / bond.area);
         const Double3 axis = complex.seeds[bond.j] - complex.seeds[bond.i];
         bond.length = length(axis);

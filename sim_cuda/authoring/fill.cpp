@@ -5,9 +5,12 @@
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/authoring/body_parts.h"
+#include "sim_cuda/authoring/border_teeth.h"
 #include "sim_cuda/authoring/cell_corners.h"
+#include "sim_cuda/authoring/conforming.h"
 #include "sim_cuda/authoring/packing.h"
 #include "sim_cuda/authoring/solid_mesh.h"
+#include "sim_cuda/authoring/struck_place.h"
 
 namespace demolish {
 namespace {
@@ -52,6 +55,89 @@ void requireVolumes(const std::string& name, const std::vector<Particle>& partic
                              " cells have no volume); turn the faces of those parts round.");
 }
 
+/// Seeds, and what they were laid out by.
+struct Packed {
+    SpacingField spacing;
+    std::unique_ptr<const ToughField> tough;  // null: the solver draws tough cells
+    std::vector<Double3> seeds;
+};
+
+/// m
+constexpr double kRefineReach = 0.5;  // of the longest side
+constexpr double kAimReach = 0.05;    // of the longest side: so near a line counts as met
+
+double longestSide(const SolidMeshInfo& info) {
+    const Double3 size = info.bounds_max - info.bounds_min;
+    return std::max({size.x, size.y, size.z});
+}
+
+/// What is too thin for the grid stays even.
+SpacingField spacingFieldOf(const SolidMesh& solid, const FillOptions& options, double even) {
+    const std::vector<Double3>& nodes = solid.grid().insideNodesInMortonOrder();
+    if (!(options.refine > 1) || nodes.empty()) return SpacingField(even);
+    const double side = longestSide(solid.info());
+    return {options.refine, struckPlace(options.aim, nodes, kAimReach * side), kRefineReach * side,
+            even * even * even, solid.grid()};
+}
+
+Double3 patternCentre(const SolidMesh& solid, const FillOptions& options, const std::vector<Double3>& seeds) {
+    if (options.tough->pattern == Pattern::kRadial)
+        return struckPlace(options.aim, seeds, kAimReach * longestSide(solid.info()));
+    return 0.5 * (solid.info().bounds_min + solid.info().bounds_max);
+}
+
+Packed packed(const SolidMesh& solid, const FillOptions& options, double even, const Stages& stages) {
+    const bool conforms = options.tough && options.tough->conform;
+    const double relaxed = conforms ? 0.4 : 1;  // of the stage
+    Packed made{spacingFieldOf(solid, options, even), nullptr, {}};
+    const auto layTough = [&](std::vector<Double3>& seeds) {
+        if (!options.tough) return;
+        made.tough = makeToughField(*options.tough, patternCentre(solid, options, seeds), seeds,
+                                    solid.info().volume, even, options.seed);
+        if (made.tough == nullptr || !conforms) return;
+        conformSeeds({*made.tough, solid.grid(), made.spacing}, options.seed, seeds, [&](double fraction) {
+            if (!stages.tell(relaxed + (1 - relaxed) * fraction)) throw Cancelled();
+        });
+    };
+    made.seeds = packSeeds(
+        solid.mesh(), solid.queries(), solid.grid(), made.spacing, options.particles, options.seed,
+        [&](double fraction) { return stages.tell(relaxed * fraction); }, layTough);
+    return made;
+}
+
+std::vector<double> cellSpacings(const SpacingField& field, const std::vector<Double3>& seeds) {
+    std::vector<double> spacings;
+    if (field.isEven()) return spacings;
+    for (const Double3& seed : seeds) spacings.push_back(field.at(seed));
+    return spacings;
+}
+
+std::vector<uint32_t> cellsAt(const ToughField& tough, const std::vector<Double3>& seeds) {
+    std::vector<uint32_t> cells;
+    for (const Double3& seed : seeds) cells.push_back(tough.cellAt(seed));
+    return cells;
+}
+
+/// How toothed the borders are that the same packing has before it follows them.
+double teethWithoutConforming(const SolidMesh& solid, const FillOptions& options, double even,
+                              const Packed& packing) {
+    const CellComplex complex = buildCellComplex(solid.mesh(), solid.queries(),
+                                                 packSeeds(solid.mesh(), solid.queries(), solid.grid(),
+                                                           packing.spacing, options.particles, options.seed),
+                                                 even, options.seed);
+    const auto bonds = makeBonds(complex, even, cellSpacings(packing.spacing, complex.seeds));
+    return borderTeeth(*packing.tough, bonds, cellsAt(*packing.tough, complex.seeds), even);
+}
+
+void layToughCells(const SolidMesh& solid, const FillOptions& options, const Packed& packing,
+                   const std::vector<Double3>& seeds, BreakableBody& body) {
+    if (packing.tough == nullptr) return;
+    body.tough_cell = cellsAt(*packing.tough, seeds);
+    if (!options.tough->conform) return;
+    body.border_strength = teethWithoutConforming(solid, options, body.spacing, packing) /
+                           borderTeeth(*packing.tough, body.bonds, body.tough_cell, body.spacing);
+}
+
 /// Null where cells came out open or without volume and a new surface may mend that.
 std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOptions& options,
                                             const ProgressCallback& progress) {
@@ -60,12 +146,10 @@ std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOp
     Stages stages(progress);
 
     stages.enter("Packing particles", 0, 0.2);
-    std::vector<Double3> seeds =
-        packSeeds(solid.mesh(), solid.queries(), solid.grid(), info.volume, options.particles, options.seed,
-                  [&](double fraction) { return stages.tell(fraction); });
+    Packed packing = packed(solid, options, spacing, stages);
     stages.enter("Cutting cells", 0.2, 0.65);
     const CellComplex complex =
-        buildCellComplex(solid.mesh(), solid.queries(), std::move(seeds), spacing, options.seed);
+        buildCellComplex(solid.mesh(), solid.queries(), std::move(packing.seeds), spacing, options.seed);
 
     stages.enter("Weighing cells", 0.65, 0.72);
     auto body = std::make_shared<BreakableBody>();
@@ -76,15 +160,17 @@ std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOp
     if (!is_sound && solid.withNewSurface() != nullptr) return nullptr;
     requireVolumes(info.name, body->particles);
     stages.enter("Bonding cells", 0.72, 0.78);
-    body->bonds = makeBonds(complex, spacing);
+    body->spacing = spacing;
+    body->cell_spacing = cellSpacings(packing.spacing, complex.seeds);
+    body->bonds = makeBonds(complex, spacing, body->cell_spacing);
+    layToughCells(solid, options, packing, complex.seeds, *body);
     body->corners = cellCorners(complex, spacing);
     stages.enter("Making crack surfaces", 0.78, 1);
     if (options.draw_geometry) {
-        body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds);
+        body->geometry = makeFractureGeometry(solid.mesh(), complex, body->bonds, body->cell_spacing);
         body->looks = solid.looks();
     }
 
-    body->spacing = spacing;
     body->mesh_volume = info.volume;
     for (const Particle& particle : body->particles) body->cells_volume += particle.volume;
     body->mesh_area = info.area;

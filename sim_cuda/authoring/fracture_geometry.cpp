@@ -32,12 +32,14 @@ double area(const TriangleMesh& mesh) {
 }
 
 /// A wall between two outsides is as thick as its volume over half of its area.
-void setReach(const TriangleMesh& mesh, double spacing, FractureGeometry& geometry) {
+void setReach(const TriangleMesh& mesh, double spacing, const std::vector<double>& cell_spacing,
+              FractureGeometry& geometry) {
     const double thickness = 2 * enclosedVolume(mesh) / area(mesh);
-    const double reach = (thickness < kThinWall * spacing ? kReachOnWalls : kReachOnSolids) * spacing;
     for (OutsidePoint& point : geometry.points) {
-        point.spacing = static_cast<float>(spacing);
-        point.reach = static_cast<float>(reach);
+        const double own = cell_spacing.empty() ? spacing : cell_spacing[point.cell];
+        point.spacing = static_cast<float>(own);
+        point.reach =
+            static_cast<float>((thickness < kThinWall * own ? kReachOnWalls : kReachOnSolids) * own);
     }
 }
 
@@ -60,7 +62,8 @@ uint32_t BondLookup::find(uint32_t i, uint32_t j) const {
 }
 
 FractureGeometry makeFractureGeometry(const TriangleMesh& mesh, const CellComplex& complex,
-                                      const std::vector<BondGeometry>& bonds) {
+                                      const std::vector<BondGeometry>& bonds,
+                                      const std::vector<double>& cell_spacing) {
     const double spacing = std::cbrt(enclosedVolume(mesh) / static_cast<double>(complex.seeds.size()));
     const BondLookup lookup(bonds, complex.seeds.size());
     FractureGeometry geometry;
@@ -69,7 +72,7 @@ FractureGeometry makeFractureGeometry(const TriangleMesh& mesh, const CellComple
         tessellateFaces(complex, splitVoronoiEdges(complex, kLongestPart * spacing), lookup, geometry);
     listPoolCorners(geometry);
     listOutsidePoints(mesh, complex, corner_vertex, pool_of_vertex, geometry);
-    setReach(mesh, spacing, geometry);
+    setReach(mesh, spacing, cell_spacing, geometry);
     return geometry;
 }
 

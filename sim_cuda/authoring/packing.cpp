@@ -4,40 +4,37 @@
 
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/authoring/hash_random.h"
-#include "sim_cuda/authoring/seed_cells.h"
+#include "sim_cuda/authoring/seed_moves.h"
 
 namespace demolish {
 namespace {
 
 constexpr int kIterations = 20;
-constexpr double kReach = 1.12;        // h, d0: nearer pairs repel
-constexpr double kDepth = 0.45;        // h, wanted distance from the surface
 constexpr double kCheckedDepth = 0.1;  // h, shallower seeds get the exact test
 constexpr double kOffset = 1e-6;       // h, general position
-enum Stream : uint64_t { kStratum, kJitter, kCoincident, kGeneralPosition, kSheet };
-
-template <typename Body>
-void forEachSeed(size_t count, const Body& body) {
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 256),
-                      [&](const tbb::blocked_range<size_t>& range) {
-                          for (size_t i = range.begin(); i < range.end(); ++i) body(i);
-                      });
-}
+enum Stream : uint64_t { kStratum, kJitter, kGeneralPosition = 3, kSheet };
 
 class Packer {
   public:
-    Packer(const TriangleMesh& mesh, const MeshQueries& queries, const DistanceGrid& grid, double spacing,
-           uint64_t seed)
-        : mesh_(mesh), queries_(queries), grid_(grid), h_(spacing), seed_(seed) {}
+    Packer(const TriangleMesh& mesh, const MeshQueries& queries, const DistanceGrid& grid,
+           const SpacingField& spacing, uint64_t seed)
+        : mesh_(mesh),
+          queries_(queries),
+          grid_(grid),
+          spacing_(spacing),
+          h_(spacing.coarsest()),
+          seed_(seed) {}
 
     /// One node per stratum of the Morton list, jittered within the node (geometry.md 1 a).
     std::vector<Double3> stratified(size_t count) const {
         const std::vector<Double3>& nodes = grid_.insideNodesInMortonOrder();
+        const std::vector<double> cells = cellsUpTo(nodes);
         std::vector<Double3> seeds(count);
         forEachSeed(count, [&](size_t i) {
             if (nodes.empty()) {
@@ -46,7 +43,7 @@ class Packer {
             }
             const double at =
                 (double(i) + hashRandom(seed_, kStratum, i)) / double(count) * double(nodes.size());
-            const size_t node = std::min(size_t(at), nodes.size() - 1);
+            const size_t node = std::min(cells.empty() ? size_t(at) : nodeAt(cells, at), nodes.size() - 1);
             seeds[i] = nodes[node] + hashRandomInCube(seed_, kJitter, i) * grid_.nodeSpacing();
         });
         return seeds;
@@ -55,10 +52,11 @@ class Packer {
     /// Jacobi step of pair repulsion (1 b), then two depth projections (1 c).
     void relax(std::vector<Double3>& seeds, std::vector<Double3>& next) const {
         const SeedCells cells(seeds, kReach * h_);
+        const SeedSpacings spacings(spacing_, seeds);
         forEachSeed(seeds.size(), [&](size_t slot) {
-            Double3 p = cells.position(slot) + repulsion(cells, slot);
-            for (int k = 0; k < 2; ++k) p = deeper(p);
-            next[cells.seed(slot)] = p;
+            const uint32_t own = cells.seed(slot);
+            const Double3 push = repulsion(cells, slot, spacings, seed_, [](uint32_t) { return true; });
+            next[own] = deepEnough(grid_, cells.position(slot) + push, kDepth * spacings[own]);
         });
         seeds.swap(next);
     }
@@ -77,38 +75,17 @@ class Packer {
     }
 
   private:
-    Double3 repulsion(const SeedCells& cells, size_t slot) const {
-        const double reach = kReach * h_;
-        const Double3 p = cells.position(slot);
-        Double3 push;
-        int neighbours = 0;
-        cells.visitNear(slot, [&](size_t other) {
-            const Double3 apart = p - cells.position(other);
-            const double squared = lengthSquared(apart);
-            if (squared >= reach * reach) return;
-            ++neighbours;
-            const double distance = std::sqrt(squared);
-            if (distance > 1e-12 * h_) {
-                push += apart * ((reach - distance) / distance);
-            } else {
-                push += normalized(hashRandomInCube(seed_, kCoincident, cells.seed(slot))) * reach;
-            }
-        });
-        return neighbours == 0 ? Double3{} : push * std::min(0.5, 1.6 / neighbours);
+    /// Share of all cells in the nodes up to each, times their number; empty where sizes are even.
+    std::vector<double> cellsUpTo(const std::vector<Double3>& nodes) const {
+        std::vector<double> cells;
+        if (spacing_.isEven()) return cells;
+        double sum = 0;
+        for (const Double3& node : nodes) cells.push_back(sum += std::pow(spacing_.at(node), -3));
+        for (double& upto : cells) upto *= double(nodes.size()) / sum;
+        return cells;
     }
-
-    /// One projection to the wanted depth. A step that would leave it shallower (a wall too thin for it) is
-    /// halved.
-    Double3 deeper(const Double3& p) const {
-        const double depth = -grid_.distance(p);
-        double step = kDepth * h_ - depth;
-        if (step <= 0) return p;
-        const Double3 inward = -normalized(grid_.gradient(p));
-        for (int attempt = 0; attempt < 4; ++attempt, step /= 2) {
-            const Double3 moved = p + inward * step;
-            if (-grid_.distance(moved) > depth) return moved;
-        }
-        return p;
+    static size_t nodeAt(const std::vector<double>& cells, double at) {
+        return size_t(std::upper_bound(cells.begin(), cells.end(), at) - cells.begin());
     }
 
     /// Through the closest surface point, as far as the wall allows; `offset` keeps general position.
@@ -161,22 +138,24 @@ class Packer {
     const TriangleMesh& mesh_;
     const MeshQueries& queries_;
     const DistanceGrid& grid_;
-    double h_;
+    const SpacingField& spacing_;
+    double h_;  // m, the largest
     uint64_t seed_;
 };
 
 }  // namespace
 
 std::vector<Double3> packSeeds(const TriangleMesh& mesh, const MeshQueries& queries, const DistanceGrid& grid,
-                               double volume, uint32_t count, uint64_t seed,
-                               const PackingProgress& progress) {
-    assert(volume > 0 && count > 0);
-    const Packer packer(mesh, queries, grid, std::cbrt(volume / count), seed);
+                               const SpacingField& spacing, uint32_t count, uint64_t seed,
+                               const PackingProgress& progress, const SeedShaping& shape) {
+    assert(count > 0);
+    const Packer packer(mesh, queries, grid, spacing, seed);
     std::vector<Double3> seeds = packer.stratified(count), next(count);
     for (int i = 0; i < kIterations; ++i) {
         if (progress && !progress(double(i) / kIterations)) throw Cancelled();
         packer.relax(seeds, next);
     }
+    if (shape) shape(seeds);
     packer.settle(seeds);
     return seeds;
 }

@@ -66,37 +66,87 @@ DEM_FN uint32_t nearestSite(const Vec3<float>& p, uint32_t seed) {
     return nearest;
 }
 
-/// p: in sizes of a piece, in the pattern's frame.
+/// The middle of a word's lattice cell along one edge.
+DEM_FN float middleOf(uint32_t word, uint32_t shift) {
+    return static_cast<float>(static_cast<int32_t>((word >> shift & 1023u) ^ 512u) - 512) + 0.5f;
+}
+/// Squared, from the site of the word's cell.
+DEM_FN float farFromSite(const Vec3<float>& p, uint32_t word, uint32_t seed) {
+    const Vec3<float> middle{middleOf(word, 0), middleOf(word, 10), middleOf(word, 20)};
+    const Vec3<float> jitter =
+        latticeVector(wholeBelow(middle.x), wholeBelow(middle.y), wholeBelow(middle.z), seed);
+    return length2(axpy(kSiteJitter, jitter, middle) - p);
+}
+
+/// The others take p in sizes of a piece, in the pattern's frame. Courses are half a brick against each
+/// other.
+DEM_FN float brickShift(int32_t course) {
+    return (course & 1) != 0 ? 0.5f : 0.0f;
+}
 DEM_FN uint32_t brickAt(const Vec3<float>& p) {
     const int32_t course = wholeBelow(p.z / kBrickHeight);
-    const float shift = (course & 1) != 0 ? 0.5f : 0.0f;
-    return latticeWord(wholeBelow(p.x / kBrickLength + shift), wholeBelow(p.y / kBrickWidth + shift), course);
+    return latticeWord(wholeBelow(p.x / kBrickLength + brickShift(course)), wholeBelow(p.y / kBrickWidth),
+                       course);
 }
-DEM_FN uint32_t radialPieceAt(const Vec3<float>& p, uint32_t seed) {
+/// The largest of the three shares of a brick.
+DEM_FN float farFromBrick(const Vec3<float>& p, uint32_t word) {
+    const float course = middleOf(word, 20), up = absOf(p.z / kBrickHeight - course);
+    const float along = absOf(p.x / kBrickLength + brickShift(wholeBelow(course)) - middleOf(word, 0)),
+                across = absOf(p.y / kBrickWidth - middleOf(word, 10));
+    return maxOf(up, maxOf(along, across));
+}
+/// Where radial pieces and splinters are round and of size 1.
+DEM_FN Vec3<float> radialPlace(const Vec3<float>& p) {
     const float far = squareRoot(p.x * p.x + p.y * p.y);
     const float scale = kRadialFineness / (1.0f + far / kRadialGrowth);
-    return nearestSite({scale * p.x, scale * p.y, p.z / kRadialLayer}, seed);
+    return {scale * p.x, scale * p.y, p.z / kRadialLayer};
+}
+DEM_FN Vec3<float> splinterPlace(const Vec3<float>& p) {
+    return {p.x / kSplinterWidth, p.y / kSplinterWidth, p.z / kSplinterLength};
+}
+
+/// rest: m, in the body's frame. In sizes of a piece, in the pattern's frame, bent as the cuts are.
+DEM_FN Vec3<float> bentPlace(const PiecePattern& pattern, const PatternFrame& frame,
+                             const Vec3<float>& rest) {
+    const Vec3<float> from = (1.0f / pattern.size) * (rest - frame.centre);
+    const Vec3<float> straight{dot(from, frame.across), dot(from, frame.along), dot(from, frame.axis)};
+    return axpy(kCutBend, valueNoise((1.0f / kBendWave) * straight, ~pattern.seed), straight);
 }
 
 /// A word for the piece that the place belongs to; rest: m, in the body's frame.
 DEM_FN uint32_t pieceAt(const PiecePattern& pattern, const PatternFrame& frame, const Vec3<float>& rest) {
-    const Vec3<float> from = (1.0f / pattern.size) * (rest - frame.centre);
-    const Vec3<float> straight{dot(from, frame.across), dot(from, frame.along), dot(from, frame.axis)};
-    const Vec3<float> p = axpy(kCutBend, valueNoise((1.0f / kBendWave) * straight, ~pattern.seed), straight);
+    const Vec3<float> p = bentPlace(pattern, frame, rest);
     switch (pattern.kind) {
         case Pattern::kUniform:
             break;
         case Pattern::kRadial:
-            return radialPieceAt(p, pattern.seed);
+            return nearestSite(radialPlace(p), pattern.seed);
         case Pattern::kSlabs:
             return latticeWord(0, 0, wholeBelow(p.z / kSlab));
         case Pattern::kBricks:
             return brickAt(p);
         case Pattern::kSplinters:
-            return nearestSite({p.x / kSplinterWidth, p.y / kSplinterWidth, p.z / kSplinterLength},
-                               pattern.seed);
+            return nearestSite(splinterPlace(p), pattern.seed);
     }
     return nearestSite(p, pattern.seed);
+}
+
+/// How far a bent place is from the middle of a piece, in a measure by which it is of the nearest one: of two
+/// neighbours both are as far where they meet.
+DEM_FN float farFromPiece(const PiecePattern& pattern, const Vec3<float>& p, uint32_t word) {
+    switch (pattern.kind) {
+        case Pattern::kUniform:
+            break;
+        case Pattern::kRadial:
+            return farFromSite(radialPlace(p), word, pattern.seed);
+        case Pattern::kSlabs:
+            return absOf(p.z / kSlab - middleOf(word, 20));
+        case Pattern::kBricks:
+            return farFromBrick(p, word);
+        case Pattern::kSplinters:
+            return farFromSite(splinterPlace(p), word, pattern.seed);
+    }
+    return farFromSite(p, word, pattern.seed);
 }
 
 }  // namespace demolish

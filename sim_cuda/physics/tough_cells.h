@@ -25,16 +25,28 @@ inline Vec3<double> labelShift(const Vec3<double>& x, double cell_length, uint64
     return (0.25 / 1.5 * cell_length) * Vec3<double>{sum.x, sum.y, sum.z};
 }
 
+/// The particles of `count` whose places are the seeds of `cells` tough cells, fewer than particles: drawn by
+/// hash, all different.
+inline std::vector<uint32_t> toughCellSeeds(size_t count, uint32_t cells, uint64_t seed) {
+    std::vector<uint32_t> order(count);
+    for (size_t i = 0; i < count; ++i) order[i] = static_cast<uint32_t>(i);
+    for (uint32_t k = 0; k < cells; ++k) std::swap(order[k], order[k + counterHash(seed, k) % (count - k)]);
+    order.resize(cells);
+    return order;
+}
+
 /// Label of each particle: the nearest of K seeds (lowest index wins a tie) after labelShift. The seeds are K
 /// different particle positions drawn by hash. Positions in m, volume in m^3; K >= number of particles gives
 /// each its own label.
 inline std::vector<uint32_t> toughCellLabels(const std::vector<Vec3<double>>& positions, double volume,
                                              uint32_t cells, uint64_t seed) {
     const size_t count = positions.size();
-    std::vector<uint32_t> labels(count, 0), order(count);
-    for (size_t i = 0; i < count; ++i) order[i] = static_cast<uint32_t>(i);
-    if (cells >= count) return order;
-    for (uint32_t k = 0; k < cells; ++k) std::swap(order[k], order[k + counterHash(seed, k) % (count - k)]);
+    std::vector<uint32_t> labels(count, 0);
+    if (cells >= count) {
+        for (size_t i = 0; i < count; ++i) labels[i] = static_cast<uint32_t>(i);
+        return labels;
+    }
+    const std::vector<uint32_t> order = toughCellSeeds(count, cells, seed);
     const double cell_length = std::cbrt(volume / cells);
     for (size_t i = 0; i < count; ++i) {
         const Vec3<double> p = positions[i] + labelShift(positions[i], cell_length, seed);

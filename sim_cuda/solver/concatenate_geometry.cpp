@@ -2,6 +2,8 @@
 // Offsets, and nothing but offsets: the geometry of a body is copied with its numbers moved.
 #include "sim_cuda/solver/concatenate_geometry.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "sim_cuda/kernels/write_exterior_indices.h"
@@ -108,6 +110,23 @@ Offsets offsetsAfter(const Offsets& offsets, const BreakableBody& body) {
     return {offsets.cell + count(body.particles), offsets.bond + count(body.bonds)};
 }
 
+/// Of each pool vertex; where sizes are graded that of the finest cell which it is a corner of.
+void appendSpacings(const BreakableBody& body, std::vector<float>& spacings) {
+    const FractureGeometry& geometry = body.geometry;
+    const size_t first = spacings.size();
+    spacings.resize(first + geometry.pool.size(), static_cast<float>(body.spacing));
+    if (body.cell_spacing.empty()) return;
+    std::fill(spacings.begin() + static_cast<std::ptrdiff_t>(first), spacings.end(),
+              std::numeric_limits<float>::max());
+    for (const InteriorFace& face : geometry.faces) {
+        const double finer = std::min(body.cell_spacing[face.cell_a], body.cell_spacing[face.cell_b]);
+        for (uint32_t v = face.first_vertex; v < face.first_vertex + face.vertex_count; ++v) {
+            float& spacing = spacings[first + geometry.face_vertices[v]];
+            spacing = std::min(spacing, static_cast<float>(finer));
+        }
+    }
+}
+
 }  // namespace
 
 SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies) {
@@ -120,7 +139,7 @@ SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies) {
         appendPoints(instance.body->geometry, offsets, scene.geometry);  // before what it counts is appended
         appendExterior(instance.body->geometry, offsets, scene.geometry);
         appendInterior(instance.body->geometry, offsets, scene.geometry);
-        scene.pool_spacing.resize(scene.geometry.pool.size(), static_cast<float>(instance.body->spacing));
+        appendSpacings(*instance.body, scene.pool_spacing);
         offsets = offsetsAfter(offsets, *instance.body);
     }
     return scene;

@@ -130,7 +130,8 @@ std::vector<uint32_t> buriedParticles(const BreakableBody& body) {
     std::vector<uint32_t> buried(count);
     for (size_t i = 0; i < count; ++i) {
         const Particle& p = body.particles[i];
-        const bool deep = p.depth > body.spacing && !(p.contact_radius > 0);
+        const double spacing = body.cell_spacing.empty() ? body.spacing : body.cell_spacing[i];
+        const bool deep = p.depth > spacing && !(p.contact_radius > 0);
         buried[i] = deep && length(open[i]) < kClosedShare * area[i] ? 1 : 0;
     }
     return buried;

@@ -28,6 +28,12 @@ Vec3<double> vec(const Double3& a) {
     return {a.x, a.y, a.z};
 }
 
+/// m
+double finestSpacing(const BreakableBody& body) {
+    const std::vector<double>& own = body.cell_spacing;
+    return own.empty() ? body.spacing : *std::min_element(own.begin(), own.end());
+}
+
 /// Where the corners of each shape begin.
 using CornerStarts = std::map<const BreakableBody*, uint32_t>;
 
@@ -78,6 +84,21 @@ void appendParticles(const BodyInstance& instance, uint32_t number, SceneTables&
     }
 }
 
+/// Of each particle; empty: no tough cells. Those
+/// that the body came with, else drawn.
+std::vector<uint32_t> toughCells(const BodyInstance& instance, uint64_t seed) {
+    const BreakableBody& body = *instance.body;
+    if (instance.material.tough_cells == 0 || !body.tough_cell.empty()) return body.tough_cell;
+    std::vector<Vec3<double>> seeds;
+    seeds.reserve(body.particles.size());
+    double volume = 0;
+    for (const Particle& p : body.particles) {
+        seeds.push_back(vec(p.seed));
+        volume += p.volume;
+    }
+    return toughCellLabels(seeds, volume, instance.material.tough_cells, seed);
+}
+
 /// Strength factors of a body's bonds: Weibull
 /// scatter, 1/sqrt(a_b) of (13), tough cells
 /// (models E.3).
@@ -91,17 +112,11 @@ std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed)
         for (size_t b = 0; b < factors.size(); ++b)
             factors[b] *= std::sqrt(mean / faceBondRadius(body.bonds[b].area));
     }
-    if (instance.material.tough_cells == 0) return factors;
-    std::vector<Vec3<double>> seeds;
-    seeds.reserve(body.particles.size());
-    double volume = 0;
-    for (const Particle& p : body.particles) {
-        seeds.push_back(vec(p.seed));
-        volume += p.volume;
-    }
-    const auto label = toughCellLabels(seeds, volume, instance.material.tough_cells, counterHash(seed, 2));
+    const std::vector<uint32_t> cell = toughCells(instance, counterHash(seed, 2));
+    if (cell.empty()) return factors;
     for (size_t b = 0; b < factors.size(); ++b)
-        if (label[body.bonds[b].i] == label[body.bonds[b].j]) factors[b] *= instance.material.tough_factor;
+        factors[b] *= cell[body.bonds[b].i] == cell[body.bonds[b].j] ? instance.material.tough_factor
+                                                                     : body.border_strength;
     return factors;
 }
 
@@ -231,7 +246,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
     std::vector<uint32_t> first{0};
     std::vector<double> omega;
     CornerStarts corner_starts;
-    tables.spacing = setup.bodies[0].body->spacing;
+    tables.spacing = finestSpacing(*setup.bodies[0].body);
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         report(progress, static_cast<double>(b) / tables.bodies, "Finding the stable time step");
         const BodyInstance& instance = setup.bodies[b];
@@ -240,7 +255,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
         appendBonds(instance, first[b], counterHash(setup.params.seed, b), tables);
         first.push_back(static_cast<uint32_t>(tables.mass.size()));
         omega.push_back(trialFrequency(setup, tables, first[b], omega));
-        tables.spacing = std::min(tables.spacing, instance.body->spacing);
+        tables.spacing = std::min(tables.spacing, finestSpacing(*instance.body));
     }
     keepBodiesApart(tables);
     holdAnchored(setup, tables);

@@ -19,7 +19,7 @@ namespace {
 const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"sim_cuda/api", {}},
     {"sim_cuda/physics", {}},
-    {"sim_cuda/authoring", {"sim_cuda/api", "sim_cuda/physics"}},
+    {"sim_cuda/authoring", {"sim_cuda/api", "sim_cuda/physics", "sim_cuda/patterns"}},
     {"sim_cuda/backend", {"sim_cuda/api/errors.h", "sim_cuda/physics/function.h"}},
     {"sim_cuda/data", {"sim_cuda/backend", "sim_cuda/physics", "sim_cuda/api"}},
     {"sim_cuda/kernels", {"sim_cuda/physics", "sim_cuda/data", "sim_cuda/backend", "sim_cuda/api"}},

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <numeric>
 #include <thread>
 
@@ -63,7 +65,14 @@ TEST(Method, IsNamedOnTheCommandLine) {
     bricks.pattern = "bricks";
     EXPECT_EQ(makeShot(bricks).pattern, Pattern::kBricks);
     bricks.method = "ours";
-    EXPECT_THROW(makeShot(bricks), UsageError) << "ours has no pattern";
+    EXPECT_EQ(makeShot(bricks).pattern, Pattern::kBricks) << "of the tough cells";
+    bricks.pattern_axis = {1, 0, 0};
+    EXPECT_EQ(makeShot(bricks).pattern_axis, (Double3{1, 0, 0}));
+    bricks.pattern_axis = {0, 0, 0};
+    EXPECT_THROW(makeShot(bricks), UsageError) << "points nowhere";
+    bricks.pattern_axis = {1, 0, 0};
+    bricks.method = "pattern";
+    EXPECT_THROW(makeShot(bricks), UsageError) << "preset pieces stand upright";
     ShotOptions bonds = options("pattern");
     bonds.no_hand_over = true;
     EXPECT_THROW(makeShot(bonds), UsageError);
@@ -95,6 +104,46 @@ TEST(Method, NeedsANewSolverAndTheSameCells) {
     Shot bricks = after;
     bricks.pattern = Pattern::kBricks;
     EXPECT_EQ(changeBetween(after, bricks), Change::kSolver);
+}
+
+TEST(Method, APatternOfToughCellsNeedsNewCells) {
+    const Shot before = smallBlock();
+    Shot slabs = before;
+    slabs.pattern = Pattern::kSlabs;
+    EXPECT_EQ(changeBetween(before, slabs), Change::kBody);
+    Shot more = slabs;
+    more.material.tough_cells += 5;
+    EXPECT_EQ(changeBetween(slabs, more), Change::kBody);
+    Shot aimed = slabs;
+    aimed.impact.height_fraction = 0.3;
+    EXPECT_EQ(changeBetween(slabs, aimed), Change::kLive) << "slabs lie as they lie";
+    slabs.pattern = aimed.pattern = Pattern::kRadial;
+    EXPECT_EQ(changeBetween(slabs, aimed), Change::kBody);
+}
+
+TEST(Method, OursBreaksAlongThePatternOfItsToughCells) {
+    Shot shot = smallBlock();
+    shot.fineness.particles = 400;
+    shot.pattern = Pattern::kSlabs;
+    shot.pattern_axis = Double3{1, 0, 0};
+    shot.material.tough_cells = 4;
+    const BuiltShot built = prepareShot(shot, {.draw_geometry = false}, {});
+    const BreakableBody& body = *built.body;
+    EXPECT_FALSE(built.setup.params.preset_pieces);
+    ASSERT_EQ(body.tough_cell.size(), body.particles.size());
+    std::map<uint32_t, std::pair<double, double>> slabs;  // least and most x, m
+    for (size_t i = 0; i < body.particles.size(); ++i) {
+        const double x = body.particles[i].seed.x;
+        auto& [least, most] = slabs.try_emplace(body.tough_cell[i], x, x).first->second;
+        least = std::min(least, x);
+        most = std::max(most, x);
+    }
+    EXPECT_NEAR(double(slabs.size()), 4, 1);
+    std::vector<std::pair<double, double>> along;
+    for (const auto& [cell, extent] : slabs) along.push_back(extent);
+    std::sort(along.begin(), along.end());
+    for (size_t k = 1; k < along.size(); ++k)
+        EXPECT_LT(along[k - 1].second - along[k].first, 1.2 * body.spacing);
 }
 
 TEST(Method, SwitchesWhileASessionLives) {

@@ -70,6 +70,23 @@ TEST(SceneFile, ReadsItsMethod) {
     EXPECT_THAT(complaintAbout(kHead + "pattern = \"stars\"\n"), HasSubstr("uniform, radial"));
 }
 
+TEST(SceneFile, ReadsHowItsCellsLie) {
+    const TemporaryFolder folder;
+    const Shot plain = loadSceneFile(folder.write("plain.toml", kHead));
+    EXPECT_FALSE(plain.conform);
+    EXPECT_EQ(plain.refine, 1);
+    EXPECT_FALSE(plain.pattern);
+    const Shot shot =
+        loadSceneFile(folder.write("cut.toml", "pattern = \"slabs\"\npattern_axis = [1, 0, 0]\n" + kHead +
+                                                   "[particles]\nconform = true\nrefine = 2.5\n"));
+    EXPECT_TRUE(shot.conform);
+    EXPECT_EQ(shot.refine, 2.5);
+    EXPECT_EQ(shot.pattern, Pattern::kSlabs);
+    EXPECT_EQ(shot.pattern_axis, (Double3{1, 0, 0}));
+    EXPECT_THAT(complaintAbout(kHead + "[particles]\nrefine = 0.5\n"), HasSubstr("refine"));
+    EXPECT_THAT(complaintAbout(kHead + "pattern_axis = [0, 0, 0]\n"), HasSubstr("points nowhere"));
+}
+
 TEST(SceneFile, NamesItsRowOfTheStrengthTable) {
     const TemporaryFolder folder;
     EXPECT_EQ(loadSceneFile(folder.write("block.toml", kHead)).strength_row, "");

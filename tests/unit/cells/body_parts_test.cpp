@@ -129,9 +129,9 @@ TEST(Bonds, PackedBodyHasTheMeasuredStatistics) {
     const uint32_t count = 5000;
     const double volume = signedVolume(bunny->mesh), spacing = spacingOf(bunny->mesh, count);
     const DistanceGrid grid(bunny->mesh, bunny->queries);
-    const CellComplex complex =
-        buildCellComplex(bunny->mesh, bunny->queries,
-                         packSeeds(bunny->mesh, bunny->queries, grid, volume, count, 1), spacing, 1);
+    const CellComplex complex = buildCellComplex(
+        bunny->mesh, bunny->queries,
+        packSeeds(bunny->mesh, bunny->queries, grid, evenSpacing(volume, count), count, 1), spacing, 1);
     EXPECT_EQ(countOpenCells(complex), 0u);
     const std::vector<BondGeometry> bonds = makeBonds(complex, spacing);
     double area_length = 0;

@@ -20,7 +20,7 @@ struct Model {
         grid.insideNodesInMortonOrder();
     }
     std::vector<Double3> pack(uint32_t count) const {
-        return packSeeds(mesh, queries, grid, volume, count, 1);
+        return packSeeds(mesh, queries, grid, evenSpacing(volume, count), count, 1);
     }
 
     TriangleMesh mesh;

@@ -102,9 +102,10 @@ TEST(PackedBody, OneThreadAndTwoMakeTheSameDrawData) {
     const SolidMesh solid(test::makeVase(50, 30));
     const uint32_t count = 700;
     const double spacing = std::cbrt(solid.info().volume / count);
-    const CellComplex complex = buildCellComplex(
-        solid.mesh(), solid.queries(),
-        packSeeds(solid.mesh(), solid.queries(), solid.grid(), solid.info().volume, count, 3), spacing, 3);
+    const CellComplex complex = buildCellComplex(solid.mesh(), solid.queries(),
+                                                 packSeeds(solid.mesh(), solid.queries(), solid.grid(),
+                                                           evenSpacing(solid.info().volume, count), count, 3),
+                                                 spacing, 3);
     const std::vector<BondGeometry> bonds = makeBonds(complex, spacing);
     FractureGeometry made[2];
     for (const size_t threads : {1, 2}) {

@@ -24,7 +24,7 @@ struct Solid {
     DistanceGrid grid;
     double volume;
     std::vector<Double3> pack(uint32_t count, uint64_t seed = 1) const {
-        return packSeeds(mesh, queries, grid, volume, count, seed);
+        return packSeeds(mesh, queries, grid, evenSpacing(volume, count), count, seed);
     }
     double spacing(uint32_t count) const { return std::cbrt(volume / count); }
 };
@@ -132,9 +132,9 @@ TEST(Packing, SeedsDifferByTheirSeedOnly) {
 TEST(Packing, CanBeCancelled) {
     const Solid solid(test::makeCube(1));
     int calls = 0;
-    EXPECT_THROW(
-        packSeeds(solid.mesh, solid.queries, solid.grid, 1, 1000, 1, [&](double) { return ++calls < 3; }),
-        Cancelled);
+    EXPECT_THROW(packSeeds(solid.mesh, solid.queries, solid.grid, evenSpacing(1, 1000), 1000, 1,
+                           [&](double) { return ++calls < 3; }),
+                 Cancelled);
     EXPECT_EQ(calls, 3);
 }
 

@@ -151,6 +151,23 @@ TEST(PiecePattern, TurnsAndMovesWithItsFrame) {
     }
 }
 
+/// By that measure a border can be found from both of its sides.
+TEST(PiecePattern, APlaceIsOfThePieceThatItIsLeastFarFrom) {
+    for (const Pattern kind :
+         {Pattern::kUniform, Pattern::kRadial, Pattern::kSlabs, Pattern::kBricks, Pattern::kSplinters}) {
+        const PiecePattern pattern{kind, 1, 7};
+        const auto pieces = piecesIn(kind, 1.5f);
+        ASSERT_GT(pieces.size(), 2u);
+        for (float t = 0; t < 1; t += 0.013f) {
+            const Vec3<float> place{2.6f * t - 1.3f, 1.9f * t * t - 1, 1.1f - 2.1f * t};
+            const uint32_t own = pieceAt(pattern, upright(), place);
+            const Vec3<float> p = bentPlace(pattern, upright(), place);
+            for (const auto& [word, extent] : pieces)
+                EXPECT_GE(farFromPiece(pattern, p, word), farFromPiece(pattern, p, own) - 1e-5f) << int(kind);
+        }
+    }
+}
+
 TEST(PiecePattern, FramesStandForAxesInEveryDirection) {
     for (const Vec3<float>& axis : {Vec3<float>{0, 0, -1}, {0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}) {
         const PatternFrame frame = patternFrame({}, axis);
