@@ -6,11 +6,17 @@
 
 namespace demolish {
 
-/// Corners of a line, m; closed where the last is the first.
-using Line = std::vector<glm::dvec3>;
+/// On the outside of a body.
+struct LineCorner {
+    glm::dvec3 place;   ///< m
+    glm::dvec3 normal;  ///< unit, of the outside there
+};
+/// Closed where the last corner is at the place of the first.
+using Line = std::vector<LineCorner>;
 
 struct LineMeasure {
     double deviation = 0;  ///< rms, over h
+    double sideways = 0;   ///< the same within the outside: a straight cut round a limb has none
     double turning = 0;    ///< rad per h
     double length = 0;     ///< h, of all lines that were long enough
 };

@@ -42,15 +42,19 @@ class Outlines {
     static glm::dvec3 placeOf(const SurfaceVertex& vertex) {
         return {vertex.position.x, vertex.position.y, vertex.position.z};
     }
+    LineCorner cornerAt(uint32_t p) const {
+        const Float3& normal = geometry_.points[p].normal;
+        return {place_.at(p), {normal.x, normal.y, normal.z}};
+    }
     bool goesOn(uint32_t p) const {
         return all_.at(p).size() == 2 && geometry_.points[p].kind == SlideKind::kPlane;
     }
     Line walk(uint32_t u, uint32_t v) {
-        Line line{place_[u]};
+        Line line{cornerAt(u)};
         for (uint32_t before = u, now = v;;) {
             done_.insert({before, now});
             done_.insert({now, before});
-            line.push_back(place_[now]);
+            line.push_back(cornerAt(now));
             if (!goesOn(now)) return line;
             const auto& others = all_.at(now);
             const uint32_t next = *others.begin() == before ? *others.rbegin() : *others.begin();

@@ -23,12 +23,14 @@ void printRow(const char* scene, uint32_t particles, double seconds, bool confor
     const auto drawn = test::drawnShot(shot, seconds);
     const test::CrackMeasures m = test::measureCracks(*drawn, drawn->spacing(), drawn->volume());
     std::printf(
-        "| %s %u%s | %zu, %zu | %.3f / %.2f | %.3f / %.2f (%.0f h) | %.3f (%.0f h²) | %zu of %zu, %.1e | %zu "
+        "| %s %u%s | %zu, %zu | %.3f / %.2f | %.3f, %.3f / %.2f (%.0f h) | %.3f (%.0f h²) | %zu of %zu, %.1e "
+        "| %zu "
         "| "
         "%.1e |\n",
         scene, particles, conform ? " conform" : "", m.pieces, m.large_pieces, m.outline_at_rest.deviation,
-        m.outline_at_rest.turning, m.outline.deviation, m.outline.turning, m.outline.length, m.faces,
-        m.face_area, m.flipped, m.parts, m.flipped_area, m.open_edges, m.volume_error);
+        m.outline_at_rest.turning, m.outline.deviation, m.outline.sideways, m.outline.turning,
+        m.outline.length, m.faces, m.face_area, m.flipped, m.parts, m.flipped_area, m.open_edges,
+        m.volume_error);
 }
 
 }  // namespace
