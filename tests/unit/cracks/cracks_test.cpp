@@ -39,24 +39,25 @@ TEST(Cracks, OfARabbitAreEvenLinesAndEvenFaces) {
     EXPECT_LT(measures.faces, 0.11);
 }
 
-/// The measures of docs/looks.md 4: lines 0.07 h on shells and 0.10 h on bulk bodies, faces 0.06 h.
+/// The measures of docs/looks.md 4: lines 0.07 h on shells and 0.10 h on bulk bodies, within the outside;
+/// faces 0.06 h.
 TEST(Cracks, OfAVaseWhoseCellsFollowToughOnesAreEvener) {
     Shot shot = tests::smallScene("vase", 1500, {17});
     shot.conform = true;
     const CrackMeasures measures = measured(std::move(shot), 0.4);
     expectSound(measures);
     ASSERT_GT(measures.outline.length, 20);
-    EXPECT_LT(measures.outline.deviation, 0.09);
+    EXPECT_LT(measures.outline.sideways, 0.07);
     EXPECT_LT(measures.faces, 0.06);
 }
 
 TEST(Cracks, OfARabbitWhoseCellsFollowToughOnesAreEvener) {
-    Shot shot = tests::smallScene("bunny", 1500);
+    Shot shot = tests::smallScene("bunny", 2000);
     shot.conform = true;
     const CrackMeasures measures = measured(std::move(shot), 0.4);
     expectSound(measures);
     ASSERT_GT(measures.outline.length, 20);
-    EXPECT_LT(measures.outline.deviation, 0.12);
+    EXPECT_LT(measures.outline.sideways, 0.10);
     EXPECT_LT(measures.faces, 0.06);
 }
 
