@@ -25,14 +25,11 @@ constexpr uint32_t kAllFull = 60000, kAllDraft = 6000, kMostFull = 10000, kMostD
 bool isCollider(const SetThing& thing) {
     return thing.node.starts_with(kColliderPrefix);
 }
-
-/// A region that is held must not come out as a body that falls.
-void requireNoAnchors(const ModelSet& set) {
-    for (const SetThing& thing : set.things)
-        if (thing.node.starts_with(kAnchorPrefix))
-            throw UsageError("the node '" + thing.node +
-                             "' is to hold what it touches, and sets have no anchors: rename it, or leave it "
-                             "out of the file");
+bool isAnchor(const SetThing& thing) {
+    return thing.node.starts_with(kAnchorPrefix);
+}
+bool isBody(const SetThing& thing) {
+    return !isCollider(thing) && !isAnchor(thing);
 }
 
 glm::dvec3 upright(const Double3& p, const SetFile& file) {
@@ -65,7 +62,7 @@ std::string vectorText(const glm::dvec3& v) {
 double liftOf(const ModelSet& set, const SetFile& file) {
     double lowest = 0;
     for (const SetThing& thing : set.things)
-        if (!isCollider(thing)) lowest = std::min(lowest, extentOf(thing, file).low.y);
+        if (isBody(thing)) lowest = std::min(lowest, extentOf(thing, file).low.y);
     return -lowest;
 }
 
@@ -112,6 +109,20 @@ std::string collidersText(const ModelSet& set, const SetFile& file, double lift)
     return text;
 }
 
+/// What lies in the box round such a node is held.
+std::string anchorsText(const ModelSet& set, const SetFile& file, double lift) {
+    constexpr double kThinnest = 0.001;  // m, as scene files take it
+    std::string text;
+    for (const SetThing& thing : set.things) {
+        if (!isAnchor(thing)) continue;
+        const Extent extent = extentOf(thing, file);
+        text += "\n[[anchor]]\nshape = \"box\"\nsize_m = " +
+                vectorText(glm::max(extent.high - extent.low, glm::dvec3(kThinnest))) +
+                "\nposition_m = " + vectorText(extent.middle() + glm::dvec3(0, lift, 0)) + "\n";
+    }
+    return text;
+}
+
 std::string cameraText(const SetCamera& camera, const SetFile& file, double lift) {
     const glm::dvec3 up(0, lift, 0);
     char angle[64];
@@ -142,15 +153,15 @@ std::string particlesText(size_t bodies) {
 }  // namespace
 
 std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
-    requireNoAnchors(set);
     std::vector<const SetThing*> bodies;
     std::vector<Extent> extents;
     for (const SetThing& thing : set.things) {
-        if (isCollider(thing)) continue;
+        if (!isBody(thing)) continue;
         bodies.push_back(&thing);
         extents.push_back(extentOf(thing, file));
     }
-    if (bodies.empty()) throw UsageError("the set holds colliders only, and nothing that could break");
+    if (bodies.empty())
+        throw UsageError("the set holds colliders and anchors only, and nothing that could break");
     const double lift = liftOf(set, file);
     std::string text =
         "# A scene of Demolish; keys: docs/file_keys.md\nversion = 1\nmodel = " + quoted(file.model) + "\n";
@@ -164,7 +175,7 @@ std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
         turned.metres = 1;
         text += "\n[light]\nsun_direction = " + vectorText(upright(*set.sun_direction, turned)) + "\n";
     }
-    return text + collidersText(set, file, lift);
+    return text + collidersText(set, file, lift) + anchorsText(set, file, lift);
 }
 
 std::string sceneTextOf(const std::filesystem::path& model, const ModelPart& part,
