@@ -38,7 +38,7 @@ Shot baseShot(const ShotOptions& options) {
         throw UsageError("--split is for --model: it makes a scene of the nodes of a file");
     if (options.model.empty()) return loadScene(options.scene.empty() ? kDefaultScene : options.scene);
     if (options.split) return splitShot(options.model, modelPart(options));
-    return modelShot(options.model, Shot{}.material_name);
+    return modelShot(options.model);
 }
 
 void applyImpact(const ShotOptions& options, Shot& shot) {

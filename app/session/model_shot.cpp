@@ -65,7 +65,7 @@ Shot modelShot(const std::filesystem::path& model, const std::string& material) 
     shot.model = model;
     shot.impact.times_threshold = kModelTimesThreshold;
     shot.keeps_size = hasKnownSize(model, shot.part);
-    applyMaterial(shot, material);
+    applyMaterial(shot, material.empty() ? shot.material_name : material);
     return shot;
 }
 

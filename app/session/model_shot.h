@@ -28,8 +28,8 @@ std::string refusalOfUnit(const std::filesystem::path& model);
 std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high);
 
 /// Stands on the floor as large as its file says, 1 m high where that says nothing, hit by the ball that
-/// breaks it. Throws InputFileError (the material).
-Shot modelShot(const std::filesystem::path& model, const std::string& material);
+/// breaks it. `material`: empty, the usual one. Throws InputFileError (the material).
+Shot modelShot(const std::filesystem::path& model, const std::string& material = "");
 /// The same, with the lengths of the file in units of `unit` m; 0: not known.
 void setUnit(Shot& shot, double unit);
 

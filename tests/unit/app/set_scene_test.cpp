@@ -81,8 +81,8 @@ TEST_F(SetScene, NamesMakeColliders) {
     EXPECT_EQ(posts.mesh->corners.size(), 2u * 12 * 3 * 6);
     std::string many = "[{\"name\":\"vase\",\"mesh\":0}", roots = "[0";
     for (int i = 1; i <= 8; ++i) {
-        many += ",{\"name\":\"collider_" + std::to_string(i) + "\",\"mesh\":0}";
-        roots += "," + std::to_string(i);
+        many.append(",{\"name\":\"collider_").append(std::to_string(i)).append("\",\"mesh\":0}");
+        roots.append(",").append(std::to_string(i));
     }
     try {
         split(set(many + "]", roots + "]", ""));
