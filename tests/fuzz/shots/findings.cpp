@@ -11,9 +11,9 @@ namespace {
 constexpr double kLeastClosure = 0.98, kMostClosure = 1.02;
 /// Of the bodies' weight times their height: what stands still and sags a little brings in less.
 constexpr double kLeastShare = 1e-3;
-/// Spacings in a substep. From a quarter on a hit is over in a few of them: leapfrog has then been seen to
+/// Spacings in a substep. From a fifth on a hit is over in a few of them: leapfrog has then been seen to
 /// gain or lose up to 4 %.
-constexpr double kFarthestStep = 0.25;
+constexpr double kFarthestStep = 0.2;
 
 /// Knobs are options, or keys of a scene file.
 bool namesAKnob(const std::string& status) {
