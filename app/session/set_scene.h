@@ -18,8 +18,8 @@ struct SetFile {
 };
 
 /// The text of a scene (docs/file_keys.md) in which every node with triangles is a body of its own name and
-/// place, `collider_...` a collider, `anchor_...` an anchor. Lifted where something would lie below the floor. Throws UsageError for
-/// more colliders than there may be, and where nothing could break.
+/// place, `collider_...` a collider, `anchor_...` an anchor. Lifted where something would lie below the
+/// floor. Throws UsageError for more colliders than there may be, and where nothing could break.
 std::string sceneTextOf(const ModelSet& set, const SetFile& file);
 
 /// Reads the set and writes its scene as one that lies at `scene_file`. Throws InputFileError; UsageError for

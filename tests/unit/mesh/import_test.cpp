@@ -143,7 +143,8 @@ TEST_F(FileTest, StandsOnTheFloorAtTheWantedHeight) {
 
     const auto as_drawn = loadSolidMesh(file, {.keep_units = true});
     EXPECT_NEAR(meshInfo(*as_drawn).bounds_max.y, 2, 1e-12);
-    const auto in_inches = loadSolidMesh(file, {.height = 3, .keep_units = true, .part = {"", UpAxis::kY, 0.0254}});
+    const auto in_inches =
+        loadSolidMesh(file, {.height = 3, .keep_units = true, .part = {"", UpAxis::kY, 0.0254}});
     EXPECT_NEAR(meshInfo(*in_inches).bounds_max.y, 2 * 3 * 0.0254, 1e-12);
     EXPECT_THROW(loadSolidMesh(file, {.height = 0}), UsageError);
     EXPECT_THROW(loadSolidMesh(file, {.height = std::nan("")}), UsageError);
