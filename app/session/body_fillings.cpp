@@ -102,7 +102,7 @@ BodyFillings makeBodyFillings(const Shot& shot, bool on_gpu, bool draw_geometry,
     std::vector<uint32_t> particles;
     for (size_t b = 0; b < bodies.size(); ++b) {
         options.push_back(fillOptionsOf(shot, bodies[b], *mesh[b], on_gpu));
-        options.back().draw_geometry = draw_geometry;
+        options.back().draw_geometry = draw_geometry || shot.mortar.has_value();  // mortar joins outsides
         particles.push_back(options.back().particles);
     }
     requireFewEnough(particles);

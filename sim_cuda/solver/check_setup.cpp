@@ -239,6 +239,9 @@ void checkSetup(const SceneSetup& setup) {
     for (const Projectile& projectile : setup.projectiles) checkStart(projectile, colliders);
     const auto set = makeColliderSet<double>(colliders);
     checkAnchors(setup);
+    for (const BodyInstance& instance : setup.bodies)
+        demand(!setup.mortar || !instance.body->geometry.exterior_indices.empty(),
+               "Mortar joins the outsides of bodies, and one has none.");
     for (uint32_t b = 0; b < setup.bodies.size(); ++b) checkStart(setup, b, set);
 }
 

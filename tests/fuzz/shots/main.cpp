@@ -23,6 +23,7 @@ constexpr int kSkipped = 77;
 struct Options {
     uint64_t seed = 1;
     double seconds = 120;
+    uint64_t shots = ~uint64_t{0};  ///< at most
     std::optional<uint64_t> only;
     std::string device = "cpu";
     double cost = 0;  ///< 0: what suits the device
@@ -172,7 +173,8 @@ int run(const Options& options) {
     if (options.only)
         runApart(options, *options.only, tally);
     else
-        for (uint64_t index = 0; elapsed() < options.seconds; ++index) runApart(options, index, tally);
+        for (uint64_t index = 0; index < options.shots && elapsed() < options.seconds; ++index)
+            runApart(options, index, tally);
     print(tally.json(elapsed()));
     return tally.failed() ? 1 : 0;
 }
@@ -182,6 +184,7 @@ int parseAndRun(int argument_count, char** arguments) {
     CLI::App app{"Random shots, each in a process of its own, run twice and compared.", "fuzz_shots"};
     app.add_option("--seed", options.seed, "Which shots");
     app.add_option("--seconds", options.seconds, "How long; a shot that has begun is finished");
+    app.add_option("--shots", options.shots, "At most so many");
     app.add_option("--device", options.device)->check(CLI::IsMember({"cpu", "cuda"}));
     app.add_option("--only", options.only, "This shot of the seed alone");
     app.add_option("--cost", options.cost, "Particles x substeps of a run, about");
