@@ -39,8 +39,8 @@ TEST(Cracks, OfARabbitAreEvenLinesAndEvenFaces) {
     EXPECT_LT(measures.faces, 0.11);
 }
 
-/// The aims of docs/looks.md 4, 0.07 h on shells and 0.10 h on bulk bodies, hold within the outside; faces
-/// 0.06 h.
+/// Lines within 0.07 h on shells and 0.10 h on bulk bodies, within the outside; faces within 0.06 h. Aims of
+/// docs/looks.md 4.
 TEST(Cracks, OfAVaseWhoseCellsFollowToughOnesAreEvener) {
     Shot shot = tests::smallScene("vase", 1500, {17});
     shot.conform = true;
