@@ -9,13 +9,39 @@
 
 namespace demolish {
 
-/// Of one active particle, by its place in RigidWork::active.
+/// A part of what acts on one active particle.
 template <class Real>
 struct RigidLoad {
     Wrench<Real> wrench;    ///< about the particle's centre
     uint32_t touching = 0;  ///< contacts that give it
     uint32_t coming = 0;    ///< contacts with colliders that the next step will bring
     Tally<Real> tally;      ///< filled only for the ledger
+
+    DEM_FN void operator+=(const RigidLoad& other) {
+        add(wrench, other.wrench);
+        touching += other.touching;
+        coming += other.coming;
+        tally += other.tally;
+    }
+};
+
+/// By the particle's place in RigidWork::active. A GPU gathers the two side by side: either is a long way of
+/// reads that wait for one another.
+template <class Real>
+struct RigidLoads {
+    Span<RigidLoad<Real>> of_rows;       ///< of the faces of broken bonds and of contacts
+    Span<RigidLoad<Real>> of_colliders;  ///< as many
+
+    /// `memory`: of both, one after the other.
+    static RigidLoads in(Span<RigidLoad<Real>> memory) {
+        const size_t half = memory.count / 2;
+        return {memory.part(0, half), memory.part(half, half)};
+    }
+    DEM_FN RigidLoad<Real> at(uint32_t place) const {
+        RigidLoad<Real> sum = of_rows[place];
+        sum += of_colliders[place];
+        return sum;
+    }
 };
 
 template <class Real>
@@ -44,32 +70,40 @@ DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4
     if (keepsTouching(other, spring)) ++touching;
     return counted(slot(), touching);
 }
+/// The other end of a bond's record or of a contact, and its fragment, neither of which a contact step
+/// changes: most of those that are listed are of the same one.
+struct OtherFragment {
+    uint32_t id = 0, label = 0;
+};
 /// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                    const Span<const uint32_t>& label, const OwnParticle<Real>& own,
-                                    uint32_t slot, const LinkEnd& end, RigidLoad<Real>& load) {
-    if (isBonded(end.link) || label[end.id] == label[own.id]) return {};
-    const ParticleConstants<Real> other = arrays.constants[end.id];
-    return countedSlot(other, arrays.bond_spring[slot], load.touching, [&] {
+                                    uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
+                                    const OtherFragment& other, RigidLoad<Real>& load) {
+    if (other.label == own_label) return {};
+    const LinkEnd end = linkEnd(arrays, slot);
+    if (isBonded(end.link)) return {};
+    return countedSlot(arrays.constants[end.id], arrays.bond_spring[slot], load.touching, [&] {
         return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
-/// The other end of a contact and its fragment: most of those that are listed are of the same one.
-struct ContactFragment {
-    uint32_t id = 0, label = 0;
-};
 template <class Real>
-DEM_FN ContactFragment contactFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
-                                       uint32_t slot) {
+DEM_FN OtherFragment contactFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
+                                     uint32_t slot) {
     const uint32_t j = arrays.neighbour[slot];
+    return {j, label[j]};
+}
+template <class Real>
+DEM_FN OtherFragment bondFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
+                                  uint32_t slot) {
+    const uint32_t j = linkedParticle(arrays.link[slot]);
     return {j, label[j]};
 }
 /// Nothing within a fragment here either.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                        uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
-                                       const ContactFragment& other, RigidLoad<Real>& load) {
+                                       const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
     return countedSlot(end.constants, arrays.contact_spring[slot], load.touching, [&] {
@@ -128,41 +162,44 @@ struct TurnsFragment {
 };
 
 template <bool kLedger, class Real>
-DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                         const RigidWork& work, const OwnParticle<Real>& own, RigidLoad<Real>& load) {
-    if (own.constants.isHeld()) return;
+DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                     const RigidWork& work, const OwnParticle<Real>& own) {
+    RigidLoad<Real> load;
+    if (own.constants.isHeld()) return load;
     forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at =
             colliderContact<kLedger>(arrays, params, own, c, bound, load.tally, TurnsFragment<Real>{work});
         add(load.wrench, counted(at.wrench, load.touching));
         load.coming += at.comes ? 1 : 0;
     });
+    return load;
 }
 
-/// One thread a particle: the CPU. `load` is by place.
+/// One thread a particle: the CPU.
 template <bool kLedger, class Real>
 struct GatherRigidLoad {
     SubstepArrays<Real> arrays;
     StepParams<Real> params;
     RigidWork work;
-    Span<RigidLoad<Real>> load;
+    RigidLoads<Real> loads;
 
     DEM_FN void operator()(uint32_t place) const {
         const OwnParticle<Real> own = loadOwn(arrays, work.active[place]);
-        RigidLoad<Real> out;
+        RigidLoad<Real> rows;
         PartialSums<kPartials, Real> sums;
         const uint32_t first_bond = arrays.bond_row[own.id], last_bond = arrays.bond_row[own.id + 1];
         for (uint32_t slot = first_bond; slot < last_bond; ++slot)
-            sums.add(slot - first_bond, countedBondSlot<kLedger>(arrays, params, work.label, own, slot,
-                                                                 linkEnd(arrays, slot), out));
+            sums.add(slot - first_bond,
+                     countedBondSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
+                                              bondFragment(arrays, work.label, slot), rows));
         const uint32_t first = arrays.contact_row[own.id], last = arrays.contact_row[own.id + 1];
         for (uint32_t slot = first; slot < last; ++slot)
             sums.add(slot - first,
                      countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
-                                                 contactFragment(arrays, work.label, slot), out));
-        out.wrench = sums.total();
-        addColliders<kLedger>(arrays, params, work, own, out);
-        load[place] = out;
+                                                 contactFragment(arrays, work.label, slot), rows));
+        rows.wrench = sums.total();
+        loads.of_rows[place] = rows;
+        loads.of_colliders[place] = collidersLoad<kLedger>(arrays, params, work, own);
     }
 };
 

@@ -12,12 +12,12 @@ struct RigidGather {
     SubstepArrays<Real> arrays;
     StepParams<Real> params;
     RigidWork work;
-    Span<RigidLoad<Real>> load;
+    RigidLoads<Real> loads;
 };
 
-/// Blocks that it takes.
+/// Blocks that so many particles take, with T threads for each.
 template <uint32_t T>
-uint32_t gatherBlocks(uint32_t active) {
+DEM_FN uint32_t gatherBlocks(uint32_t active) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
     return (active + kParticles - 1) / kParticles;
 }
@@ -25,37 +25,44 @@ uint32_t gatherBlocks(uint32_t active) {
 /// Particles up to which sixteen threads go through the rows of one, beyond them eight.
 inline constexpr uint32_t kFewActive = 8192;
 
-/// T threads a particle. The first block waits for the step before in any case, so that the next one may rely
-/// on it. With six blocks a multiprocessor instead of five, what
-/// a corner needs does not fit into registers.
+/// Written for the ledger alone: most of it is the tally.
+template <bool kLedger, class Real>
+__device__ __forceinline__ void keepLoad(RigidLoad<Real>& kept, const RigidLoad<Real>& load) {
+    if constexpr (kLedger) kept.tally = load.tally;
+    kept.wrench = load.wrench;
+    kept.touching = load.touching;
+    kept.coming = load.coming;
+}
+
+/// What the rows give; `block`: of those that do this.
 template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, 5) rigidLoadKernel(const RigidGather<Real> gather) {
-    constexpr uint32_t kParticles = kSubstepBlock / T;
-    letNextStart();
-    const uint32_t block = blockIdx.x;
+__device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, uint32_t block,
+                                             uint32_t count) {
     const SubstepArrays<Real>& arrays = gather.arrays;
     const StepParams<Real>& params = gather.params;
     const RigidWork& work = gather.work;
-    const uint32_t count = work.counts[kActiveCount];
-    if (block > 0 && block * kParticles >= count) return;
-    const uint32_t place = block * kParticles + threadIdx.x / T, lane = threadIdx.x % T;
+    const uint32_t place = block * (kSubstepBlock / T) + threadIdx.x / T, lane = threadIdx.x % T;
     const bool present = place < count;
-    const uint32_t id = work.active[present ? place : count > 0 ? count - 1 : 0];
+    const uint32_t id = work.active[present ? place : count - 1];
     const RowEnds ends = rowEnds(arrays, id, present);
     const uint32_t label = work.label[id];
+    const auto bond_end = [&](uint32_t slot) {
+        // Past the first cache, which would keep a state of the pair that is changing meanwhile.
+        const uint32_t j = __ldcg(&arrays.link[slot].link) & kLinkIdMask;
+        return OtherFragment{j, work.label[j]};
+    };
+    const auto fragment = [&](uint32_t slot) { return contactFragment(arrays, work.label, slot); };
+    RowCursor<T, decltype(bond_end)> bonds(ends.first_bond, ends.last_bond, lane, bond_end, bond_end);
+    RowCursor<T, decltype(fragment)> contacts(ends.first_contact, ends.last_contact, lane, fragment,
+                                              fragment);
     awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
     LanePartial<T, Real> sum;
     RigidLoad<Real> out;
-    const auto link_end = [&](uint32_t slot) { return linkEnd(arrays, slot); };
-    const auto fragment = [&](uint32_t slot) { return contactFragment(arrays, work.label, slot); };
-    RowCursor<T, decltype(link_end)> bonds(ends.first_bond, ends.last_bond, lane, link_end, link_end);
-    RowCursor<T, decltype(fragment)> contacts(ends.first_contact, ends.last_contact, lane, fragment,
-                                              fragment);
-    gatherRow<T>(bonds, sum, [&](uint32_t slot, const LinkEnd& end) {
-        return countedBondSlot<kLedger>(arrays, params, work.label, own, slot, end, out);
+    gatherRow<T>(bonds, sum, [&](uint32_t slot, const OtherFragment& other) {
+        return countedBondSlot<kLedger>(arrays, params, label, own, slot, other, out);
     });
-    gatherRow<T>(contacts, sum, [&](uint32_t slot, const ContactFragment& other) {
+    gatherRow<T>(contacts, sum, [&](uint32_t slot, const OtherFragment& other) {
         return countedContactSlot<kLedger>(arrays, params, label, own, slot, other, out);
     });
     __syncwarp();
@@ -63,13 +70,36 @@ __global__ void __launch_bounds__(kSubstepBlock, 5) rigidLoadKernel(const RigidG
     for (uint32_t step = T / 2; step > 0; step /= 2)
         out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
     if constexpr (kLedger) sumTally<T>(out.tally);
-    if (!present || lane != 0) return;
-    addColliders<kLedger>(arrays, params, work, own, out);
-    RigidLoad<Real>& load = gather.load[place];
-    if constexpr (kLedger) load.tally = out.tally;
-    load.wrench = out.wrench;
-    load.touching = out.touching;
-    load.coming = out.coming;
+    if (present && lane == 0) keepLoad<kLedger>(gather.loads.of_rows[place], out);
+}
+
+/// What colliders give. Their part needs no other particle, and so a thread each.
+template <bool kLedger, class Real>
+__device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gather, uint32_t block,
+                                                  uint32_t count) {
+    const uint32_t place = block * kSubstepBlock + threadIdx.x;
+    const uint32_t id = gather.work.active[place < count ? place : count - 1];
+    awaitPrevious();
+    if (place >= count) return;
+    const OwnParticle<Real> own = loadOwn(gather.arrays, id);
+    keepLoad<kLedger>(gather.loads.of_colliders[place],
+                      collidersLoad<kLedger>(gather.arrays, gather.params, gather.work, own));
+}
+
+/// The first `collider_blocks` see to colliders, the others, with T threads a particle, to rows. The first
+/// block waits for the step before in any case, so that the next one may rely on it. With six blocks a
+/// multiprocessor instead of five, what a corner needs does not fit into registers.
+template <uint32_t T, bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, 5)
+    rigidLoadKernel(const RigidGather<Real> gather, uint32_t collider_blocks) {
+    letNextStart();
+    const uint32_t block = blockIdx.x, count = gather.work.counts[kActiveCount];
+    if (block == 0 && count == 0) awaitPrevious();
+    if (block < collider_blocks) {
+        if (block < gatherBlocks<1>(count)) gatherCollidersOf<kLedger>(gather, block, count);
+    } else if (block - collider_blocks < gatherBlocks<T>(count)) {
+        gatherRowsOf<T, kLedger>(gather, block - collider_blocks, count);
+    }
 }
 
 }  // namespace demolish

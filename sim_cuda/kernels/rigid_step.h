@@ -100,9 +100,11 @@ struct RigidRow {
     DEM_FN uint32_t places() const { return last - first; }
 };
 /// What stands at a place, and does not change from step to step.
+template <class Real>
 struct RigidSeat {
     uint32_t place, particle;
     Vec3<double> arm;
+    ParticleConstants<Real> own;
 };
 
 template <bool kLedger, class Real>
@@ -111,9 +113,9 @@ struct StepRigid {
     StateOut<Real> state;        ///< the memory behind arrays.in
     StepParams<Real> params;     ///< of a substep
     RigidWork work;
-    Span<const RigidLoad<Real>> load;
+    RigidLoads<Real> loads;
     Span<ParticleConstants<Real>> constants;    ///< those that contact steps use,
-    Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles in substeps
+    Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles, if any, in substeps
     Span<const ParticleConstants<Real>> own_constants;
     uint32_t previous = kRigidStride,
              stride = kRigidStride;  ///< substeps in the step before, and in this one
@@ -125,23 +127,25 @@ struct StepRigid {
         return {work.fragment[entry], work.first[entry], work.last[entry]};
     }
     /// At a place of the row, or in its first one if it has not so many.
-    DEM_FN RigidSeat seat(const RigidRow& row, uint32_t k) const {
+    DEM_FN RigidSeat<Real> seat(const RigidRow& row, uint32_t k) const {
         const uint32_t place = row.first + (k < row.places() ? k : 0), i = work.active[place];
-        return {place, i, work.arm[i]};
+        return {place, i, work.arm[i], own_constants[i]};
     }
     /// `seat`: at the lane's first place, seat(row, lane).
-    DEM_FN RigidSums gather(const RigidBody& body, const RigidRow& row, RigidSeat seat, uint32_t lane,
+    DEM_FN RigidSums gather(const RigidBody& body, const RigidRow& row, RigidSeat<Real> seat, uint32_t lane,
                             uint32_t lanes) const {
         RigidSums sums;
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
-            const Wrench<Real> felt = carried(seat.particle), wrench = load[seat.place].wrench;
-            sums.coming += load[seat.place].coming;
-            if (isNullWrench(wrench) && isNullWrench(felt)) continue;
-            const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(wrench.force));
-            const Vec3<double> torque = axpy(carried_share, asDouble(felt.torque), asDouble(wrench.torque));
+            const Wrench<Real> felt = carried(seat.particle);
+            const RigidLoad<Real> load = loads.at(seat.place);
+            sums.coming += load.coming;
+            if (isNullWrench(load.wrench) && isNullWrench(felt)) continue;
+            const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(load.wrench.force));
+            const Vec3<double> torque =
+                axpy(carried_share, asDouble(felt.torque), asDouble(load.wrench.torque));
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            add(sums, {force, torque + cross(arm, force), load[seat.place].touching, 0});
+            add(sums, {force, torque + cross(arm, force), load.touching, 0});
         }
         return sums;
     }
@@ -171,7 +175,7 @@ struct StepRigid {
         work.memory[row.slot] = memoryOf(body);
     }
     /// Every `lanes`-th particle from `lane` on, however many lanes there are; `seat` as in gather().
-    DEM_FN void place(const RigidBody& body, const RigidRow& row, RigidSeat seat, uint32_t lane,
+    DEM_FN void place(const RigidBody& body, const RigidRow& row, RigidSeat<Real> seat, uint32_t lane,
                       uint32_t lanes) const {
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
@@ -183,14 +187,15 @@ struct StepRigid {
                 placeParticle(state, i, x, v, body.spin);
                 placeParticle(arrays.out, i, x, v, body.spin);
             }
-            constants[i] = sharedConstants(body, seat.arm, own_constants[i]);
-            in_substeps[i] = carriedConstants(body, constants[i], own_constants[i]);
+            const ParticleConstants<Real> shared = sharedConstants(body, seat.arm, seat.own);
+            constants[i] = shared;
+            if (carried_share > 0) in_substeps[i] = carriedConstants(body, shared, seat.own);
             if (kLedger && body.isHeld()) bookHeld(seat, before);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
                 const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-                bookLedger(arrays.ledger[i], load[seat.place].tally, before, after, Real(push()));
+                bookLedger(arrays.ledger[i], loads.at(seat.place).tally, before, after, Real(push()));
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
                                Real(carried_share * push()));
@@ -198,9 +203,9 @@ struct StepRigid {
         }
     }
     /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
-    DEM_FN void bookHeld(const RigidSeat& seat, const LoadedState<Real>& now) const {
+    DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& now) const {
         Vec4<Real>& ledger = arrays.ledger[seat.particle];
-        bookHold(ledger, load[seat.place].wrench, now, now, Real(push()));
+        bookHold(ledger, loads.at(seat.place).wrench, now, now, Real(push()));
         bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push()));
     }
     /// The CPU: all lanes of a fragment in turn.

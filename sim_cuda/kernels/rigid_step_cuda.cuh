@@ -28,7 +28,7 @@ template <bool kLedger, class Real>
 __device__ void moveSmall(const StepRigid<kLedger, Real>& step, const RigidRow& row, uint32_t lane) {
     static_assert(kShortRigidRow == 2 * kWarp);
     const uint32_t lanes = laneCount(row.places());
-    const RigidSeat seat = step.seat(row, lane);
+    const RigidSeat<Real> seat = step.seat(row, lane);
     awaitPrevious();
     RigidBody body = step.work.body[row.slot];
     RigidSums sums;
@@ -47,7 +47,7 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, const RigidRow& 
     auto* sums = reinterpret_cast<RigidSums*>(sums_memory);
     auto& moved = *reinterpret_cast<RigidBody*>(body_memory);
     const uint32_t lane = threadIdx.x, lanes = laneCount(row.places());
-    const RigidSeat seat = step.seat(row, lane);
+    const RigidSeat<Real> seat = step.seat(row, lane);
     awaitPrevious();
     RigidBody body = step.work.body[row.slot];
     sums[lane] = lane < lanes ? step.gather(body, row, seat, lane, lanes) : RigidSums{};
@@ -69,7 +69,7 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, const RigidRow& 
 /// The first large_blocks blocks move one large fragment each, the warps of the others one small one. There
 /// is a fragment, so that somebody waits for the step before and the next one may rely on it.
 template <bool kLedger, class Real>
-__global__ void __launch_bounds__(kRigidLanes)
+__global__ void __launch_bounds__(kRigidLanes, 2)
     rigidStepKernel(const StepRigid<kLedger, Real> step, uint32_t large_blocks) {
     letNextStart();
     const RigidWork& work = step.work;

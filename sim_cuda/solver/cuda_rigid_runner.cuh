@@ -97,16 +97,15 @@ class RigidRunner<CudaBackend, Real> {
     static constexpr uint32_t kLeastLarge = 16;
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
-        if (load_.size() >= work.active_at_most) return;
+        if (load_.size() >= 2 * size_t{work.active_at_most}) return;
         backend.synchronize();  // what was started before may still use it
-        load_ = backend.allocate<RigidLoad<Real>>(work.active_at_most + work.active_at_most / 2);
+        load_ = backend.allocate<RigidLoad<Real>>(3 * size_t{work.active_at_most});
     }
 
     /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
-        step.ledger
-            ? launchMove(backend, step.template mover<true>(load_.view(), previous, stride, carried))
-            : launchMove(backend, step.template mover<false>(load_.view(), previous, stride, carried));
+        step.ledger ? launchMove(backend, step.template mover<true>(loads(), previous, stride, carried))
+                    : launchMove(backend, step.template mover<false>(loads(), previous, stride, carried));
     }
     static void launchGather(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                              uint32_t active, bool ledger) {
@@ -124,11 +123,12 @@ class RigidRunner<CudaBackend, Real> {
     template <uint32_t T, bool kLedger>
     static void launchGatherT(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                               uint32_t active) {
-        backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, gatherBlocks<T>(active), kSubstepBlock,
-                       "gathering loads of rigid fragments", gather);
+        const uint32_t collider_blocks = gatherBlocks<1>(active);
+        backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, collider_blocks + gatherBlocks<T>(active),
+                       kSubstepBlock, "gathering loads of rigid fragments", gather, collider_blocks);
     }
     RigidGather<Real> gatherOf(const Step& step, uint32_t previous, uint32_t stride) {
-        return {step.arrays(), rigidParams(step.params, previous, stride), step.work, load_.span()};
+        return {step.arrays(), rigidParams(step.params, previous, stride), step.work, loads()};
     }
     template <bool kLedger>
     static void launchMove(CudaBackend& backend, const StepRigid<kLedger, Real>& step) {
@@ -138,6 +138,8 @@ class RigidRunner<CudaBackend, Real> {
         backend.launch(true, rigidStepKernel<kLedger, Real>, large + small, kRigidLanes,
                        "moving rigid fragments", step, large);
     }
+
+    RigidLoads<Real> loads() { return RigidLoads<Real>::in(load_.span()); }
 
     CudaBackend::Buffer<RigidLoad<Real>> load_;
     CudaGraphCache graphs_;

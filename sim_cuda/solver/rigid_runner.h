@@ -45,13 +45,13 @@ struct RigidStepOf {
     /// After a contact step of `previous` substeps. What carries particles pushes them and is pushed for the
     /// same time, whatever was before.
     template <bool kLedger>
-    StepRigid<kLedger, Real> mover(Span<const RigidLoad<Real>> load, uint32_t previous, uint32_t stride,
+    StepRigid<kLedger, Real> mover(const RigidLoads<Real>& loads, uint32_t previous, uint32_t stride,
                                    bool carried) const {
         return {arrays(),
                 data.particles.out(data.current),
                 params,
                 work,
-                load,
+                loads,
                 constants.in_contact_steps,
                 constants.in_substeps,
                 data.particles.constants.view(),
@@ -88,9 +88,8 @@ class RigidRunner<CpuBackend, Real> {
     /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.
     void gather(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool) {
-        if (load_.size() < step.work.active_at_most)
-            load_ =
-                backend.allocate<RigidLoad<Real>>(step.work.active_at_most + step.work.active_at_most / 2);
+        if (load_.size() < 2 * size_t{step.work.active_at_most})
+            load_ = backend.allocate<RigidLoad<Real>>(3 * size_t{step.work.active_at_most});
         step.ledger ? gatherWith<true>(backend, step, previous, stride)
                     : gatherWith<false>(backend, step, previous, stride);
     }
@@ -108,13 +107,15 @@ class RigidRunner<CpuBackend, Real> {
         backend.forEach(
             step.work.active_at_most,
             GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, previous, stride),
-                                           step.work, load_.span()},
+                                           step.work, RigidLoads<Real>::in(load_.span())},
             "rigid load");
     }
     template <bool kLedger>
     void moveWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
-        backend.forEach(step.work.fragments_at_most,
-                        step.template mover<kLedger>(load_.view(), previous, stride, carried), "rigid step");
+        backend.forEach(
+            step.work.fragments_at_most,
+            step.template mover<kLedger>(RigidLoads<Real>::in(load_.span()), previous, stride, carried),
+            "rigid step");
     }
 
     CpuBackend::Buffer<RigidLoad<Real>> load_;
