@@ -13,8 +13,8 @@ namespace demolish {
 
 class VideoPipe {
   public:
-    /// H.264 in MP4 (or what the ending asks of ffmpeg), `fps` frames a second. Throws OutputError when there
-    /// is no ffmpeg or the folder cannot be written.
+    /// H.264 in what the ending says (MP4, MOV, Matroska, AVI), `fps` frames a second. Throws OutputError for
+    /// another ending, when there is no ffmpeg or the folder cannot be written.
     VideoPipe(const std::filesystem::path& file, int width, int height, double fps);
 
     /// RGBA8, rows from the top. Throws OutputError when ffmpeg has given up.

@@ -114,7 +114,12 @@ class SpawnSteps {
         if (kind == ChildStream::kNothing)
             posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", O_RDWR, 0);
     }
-    void closeTheRest() { posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1); }
+    /// `shared`: stays open as the first after the three streams; -1: none.
+    void closeTheRest(int shared) {
+        constexpr int kFirst = STDERR_FILENO + 1;
+        if (shared >= 0) posix_spawn_file_actions_adddup2(&actions, shared, kFirst);
+        posix_spawn_file_actions_addclosefrom_np(&actions, shared >= 0 ? kFirst + 1 : kFirst);
+    }
 
     posix_spawn_file_actions_t actions;
     posix_spawnattr_t attributes;
@@ -132,7 +137,7 @@ ChildProcess::ChildProcess(const ChildPlan& plan) {
     steps.stream(STDIN_FILENO, plan.input, in.childs);
     steps.stream(STDOUT_FILENO, plan.output, out.childs);
     steps.stream(STDERR_FILENO, plan.errors, -1);
-    steps.closeTheRest();
+    steps.closeTheRest(plan.shares);
     listenToChildren();
     std::vector<std::string> words = plan.words, environment = environmentWith(plan.variables);
     const std::string& program = plan.program.empty() ? plan.words.at(0) : plan.program;

@@ -28,7 +28,10 @@ struct ChildPlan {
     std::vector<std::string> variables{};  ///< NAME=VALUE, in place of what the environment says
     ChildStream input = ChildStream::kNothing, output = ChildStream::kShared, errors = ChildStream::kShared;
     bool own_group = false;  ///< Ctrl-C does not reach it
+    int shares = -1;         ///< an open file that it has as kSharedFile
 };
+/// Path by which a child opens what its parent shares with it, also where that has no name any more.
+inline constexpr const char* kSharedFile = "/dev/fd/3";
 
 /// It did not start. `what()` is the system's reason.
 struct ChildError : std::runtime_error {
@@ -44,8 +47,8 @@ struct ChildEnd {
     int code() const { return signal != 0 ? 128 + signal : exit_code; }
 };
 
-/// Inherits no open file but its three streams, and no ignored SIGCHLD or SIGPIPE. The end of a child can be
-/// learned only where SIGCHLD is not ignored: starting one gives it back its default.
+/// Inherits no open file but its three streams and what is shared, and no ignored SIGCHLD or SIGPIPE. The end
+/// of a child can be learned only where SIGCHLD is not ignored: starting one gives it back its default.
 class ChildProcess {
   public:
     using Clock = std::chrono::steady_clock;

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "engine/image/compare.h"
 #include "engine/image/png.h"
+#include "engine/image/unfinished_file.h"
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
 
@@ -157,6 +160,43 @@ TEST(Capture, FilmsMayHaveNamesThatLookLikeOptionsOrProtocols) {
         EXPECT_EQ(run.exit_code, 0) << name << ": " << run.err;
         EXPECT_TRUE(std::filesystem::exists(folder.path() / name)) << name;
     }
+}
+
+TEST(Capture, AFilmOfAnotherKindIsRefusedBeforeAnythingIsDrawn) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const ProgramRun run = runProgram({"capture", "block", "--particles", "50", "--frames", "2", "--size",
+                                       "96x54", "--video", folder.path() / "film.gif"});
+    EXPECT_EQ(run.exit_code, 6) << run.err;
+    EXPECT_THAT(run.err, testing::HasSubstr("ends with .mp4"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
+/// It may outlive a program that is killed, and comes to its file after the next run has swept.
+TEST(Capture, AFilmMakerThatOutlivesTheRunLeavesNothing) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto films = folder.path() / "films";
+    const std::string started = folder.path() / "started", swept = folder.path() / "swept",
+                      ended = folder.path() / "ended";
+    std::filesystem::permissions(
+        folder.write("ffmpeg",
+                     "#!/bin/bash\ntouch " + started + "\nuntil [ -e " + swept +
+                         " ]; do sleep 0.02; done\nfilm=\"${@: -1}\"\necho film > \"${film#file:}\"\ntouch " +
+                         ended + "\n"),
+        std::filesystem::perms::owner_all);
+    runProgram(
+        {"capture", "block", "--particles", "50", "--frames", "2", "--size", "96x54", "--video",
+         films / "film.mp4"},
+        {"PATH=" + folder.path().string() + ":" + std::getenv("PATH")},
+        {"bash", "-c",
+         "\"$@\" & p=$!; until [ -e " + started + " ]; do sleep 0.02; done; kill -KILL $p; wait $p", "bash"});
+    engine::removeAbandonedFiles(films);
+    folder.write("swept", "");
+    for (int k = 0; k < 500 && !std::filesystem::exists(ended); ++k)
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    EXPECT_TRUE(std::filesystem::exists(ended)) << "the maker of the film never came to its end";
+    EXPECT_TRUE(std::filesystem::is_empty(films));
 }
 
 TEST(Capture, ParticlesAreColouredByWhatTheViewNames) {

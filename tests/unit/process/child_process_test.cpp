@@ -132,6 +132,20 @@ TEST(ChildProcess, InheritsNoFileAndNoIgnoredSignal) {
     EXPECT_EQ(ignored & (1ull << (SIGPIPE - 1)), 0u);
 }
 
+TEST(ChildProcess, WritesIntoASharedFileAlsoWhenThatHasNoNameAnyMore) {
+    char name[] = "/tmp/demolish_shared_XXXXXX";
+    const int file = mkstemp(name);
+    ASSERT_GE(file, 0);
+    unlink(name);
+    ChildPlan plan = shell(std::string("echo shared > ") + kSharedFile + "; ls /proc/self/fd | wc -l");
+    plan.shares = file;
+    EXPECT_EQ(whatItSays(plan), "5\n") << "three streams, the file, and the folder that ls lists";
+    std::array<char, 7> text{};
+    EXPECT_EQ(pread(file, text.data(), text.size(), 0), 7);
+    close(file);
+    EXPECT_EQ(std::string(text.data(), text.size()), "shared\n");
+}
+
 TEST(ChildProcess, TakesVariablesInPlaceOfThoseOfTheEnvironment) {
     setenv("DEMOLISH_TEST_A", "old", 1);
     setenv("DEMOLISH_TEST_AB", "kept", 1);
