@@ -47,7 +47,7 @@ void showWork(const PanelContext& context, double size) {
                 : ImGui::TextDisabled("%s", text);
     tooltipOnHover(
         "About how many in all bodies, substeps a frame, and how long a frame takes at most, while all of it "
-        "breaks. Faster: larger particles, fewer --substeps (softer), a taller body.");
+        "breaks. Faster: larger particles, a taller body.");
 }
 
 }  // namespace
