@@ -68,14 +68,15 @@ class MaterialReader {
             if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
-            if (uv_set != 0) {
+            if (uv_set < 0 || uv_set > 1) {
                 images_.note(std::string("the texture '") + path.C_Str() +
-                             "' lies on a second set of UVs and is left out");
+                             "' lies on a third set of UVs and is left out");
                 return {};
             }
             material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
             material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
-            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v)};
+            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
+                    static_cast<uint8_t>(uv_set)};
         }
         return {};
     }
@@ -141,7 +142,7 @@ class MaterialReader {
         setNumbers(&look_.occlusion_strength, {strength}, 1);
     }
 
-    /// What is blended in the file is cut out here where its picture has holes.
+    /// glTF says what is blended; elsewhere a picture with holes is cut out.
     void readAlpha() {
         aiString mode;
         float cutoff = kUsualCutoff;
@@ -152,8 +153,8 @@ class MaterialReader {
         const bool by_map = material_.GetTexture(aiTextureType_OPACITY, 0, &opacity) == aiReturn_SUCCESS &&
                             material_.GetTexture(aiTextureType_DIFFUSE, 0, &base) == aiReturn_SUCCESS &&
                             opacity == base;
-        const bool cut =
-            said == "MASK" || ((said == "BLEND" || by_map) && look_.base_colour[3] > kUsualCutoff);
+        if (said == "BLEND" && (look_.base_colour[3] < 1 || hasHoles())) look_.alpha_cutoff = kBlends;
+        const bool cut = said == "MASK" || (by_map && look_.base_colour[3] > kUsualCutoff);
         if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
     }
     bool hasHoles() const {
