@@ -10,7 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "sim_cuda/authoring/looks/image_import.h"
@@ -29,8 +29,9 @@ struct TextureSlot {
 
 class MaterialReader {
   public:
-    MaterialReader(const aiMaterial& material, bool is_gltf, ImageImport& images)
-        : material_(material), is_gltf_(is_gltf), images_(images) {}
+    /// `uv_sets`: that the meshes of this material have.
+    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, ImageImport& images)
+        : material_(material), is_gltf_(is_gltf), uv_sets_(uv_sets), images_(images) {}
 
     LookMaterial read() {
         readMaps();
@@ -68,6 +69,8 @@ class MaterialReader {
             if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
+            // Of a file whose only set is its number 1, assimp keeps the number and moves the set to 0.
+            if (uv_sets_ < 2) uv_set = 0;
             if (uv_set < 0 || uv_set > 1) {
                 images_.note(std::string("the texture '") + path.C_Str() +
                              "' lies on a third set of UVs and is left out");
@@ -172,6 +175,7 @@ class MaterialReader {
 
     const aiMaterial& material_;
     bool is_gltf_;
+    int uv_sets_;
     ImageImport& images_;
     LookMaterial look_;
 };
@@ -196,18 +200,21 @@ std::shared_ptr<const ModelLooks> importLooks(const std::filesystem::path& model
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
     const bool is_gltf = ending == ".gltf" || ending == ".glb";
     auto looks = std::make_shared<ModelLooks>();
-    std::set<unsigned> used;
+    std::map<unsigned, int> uv_sets;  // of the materials that are used
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        used.insert(scene.mMeshes[i]->mMaterialIndex);
-        looks->has_colours = looks->has_colours || scene.mMeshes[i]->HasVertexColors(0);
+        const aiMesh& mesh = *scene.mMeshes[i];
+        int& sets = uv_sets[mesh.mMaterialIndex];
+        sets = std::max(sets, static_cast<int>(mesh.GetNumUVChannels()));
+        looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
     bool any = looks->has_colours;
     const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
     for (unsigned m = 0; m < count; ++m) {
         looks->materials.emplace_back();
-        if (used.count(m) == 0) continue;
-        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, images).read();
+        const auto used = uv_sets.find(m);
+        if (used == uv_sets.end()) continue;
+        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, used->second, images).read();
         any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
     }
     if (!any) return nullptr;

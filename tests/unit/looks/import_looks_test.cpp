@@ -87,6 +87,22 @@ TEST_F(ImportLooks, ASecondSetOfUvsIsTakenAndAThirdIsSaid) {
         }
 }
 
+TEST_F(ImportLooks, TheOnlySetOfUvsIsTakenWhateverItsNumber) {
+    write("skin.png", test::pngOf(2, 2, test::fourTexels()));
+    std::string text = test::cubeDae("skin.png");
+    for (const std::string number : {" set=\"0\"", "input_set=\"0\""}) {
+        ASSERT_NE(text.find(number), std::string::npos);
+        text[text.find(number) + number.size() - 2] = '1';
+    }
+    const ImportedModel model = importModel(write("cube.dae", text));
+    expectCubeUvs(model.mesh);
+    ASSERT_NE(model.looks, nullptr);
+    EXPECT_TRUE(model.looks->notes.empty());
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_EQ(look.base_map.image, 0u);
+    EXPECT_EQ(look.base_map.uv_set, 0);
+}
+
 TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
     const auto cutoffOf = [&](const std::string& material, std::vector<uint8_t> texels) {
         const ImportedModel model =
