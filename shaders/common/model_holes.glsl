@@ -29,8 +29,8 @@ int coveredSamples(Looked look, Laid l, vec3 rest) {
     float opacity = baseColour(look, l).a;
     if (cutoff > 0.0) return opacity < cutoff ? 0 : ~0;
     float threshold = hashedThreshold(rest, right, up);
-    int covered = 0;
-    for (int s = 0; s < gl_NumSamples; ++s)
-        if (opacity * float(gl_NumSamples) > float(s) + threshold) covered |= 1 << s;
+    int samples = max(gl_NumSamples, 1), covered = 0;
+    for (int s = 0; s < samples; ++s)
+        if (opacity * float(samples) > float(s) + threshold) covered |= 1 << s;
     return covered;
 }
