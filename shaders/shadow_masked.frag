@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Depth, but for what is cut out of the body or let through.
+#include "common/frame.glsl"
 #include "common/model_looks.glsl"
 #include "common/drawn_look.glsl"
 #include "common/model_holes.glsl"

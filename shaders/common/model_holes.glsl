@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Samples that a drawn triangle leaves open, as its material is cut out or blended. What is blended covers as many
 // samples as it is opaque, by a pattern that sticks to the body (Wyman and McGuire, Hashed Alpha Testing, 2017): nothing
-// has to be sorted, and several pictures of a frame average it.
+// has to be sorted. Pictures of which a film takes the mean turn it (common/frame.glsl), so that they average it.
 
 float hashedCell(vec3 cell) {
     uvec3 q = uvec3(ivec3(floor(cell))) * uvec3(1597334677u, 3812015801u, 2798796415u);
@@ -28,7 +28,7 @@ int coveredSamples(Looked look, Laid l, vec3 rest) {
     if (cutoff == 0.0) return ~0;
     float opacity = baseColour(look, l).a;
     if (cutoff > 0.0) return opacity < cutoff ? 0 : ~0;
-    float threshold = hashedThreshold(rest, right, up);
+    float threshold = fract(hashedThreshold(rest, right, up) + frame.exposure.w);
     int samples = max(gl_NumSamples, 1), covered = 0;
     for (int s = 0; s < samples; ++s)
         if (opacity * float(samples) > float(s) + threshold) covered |= 1 << s;

@@ -270,6 +270,39 @@ TEST_F(LooksTest, WhatIsBlendedLetsThroughAsMuchAsItIsNotOpaque) {
         EXPECT_NEAR(greenAt(opacity), opacity * gloss + 0.8 * (1 - opacity), 0.03) << "the furnace behind it";
 }
 
+/// Root of the mean square of what its pixels differ by from their mean, in the middle.
+double grainOf(const std::vector<Image>& averaged) {
+    double sum = 0, squares = 0;
+    for (int y = 32; y < 96; ++y)
+        for (int x = 32; x < 96; ++x) {
+            double value = 0;
+            for (const Image& image : averaged) value += decoded(image.at(x, y)[1]);
+            value /= static_cast<double>(averaged.size());
+            sum += value;
+            squares += value * value;
+        }
+    const double mean = sum / (64 * 64);
+    return std::sqrt(squares / (64 * 64) - mean * mean);
+}
+
+TEST_F(LooksTest, PicturesThatAFilmAveragesSmoothWhatIsBlended) {
+    FileMaterial material;
+    material.base_colour[1] = material.base_colour[2] = 0;
+    material.base_colour[3] = 0.4f;
+    material.alpha_cutoff = demolish::kBlends;
+    Scene scene = cutScene(cube(), looksOf(material, {}));
+    putIntoFurnace(scene.view, glm::vec3(0.8f));
+    lookAtSide(scene.view);
+    std::vector<Image> pictures;
+    for (int k = 0; k < 8; ++k) {
+        scene.view.noise_turn = static_cast<float>(k) / 8;
+        pictures.push_back(drawPicture(renderer(), scene));
+    }
+    const double grain = grainOf({pictures[0]});
+    EXPECT_GT(grain, 0.05);
+    EXPECT_LT(grainOf(pictures), 0.2 * grain);
+}
+
 TEST_F(LooksTest, APictureMayLieOnTheSecondUvs) {
     TriangleMesh mesh = cube();
     for (auto& corners : mesh.corners)
