@@ -10,7 +10,8 @@ layout(location = 0) uniform int region;
 #ifdef LOOKS
 #include "common/model_looks.glsl"
 layout(location = 4) in uint place;
-out vec2 look_uv;
+out vec3 rest;
+out vec4 look_uv;
 out vec4 look_colour;
 flat out uint look_material;
 #endif
@@ -20,6 +21,7 @@ void main() {
     vec3 p = (frame.light_matrix[region] * vec4(moved(t, rest_position), 1.0)).xyz;
 #ifdef LOOKS
     Looked look = lookedAt(place, rest_position);
+    rest = rest_position;
     look_uv = look.uv;
     look_colour = look.colour;
     look_material = look.material;

@@ -17,6 +17,7 @@ in vec2 relief;  // x: 0 at the outside .. 1 deep; y: -1 pit .. 1 ridge
 #ifdef LOOKS
 #include "common/model_material.glsl"
 #include "common/drawn_look.glsl"
+#include "common/model_holes.glsl"
 #endif
 layout(location = 0) out vec4 material_out;
 layout(location = 1) out vec4 normals_out;
@@ -36,7 +37,9 @@ void main() {
 #ifdef LOOKS
     Looked look = drawnLook();
     Laid laid = drawnLaid(world_position);
-    if (isCutOut(look, laid)) discard;
+    int covered = coveredSamples(look, laid, rest);
+    if (covered == 0) discard;
+    gl_SampleMask[0] = covered;
     if (!gl_FrontFacing) {
         s.normal = -s.normal;
         s.geometric_normal = s.normal;

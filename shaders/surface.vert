@@ -15,7 +15,7 @@ out vec2 relief;
 #ifdef LOOKS
 #include "common/model_looks.glsl"
 layout(location = 4) in uint place;
-out vec2 look_uv;
+out vec4 look_uv;
 out vec4 look_colour;
 flat out uint look_material;
 #endif

@@ -39,6 +39,7 @@ std::string sessionJson(const Session& session) {
     json["inner_material"] = session.shot().inner_material;
     json["repair"] = repairModeName(session.shot().repair.mode);
     json["body_size"] = status.body_size;
+    json["size_remark"] = status.size_remark;
     json["bodies"] = bodiesJson(session.shot());
     json["method"] = methodName(session.shot().method);
     json["device"] = session.built().solver->deviceName();

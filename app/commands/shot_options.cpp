@@ -6,30 +6,18 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/commands/option_values.h"
+#include "app/commands/particle_options.h"
 #include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
 #include "app/session/set_scene.h"
-#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
-constexpr const char* kDefaultScene = "bunny";
 constexpr Range kPiecesRange{0, 100000};
-constexpr Range kSeedRange{0, 4294967295.0};  // as in scene files; packings take 32 bits of it
-
-double inRange(const char* option, double value, const Range& range, const char* unit) {
-    requireInRange(option, value, range, unit);
-    return value;
-}
-
-double wholeNumber(const char* option, double value, const Range& range) {
-    requireInRange(option, value, range, "");
-    if (value != std::floor(value)) throw UsageError(std::string(option) + " must be a whole number");
-    return value;
-}
-
+constexpr const char* kDefaultScene = "bunny";
 Shot baseShot(const ShotOptions& options) {
     if (!options.scene.empty() && !options.model.empty())
         throw UsageError("give a scene name or --model, not both ('" + options.scene + "' and '" +
@@ -53,24 +41,6 @@ void applyImpact(const ShotOptions& options, Shot& shot) {
         shot.impact.kind = ImpactKind::kDrop;
     }
     if (options.break_at) shot.break_at = inRange("--break-at", *options.break_at, kBreakAtRange, "m/s");
-}
-
-void applyFineness(const ShotOptions& options, Shot& shot) {
-    if (options.particle_size && options.particles)
-        throw UsageError("--particle-size and --particles exclude each other: one follows from the other");
-    if (options.particle_size)
-        shot.fineness.particle_size =
-            inRange("--particle-size", *options.particle_size, kParticleSizeRange, "m");
-    if (options.particles)
-        shot.fineness.particles = static_cast<uint32_t>(
-            wholeNumber("--particles", *options.particles, {kMinParticles, kMaxParticles}));
-    if (options.refine) shot.refine = inRange("--refine", *options.refine, kRefineRange, "");
-    if (!options.conform.empty()) shot.conform = options.conform == "on";
-    if (options.quality == "draft") shot.fineness.full = shot.fineness.draft;
-    if (options.quality == "full") shot.fineness.draft = shot.fineness.full;
-    if (options.substeps)
-        shot.substeps = static_cast<uint32_t>(wholeNumber("--substeps", *options.substeps, kSubstepRange));
-    if (options.seed) shot.seed = static_cast<uint64_t>(wholeNumber("--seed", *options.seed, kSeedRange));
 }
 
 /// The scene's camera suits the scene's height only, its balls grow with the body, and what weight takes to
@@ -226,28 +196,6 @@ void addMaterialOptions(CLI::App& command, ShotOptions& options) {
         ->check(CLI::IsMember({"file", "material"}).description(""));
 }
 
-void addFinenessOptions(CLI::App& command, ShotOptions& options) {
-    command.add_option("--pieces", options.pieces, "Tough cells of each body: how many pieces it is made of")
-        ->type_name("N");
-    command
-        .add_option("--particle-size", options.particle_size,
-                    "Mean spacing of the particles, instead of their number")
-        ->type_name("M");
-    command
-        .add_option("--conform", options.conform,
-                    "Cells follow the borders of tough cells: even cracks, another packing")
-        ->type_name("on|off")
-        ->check(CLI::IsMember({"on", "off"}).description(""));
-    command
-        .add_option("--refine", options.refine,
-                    "Finer particles where the shot is aimed: spacing far from there over that there, 1..4")
-        ->type_name("FACTOR");
-    command
-        .add_option("--particles", options.particles,
-                    "Particles of each body, 2 to 4,000,000 (default: the scene's)")
-        ->type_name("N");
-}
-
 }  // namespace
 
 ModelPart modelPart(const ShotOptions& options) {
@@ -310,7 +258,7 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
                     "The scene's smooth mesh, or the one with the paper's number of triangles")
         ->type_name("fine|paper")
         ->check(CLI::IsMember({"fine", "paper"}).description(""));
-    addFinenessOptions(command, options);
+    addParticleOptions(command, options);
     addMaterialOptions(command, options);
     command.add_option("--device", options.device, "Where to simulate; auto: on the GPU if there is one")
         ->type_name("auto|cpu|cuda")
@@ -320,11 +268,6 @@ void addShotOptions(CLI::App& command, ShotOptions& options) {
         ->type_name("auto|draft|full")
         ->check(CLI::IsMember({"auto", "draft", "full"}).description(""))
         ->capture_default_str();
-    command
-        .add_option("--substeps", options.substeps, "Substeps per 1/60 s (default: from the particle size)")
-        ->type_name("N");
-    command.add_option("--seed", options.seed, "Seed of packing and strengths (default: the scene's)")
-        ->type_name("N");
     command.add_option("--fps", options.fps, "Frames per simulated second (default: 60)")->type_name("N");
     command.add_option("--slow-motion", options.slow_motion, "Simulated time per frame, 0.01..1 of 1/fps")
         ->type_name("FACTOR");
@@ -351,7 +294,7 @@ Shot makeShot(const ShotOptions& options, const std::string& mesh) {
     applyEffects(options, shot);
     applyMethod(options, shot);
     applyImpact(options, shot);
-    applyFineness(options, shot);
+    applyParticles(options, shot);
     if (options.fps) shot.fps = inRange("--fps", *options.fps, kFpsRange, "frames/s");
     if (options.slow_motion)
         shot.time_scale = inRange("--slow-motion", *options.slow_motion, kTimeScaleRange, "");

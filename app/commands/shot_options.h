@@ -34,7 +34,8 @@ struct ShotOptions {
     bool split = false;
     std::vector<double> pattern_axis;
     std::string conform;  ///< "on" or "off"; "" = the scene's
-    std::optional<double> refine;
+    std::optional<double> refine, painted_least;
+    std::string painted;  ///< "" = the scene's
     bool no_hand_over = false, no_sleep = false;
     std::string effects;  ///< "on" or "off"; "" = the command's own
     std::optional<double> grit, dust, sparks;

@@ -99,7 +99,8 @@ void announce(const BuiltShot& built) {
     spdlog::info("{}: {} particles of {:.3g} mm, {} bonds, {:.3g} kg; made in {:.2f} s",
                  modelName(built.shot.model), stats.particles, 1000 * built.body->spacing, stats.bonds,
                  stats.mass, built.build_seconds);
-    const std::string remark = sizeRemark(built.shot, built.body->bounds_min, built.body->bounds_max);
+    const std::string remark =
+        sizeRemark(built.shot, built.body->bounds_min, built.body->bounds_max, Advised::kTerminal);
     if (!remark.empty()) spdlog::warn("{}", remark);
 }
 

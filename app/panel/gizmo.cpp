@@ -34,17 +34,21 @@ struct Gizmo::Sight {
     ImVec2 corner, size;
     glm::mat4 to_picture;
     engine::Ray ray;
-    ImVec2 mouse;
+    ImVec2 mouse, scale;
 
     Sight(const engine::Camera& from, const PictureArea& area) : camera(from) {
         const ImGuiIO& io = ImGui::GetIO();
-        const ImVec2 scale = io.DisplayFramebufferScale;
+        scale = io.DisplayFramebufferScale;
         corner = ImVec2(static_cast<float>(area.x) / scale.x, static_cast<float>(area.y) / scale.y);
         size = ImVec2(static_cast<float>(area.width) / scale.x, static_cast<float>(area.height) / scale.y);
         to_picture = camera.projection(size.x / size.y) * camera.view();
         mouse = io.MousePos;
-        ray = engine::pixelRay(camera, area.width, area.height, (mouse.x - corner.x) * scale.x,
-                               (mouse.y - corner.y) * scale.y);
+        ray = rayThrough(mouse);
+    }
+    engine::Ray rayThrough(const ImVec2& point) const {
+        return engine::pixelRay(camera, static_cast<int>(size.x * scale.x),
+                                static_cast<int>(size.y * scale.y), (point.x - corner.x) * scale.x,
+                                (point.y - corner.y) * scale.y);
     }
     bool holdsMouse() const {
         return !ImGui::GetIO().WantCaptureMouse && mouse.x >= corner.x && mouse.y >= corner.y &&
@@ -94,6 +98,15 @@ Gizmo::Handle Gizmo::handleUnderMouse(const Sight& sight, const SceneBody& body,
     return Handle::kNone;
 }
 
+/// The foot goes over the picture as the mouse does. What hides it at the beginning makes no jump.
+void Gizmo::grabBody(const Shot& shot, const BodyList& bodies, size_t body, const Sight& sight) {
+    const glm::dvec3 foot = shot.height * toGlm(shot.bodies[body].position);
+    const ImVec2 at = sight.at(foot).value_or(sight.mouse);
+    to_foot_ = {at.x - sight.mouse.x, at.y - sight.mouse.y};
+    const auto seen = whatRayMeets(shot, bodies, sight.rayThrough(at), body);
+    grabbed_ = seen ? seen->point - foot : glm::dvec3(0);
+}
+
 /// A handle of the chosen body, else the body under the mouse, which is chosen by it.
 void Gizmo::take(PanelContext& context, const BodyList& bodies, const Sight& sight) {
     std::optional<size_t>& chosen = context.state.chosen_body;
@@ -107,9 +120,7 @@ void Gizmo::take(PanelContext& context, const BodyList& bodies, const Sight& sig
         if (!hit || !hit->body || shot.bodies[*hit->body].locked) return;
         chosen = hit->body;
         held_ = Handle::kBody;
-        // What the mouse points at behind the body goes with it, so that nothing jumps when the drag begins.
-        const auto ground = whatRayMeets(shot, bodies, sight.ray, chosen);
-        grabbed_ = (ground ? ground->point : hit->point) - shot.height * toGlm(shot.bodies[*chosen].position);
+        grabBody(shot, bodies, *chosen, sight);
     }
     body_ = *chosen;
     before_ = now_ = shot.bodies[body_];
@@ -129,7 +140,8 @@ void Gizmo::drag(const Shot& shot, const BodyList& bodies, const Sight& sight) {
     if (held_ == Handle::kTurn) {
         if (const auto angle = sight.angle(foot)) now_.yaw = before_.yaw + *angle - grabbed_.x;
     } else if (held_ == Handle::kBody) {
-        const auto hit = whatRayMeets(shot, bodies, sight.ray, body_);
+        const ImVec2 at(sight.mouse.x + to_foot_.x, sight.mouse.y + to_foot_.y);
+        const auto hit = whatRayMeets(shot, bodies, sight.rayThrough(at), body_);
         if (!hit) return;
         const double x = hit->point.x - grabbed_.x, z = hit->point.z - grabbed_.z;
         place = {x, restingHeight(shot, bodies, body_, x, z, hit->point.y + heightOf(*bodies.at(body_))), z};

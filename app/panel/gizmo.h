@@ -21,6 +21,7 @@ class Gizmo {
     enum class Handle { kNone, kBody, kX, kY, kZ, kTurn };
     struct Sight;
     void take(PanelContext& context, const BodyList& bodies, const Sight& sight);
+    void grabBody(const Shot& shot, const BodyList& bodies, size_t body, const Sight& sight);
     void drag(const Shot& shot, const BodyList& bodies, const Sight& sight);
     void letGo(PanelContext& context);
     Handle handleUnderMouse(const Sight& sight, const SceneBody& body, double height) const;
@@ -30,7 +31,8 @@ class Gizmo {
     bool moved_ = false;
     SceneBody before_, now_;  ///< of the body that is held
     size_t body_ = 0;
-    glm::dvec3 grabbed_{0};  ///< m from the body's foot to where it was taken; x: rad or m along a handle
+    glm::vec2 to_foot_{0};   ///< of the mouse's points, from the mouse to the foot of the body that is held
+    glm::dvec3 grabbed_{0};  ///< m from the foot to what was seen there; x: rad or m along a handle
 };
 
 }  // namespace demolish

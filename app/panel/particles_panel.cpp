@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/panel/widgets.h"
+#include "app/session/paint_names.h"
 
 namespace demolish {
 namespace {
@@ -23,6 +24,22 @@ void showRebuild(PanelContext& context) {
     ImGui::SameLine();
     if (button(context, "particles.cancel", "Cancel", "Keep the body as it is"))
         context.commands.emplace_back(command::CancelRebuild{});
+}
+
+/// Of models with colours at their vertices.
+void showPainted(PanelContext& context) {
+    constexpr const char* kNone = "only seen";
+    std::vector<std::string> names{kNone};
+    for (const std::string& channel : paintChannelNames()) names.push_back(channel);
+    std::optional<PaintedStrength>& painted = context.shot.painted;
+    const int chosen = combo(context, "particles.painted", "Painted colours", names,
+                             painted ? names[1 + static_cast<size_t>(painted->channel)] : kNone,
+                             "A channel of the colours at the model's vertices: where it is dark, bonds are "
+                             "weak. Rebuilds.");
+    if (chosen < 0) return;
+    painted.reset();
+    if (chosen > 0) painted = PaintedStrength{static_cast<PaintChannel>(chosen - 1)};
+    context.changed = true;
 }
 
 /// Of the size that is chosen, built or not: finer particles need shorter steps in proportion.
@@ -47,7 +64,7 @@ void showWork(const PanelContext& context, double size) {
                 : ImGui::TextDisabled("%s", text);
     tooltipOnHover(
         "About how many in all bodies, substeps a frame, and how long a frame takes at most, while all of it "
-        "breaks. Faster: larger particles, fewer --substeps (softer), a taller body.");
+        "breaks. Faster: larger particles, a taller body.");
 }
 
 }  // namespace
@@ -86,6 +103,7 @@ void showParticlesPanel(PanelContext& context) {
     if (checkbox(context, "particles.conform", "Even cracks", context.shot.conform,
                  "Cells follow the borders of tough cells. Rebuilds, and breaks a little otherwise."))
         context.changed = true;
+    if (context.status.looks != nullptr && context.status.looks->has_colours) showPainted(context);
     showWork(context, size);
     showRebuild(context);
 }

@@ -74,12 +74,13 @@ void ScriptDriver::preparePicture(const Line& line, const PictureArea& picture) 
     }
     const bool by_left = line.words[0] == "move_picture";
     constexpr int kSteps = 10;
+    inputs_.push_back({.x = x(at(1)), .y = y(at(2))});
     for (int step = 0; step <= kSteps; ++step) {
         const float share = static_cast<float>(step) / kSteps;
         inputs_.push_back({.x = x(at(1) + share * (at(3) - at(1))),
                            .y = y(at(2) + share * (at(4) - at(2))),
-                           .left = by_left && step > 0 && step < kSteps,
-                           .middle = !by_left && step > 0 && step < kSteps});
+                           .left = by_left && step < kSteps,
+                           .middle = !by_left && step < kSteps});
     }
 }
 

@@ -16,7 +16,7 @@ enum class Looks : uint32_t { kNone, kHere, kKnown };
 
 struct Header {
     std::array<char, 8> magic{'D', 'e', 'm', 'o', 'M', 'e', 's', 'h'};
-    uint32_t version = 4;
+    uint32_t version = 5;
     Kind kind = Kind::kMesh;
     uint64_t text = 0, positions = 0, triangles = 0;
     uint32_t meshes = 0, materials = 0, textures = 0, is_in_metres = 0;
@@ -26,7 +26,7 @@ struct Header {
 struct ImageHeader {
     uint32_t width = 0, height = 0;
 };
-static_assert(sizeof(Header) == 80 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 28,
+static_assert(sizeof(Header) == 80 && sizeof(Double3) == 24 && sizeof(CornerAttributes) == 36,
               "no bytes between the members that nobody has set");
 
 constexpr uint32_t kMostNotes = 4096;
@@ -130,7 +130,7 @@ void requireSound(const TriangleMesh& mesh, size_t materials) {
             if (vertex >= mesh.positions.size()) throw BrokenStream("a vertex is not there");
     for (const auto& triangle : mesh.corners)
         for (const CornerAttributes& c : triangle)
-            if (!areFinite(c.normal.x, c.normal.y, c.normal.z, c.uv.x, c.uv.y))
+            if (!areFinite(c.normal.x, c.normal.y, c.normal.z, c.uv.x, c.uv.y, c.second_uv.x, c.second_uv.y))
                 throw BrokenStream("a corner is not a finite number");
             else if (c.material != kNoMaterial && c.material >= materials)
                 throw BrokenStream("a material is not there");
@@ -145,7 +145,7 @@ void requireSound(const ModelLooks& looks) {
         for (const ImageUse& use :
              {m.base_map, m.normal_map, m.metallic_map, m.roughness_map, m.occlusion_map, m.emission_map})
             if ((use.image != kNoImage && use.image >= looks.images.size()) || use.channel > 3 ||
-                use.wrap_u > TextureWrap::kMirror || use.wrap_v > TextureWrap::kMirror)
+                use.uv_set > 1 || use.wrap_u > TextureWrap::kMirror || use.wrap_v > TextureWrap::kMirror)
                 throw BrokenStream("a picture is not there");
     }
 }

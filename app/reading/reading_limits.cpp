@@ -43,7 +43,7 @@ ReadingTime mostReadingTime(const std::filesystem::path& file) {
     std::error_code error;
     const uintmax_t bytes = std::filesystem::file_size(file, error);
     const std::chrono::seconds computing(20 + (error ? 0 : static_cast<int64_t>(bytes >> 20)));
-    return {computing, 2 * computing};
+    return {computing, 5 * computing};
 }
 
 void limitThisReader(std::chrono::seconds computing) {

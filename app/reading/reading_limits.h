@@ -13,7 +13,8 @@ struct ReadingTime {
     std::chrono::seconds computing;  ///< of a processor
     std::chrono::seconds waiting;    ///< of a clock, for what hangs and computes nothing
 };
-/// 20 s and a second more for each MiB, many times what a sound file needs; twice that by the clock.
+/// 20 s and a second more for each MiB, many times what a sound file needs; five times that by the clock,
+/// since others may use the processor as well.
 ReadingTime mostReadingTime(const std::filesystem::path& file);
 
 /// Eight, or half of the machine's where that is less.

@@ -7,6 +7,7 @@
 #include "app/reading/model_reader.h"
 #include "app/session/progress_part.h"
 #include "app/session/shot_bodies.h"
+#include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
@@ -80,6 +81,15 @@ std::vector<std::shared_ptr<const SolidMesh>> readMeshes(const Shot& shot, const
     return of_body;
 }
 
+/// A slip that would otherwise go unseen.
+void requirePaint(const Shot& shot, const std::vector<FillOptions>& options) {
+    const bool is_used = std::any_of(options.begin(), options.end(),
+                                     [](const FillOptions& of) { return of.painted.has_value(); });
+    if (!shot.painted || is_used) return;
+    throw InputFileError("Strength is to follow painted colours, and '" + shot.model.filename().string() +
+                         "' has no colours at its vertices; export it with them.");
+}
+
 }  // namespace
 
 Double3 sizeOf(const TriangleMesh& mesh) {
@@ -106,6 +116,7 @@ BodyFillings makeBodyFillings(const Shot& shot, bool on_gpu, bool draw_geometry,
         particles.push_back(options.back().particles);
     }
     requireFewEnough(particles);
+    requirePaint(shot, options);
     for (size_t b = 0; b < bodies.size(); ++b) {
         BodyFillings::Filling wanted{mesh[b], options[b], nullptr};
         const auto* known = find(made.fillings, wanted);

@@ -29,11 +29,11 @@ std::string counted(size_t count, const char* what) {
     return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
-void lookAtMesh(const Shot& shot, const SolidMesh& mesh, ModelCheck& check) {
+void lookAtMesh(const Shot& shot, const SolidMesh& mesh, Advised advised, ModelCheck& check) {
     check.unit = shot.part.unit;
     check.repair = repairReport(mesh);
     check.solid = meshInfo(mesh);
-    check.size_remark = sizeRemark(shot, check.solid.bounds_min, check.solid.bounds_max);
+    check.size_remark = sizeRemark(shot, check.solid.bounds_min, check.solid.bounds_max, advised);
     check.thin_wall = thinWall(mesh, kThinShare);
 }
 
@@ -100,7 +100,7 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
         check.looks = model.looks;
         const auto mesh =
             makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot), std::move(model.looks));
-        lookAtMesh(shot, *mesh, check);
+        lookAtMesh(shot, *mesh, Advised::kTerminal, check);
         const FillOptions options{.particles = particlesWanted(shot, *mesh, false), .seed = shot.seed};
         lookAtBody(shot, *fillWithParticles(*mesh, options), check);
     } catch (const InputFileError& error) {
@@ -121,7 +121,7 @@ ModelCheck checkOf(const BuiltShot& built) {
     }
     if (const ModelLooks* looks = modelLooks(*cells.subject_mesh))
         check.looks = std::shared_ptr<const ModelLooks>(cells.subject_mesh, looks);
-    lookAtMesh(built.shot, *cells.subject_mesh, check);
+    lookAtMesh(built.shot, *cells.subject_mesh, Advised::kWindow, check);
     lookAtBody(built.shot, *cells.subject, check);
     return check;
 }

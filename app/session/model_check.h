@@ -34,7 +34,7 @@ struct ModelCheck {
 /// in ModelCheck::refusal; throws only UsageError, DeviceError and Cancelled.
 ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress = {});
 
-/// The same of a body that is made already.
+/// The same of a body that is made already, for the window.
 ModelCheck checkOf(const BuiltShot& built);
 
 /// A label and what is to be said, a line each.

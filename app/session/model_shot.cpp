@@ -41,23 +41,28 @@ std::string refusalOfUnit(const std::filesystem::path& model) {
     return "the format of '" + model.filename().string() + "' says its unit itself";
 }
 
-std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high) {
+std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high, Advised advised) {
     if (!shot.bodies.empty()) return "";
     const std::string name = shot.model.filename().string();
+    const bool in_window = advised == Advised::kWindow;
     if (!shot.keeps_size) {
         const bool is_said =
             shot.height != 1 || !shot.scene_file.empty() || hasKnownSize(shot.model, shot.part);
-        return is_said ? ""
-                       : name +
-                             " does not say its unit, so it is scaled to 1 m; --unit m, cm, mm, in or ft "
-                             "keeps its size";
+        if (is_said) return "";
+        return name + " does not say its unit, so it is scaled to 1 m; " +
+               (in_window ? "'Unit of the file' under 'Model file' keeps its size"
+                          : "--unit m, cm, mm, in or ft keeps its size");
     }
     const double longest = std::max({high.x - low.x, high.y - low.y, high.z - low.z});
     if (longest >= kPlausibleSize.least && longest <= kPlausibleSize.most) return "";
     char size[32];
     std::snprintf(size, sizeof size, "%.3g", longest);
-    return name + " is " + size +
-           " m long, which is hardly meant; check the unit of its export, or scale it by --height";
+    const std::string unit =
+        saysItsUnit(shot.model)
+            ? "check the unit of its export"
+            : (in_window ? "choose another 'Unit of the file' under 'Model file'" : "give another --unit");
+    return name + " is " + size + " m long, which is hardly meant; " + unit + ", or scale it by " +
+           (in_window ? "'Model height'" : "--height");
 }
 
 Shot modelShot(const std::filesystem::path& model, const std::string& material) {

@@ -23,9 +23,12 @@ bool hasKnownSize(const std::filesystem::path& model, const ModelPart& part);
 /// Why a model of this name takes no unit, a sentence without full stop; "" where it needs one.
 std::string refusalOfUnit(const std::filesystem::path& model);
 
+/// Whom a sentence advises: someone at a terminal has options, someone at the window has panels.
+enum class Advised { kTerminal, kWindow };
+
 /// What there is to say of the size of the shot's model, which as a body lies between `low` and `high` (m):
-/// that it is implausible, or that nobody said it. "": nothing; a sentence without full stop.
-std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high);
+/// that it is implausible, or that nobody said it, and what to do. "": nothing; a sentence without full stop.
+std::string sizeRemark(const Shot& shot, const Double3& low, const Double3& high, Advised advised);
 
 /// Stands on the floor as large as its file says, 1 m high where that says nothing, hit by the ball that
 /// breaks it. `material`: empty, the usual one. Throws InputFileError (the material).

@@ -7,6 +7,7 @@
 #include "app/session/asset_files.h"
 #include "app/session/material_file.h"
 #include "app/session/model_shot.h"
+#include "app/session/paint_names.h"
 #include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_colliders.h"
@@ -58,6 +59,12 @@ void readName(TomlReader& reader, const std::string& key, const std::vector<std:
     if (std::find(names.begin(), names.end(), name) == names.end())
         reader.fail(key, "must be one of " + listed(names));
     of(name);
+}
+
+void readPainted(TomlReader& reader, std::optional<PaintedStrength>& painted) {
+    readName(reader, "particles.painted", paintChannelNames(),
+             [&](const std::string& name) { painted = PaintedStrength{*paintChannelOf(name)}; });
+    if (painted) reader.read("particles.painted_least", painted->least, kPaintedLeastRange);
 }
 
 void readMethod(TomlReader& reader, Shot& shot) {
@@ -194,6 +201,7 @@ Shot loadScene(TomlReader& reader) {
     shot.seed = seed;
     reader.read("particles.conform", shot.conform);
     reader.read("particles.refine", shot.refine, kRefineRange);
+    readPainted(reader, shot.painted);
     reader.read("solver.wave_speed_mps", shot.wave_speed, {0, 10000});
     reader.read("solver.settle_s", shot.settle_time, {0, 10});
     reader.read("solver.scene_radius_m", shot.scene_radius, {0.1, 1e4});

@@ -16,7 +16,7 @@ using MaterialStarts = std::map<const ModelLooks*, uint32_t>;
 engine::PictureUse useOf(const ImageUse& use, uint32_t first_picture) {
     if (use.image == kNoImage) return {};
     return {first_picture + use.image, use.channel, static_cast<engine::PictureWrap>(use.wrap_u),
-            static_cast<engine::PictureWrap>(use.wrap_v)};
+            static_cast<engine::PictureWrap>(use.wrap_v), use.uv_set};
 }
 
 engine::LookMaterial materialOf(const LookMaterial& from, uint32_t first_picture) {
@@ -62,6 +62,8 @@ engine::LookTriangle triangleOf(const FractureGeometry& geometry, size_t t, uint
         to.corner[k][2] = p.z;
         to.uv[k][0] = from.uv[k].x;
         to.uv[k][1] = from.uv[k].y;
+        to.second_uv[k][0] = from.second_uv[k].x;
+        to.second_uv[k][1] = from.second_uv[k].y;
         to.colour[k] = from.colour[k];
     }
     if (from.material != kNoMaterial) to.material = first_material + from.material;

@@ -380,7 +380,8 @@ SessionStatus Session::status() const {
     status.body_volume = built_.body->mesh_volume;
     const glm::dvec3 extent = toGlm(built_.body->bounds_max) - toGlm(built_.body->bounds_min);
     status.body_size = sizeToScale(fromGlm(extent));
-    status.size_remark = sizeRemark(built_.shot, built_.body->bounds_min, built_.body->bounds_max);
+    status.size_remark =
+        sizeRemark(built_.shot, built_.body->bounds_min, built_.body->bounds_max, Advised::kWindow);
     status.full_colour_speed = speedOfFullColour(built_.setup);
     status.build_seconds = built_.build_seconds;
     status.repair = repairSentence(repairReport(*built_.cells.subject_mesh));

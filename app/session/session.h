@@ -40,7 +40,7 @@ struct SessionStatus {
     double body_size = 0;          ///< m, what a height scales of the body that the shot is about
     double full_colour_speed = 0;  ///< m/s, at the end of the speed colours
     double build_seconds = 0;
-    std::string size_remark;              ///< as sizeRemark()
+    std::string size_remark;              ///< as sizeRemark(), for the window
     std::string repair;                   ///< what was done to close the model, or ""
     const ModelLooks* looks = nullptr;    ///< of the model file, until the next rebuild; null: none
     bool measuring = false;               ///< energies, after every simulated frame

@@ -133,6 +133,8 @@ void validate(const Shot& shot) {
         requireInRange("the number of particles", *shot.fineness.particles, {kMinParticles, kMaxParticles},
                        "");
     requireInRange("the refinement", shot.refine, kRefineRange, "");
+    if (shot.painted)
+        requireInRange("the least painted strength", shot.painted->least, kPaintedLeastRange, "");
     if (shot.substeps) requireInRange("the number of substeps", *shot.substeps, kSubstepRange, "");
 }
 

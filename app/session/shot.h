@@ -18,6 +18,7 @@
 #include "sim_cuda/api/mesh_repair.h"
 #include "sim_cuda/api/model_part.h"
 #include "sim_cuda/api/mortar.h"
+#include "sim_cuda/api/paint.h"
 #include "sim_cuda/api/params.h"
 
 namespace demolish {
@@ -87,6 +88,7 @@ struct Shot {
     Fineness fineness;
     bool conform = false;  ///< cells follow the borders of tough cells, which are made with them
     double refine = 1;     ///< spacing farthest from where the shot is aimed over that there; 1: the same
+    std::optional<PaintedStrength> painted;  ///< of models with colours at their vertices; none: only seen
     double wave_speed =
         0;  ///< m/s, c_eff to soften to at any particle size (models.md E.1); 0 = from strength
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
@@ -132,6 +134,7 @@ inline constexpr Range kSubstepRange{1, 20000};
 inline constexpr Range kAmountRange{0, 10};  // of grit, dust or sparks, times the material's
 inline constexpr Range kGrainRange{1, kMaxGrains}, kPuffRange{1, kMaxPuffs};
 inline constexpr Range kRefineRange{1, 4};
+inline constexpr Range kPaintedLeastRange{0.01, 1};
 inline constexpr Range kHourRange{5, 19};         // the sun is up
 inline constexpr Range kTurnRange{-360, 360};     // degrees
 inline constexpr Range kExposureRange{0.01, 20};  // times

@@ -106,6 +106,8 @@ FillOptions fillOptionsOf(const Shot& shot, const SceneBody& body, const SolidMe
     const bool has_pattern = shot.pattern && !traitsOf(shot.method).pattern_turns;
     if (!body.breaks) return options;
     options.refine = shot.refine;
+    if (const ModelLooks* looks = modelLooks(mesh); looks != nullptr && looks->has_colours)
+        options.painted = shot.painted;
     if (options.refine > 1 || (has_pattern && *shot.pattern == Pattern::kRadial))
         options.aim = aimOf(shot, body, meshInfo(mesh));
     if (!laysToughCells(shot)) return options;

@@ -54,6 +54,7 @@ void addBody(const BreakableBody& body, Hash& hash) {
     hash.add(body.bonds.size());
     for (const BondGeometry& bond : body.bonds) hash.add(bond.area);
     for (const uint32_t cell : body.tough_cell) hash.add(cell);
+    for (const double factor : body.bond_strength) hash.add(factor);
 }
 
 void addMaterial(const Material& m, Hash& hash) {

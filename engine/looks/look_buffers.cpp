@@ -14,7 +14,8 @@ namespace {
 constexpr GLuint kBinding = 15, kFirstUnit = 16;
 constexpr float kAnisotropy = 8;
 // As shaders/common/model_looks.glsl.
-constexpr uint32_t kHeaderWords = 4, kPictureBit = 0x80000000u;
+constexpr uint32_t kHeaderWords = 4, kMaterialWords = 18, kTriangleWords = 25, kSetsFrom = 26,
+                   kPictureBit = 0x80000000u;
 
 class Words {
   public:
@@ -51,18 +52,27 @@ void addMaterial(const LookMaterial& m, const PictureArrays& arrays, Words& word
     words.add(packed(m.emission_map, 0, arrays));
     for (const PictureUse& use : {m.normal, m.roughness_map, m.metallic_map, m.occlusion})
         words.add(packed(use, kFirstNumbers, arrays));
-    words.add(0u);
-    words.add(0u);
 }
 
-void addTriangle(const LookTriangle& t, Words& words) {
+/// The material's number, and above it the set of UVs of each of its maps.
+uint32_t materialWord(uint32_t number, const std::vector<LookMaterial>& materials) {
+    if (number == kNoLook) return kNoLook;
+    const LookMaterial& m = materials.at(number);
+    uint32_t word = number, bit = kSetsFrom;
+    for (const PictureUse* use :
+         {&m.base, &m.emission_map, &m.normal, &m.roughness_map, &m.metallic_map, &m.occlusion})
+        word |= uint32_t{use->uv_set} << bit++;
+    return word;
+}
+
+void addTriangle(const LookTriangle& t, const std::vector<LookMaterial>& materials, Words& words) {
     for (const auto& corner : t.corner)
         for (const float value : corner) words.add(value);
-    for (const auto& uv : t.uv)
-        for (const float value : uv) words.add(value);
+    for (size_t k = 0; k < 3; ++k)
+        for (const float value : {t.uv[k][0], t.uv[k][1], t.second_uv[k][0], t.second_uv[k][1]})
+            words.add(value);
     for (const uint32_t colour : t.colour) words.add(colour);
-    words.add(t.material);
-    words.add(0u);
+    words.add(materialWord(t.material, materials));
 }
 
 std::vector<uint8_t> resized(const LookPicture& picture, const PictureArray& array, bool is_colour) {
@@ -110,16 +120,17 @@ LookBuffers::LookBuffers(const BodyLooks& looks) {
     for (uint32_t a = 0; a < kPictureArrays; ++a)
         if (!arrays[a].pictures.empty()) arrays_[a] = textureOf(arrays[a], a < kFirstNumbers, looks);
     Words words;
-    words.reserve(kHeaderWords + 20 * (looks.materials.size() + looks.triangles.size()));
+    words.reserve(kHeaderWords + kMaterialWords * looks.materials.size() +
+                  kTriangleWords * looks.triangles.size());
     for (uint32_t k = 0; k < kHeaderWords; ++k) words.add(0u);
     for (const LookMaterial& material : looks.materials) {
         addMaterial(material, arrays, words);
-        is_masked_ = is_masked_ || material.alpha_cutoff > 0;
-        is_double_sided_ = is_double_sided_ || (material.alpha_cutoff > 0 && material.is_double_sided);
+        is_masked_ = is_masked_ || material.alpha_cutoff != 0;
+        is_double_sided_ = is_double_sided_ || (material.alpha_cutoff != 0 && material.is_double_sided);
         glows_ = glows_ || showsGlow(material);
     }
     words[0] = static_cast<uint32_t>(words.size());
-    for (const LookTriangle& triangle : looks.triangles) addTriangle(triangle, words);
+    for (const LookTriangle& triangle : looks.triangles) addTriangle(triangle, looks.materials, words);
     words_ = gl::Buffer::immutable(words.bytes().size(), words.bytes().data());
 }
 

@@ -54,7 +54,7 @@ void lookOutside(BodyVertex v[3], Corners corners, vec3 weights, vec3 ray, vec2 
     Looked of_corner[3];
     for (int k = 0; k < 3; ++k) of_corner[k] = lookedAt(v[k].place, v[k].rest);
     if (of_corner[2].material == kNoLook) return;
-    vec2 uv_1 = of_corner[1].uv - of_corner[0].uv, uv_2 = of_corner[2].uv - of_corner[0].uv;
+    vec4 uv_1 = of_corner[1].uv - of_corner[0].uv, uv_2 = of_corner[2].uv - of_corner[0].uv;
     Looked look = of_corner[2];
     look.uv = of_corner[0].uv + weights.y * uv_1 + weights.z * uv_2;
     look.colour = weights.x * of_corner[0].colour + weights.y * of_corner[1].colour + weights.z * of_corner[2].colour;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks between the corners of a drawn triangle.
-in vec2 look_uv;
+in vec4 look_uv;
 in vec4 look_colour;
 flat in uint look_material;
 

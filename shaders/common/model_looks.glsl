@@ -6,21 +6,27 @@ layout(binding = 17) uniform sampler2DArray large_colours;
 layout(binding = 18) uniform sampler2DArray small_numbers;
 layout(binding = 19) uniform sampler2DArray large_numbers;
 
-const uint kNoLook = 0xffffffffu, kFirstMaterial = 4u, kLookWords = 20u;
+const uint kNoLook = 0xffffffffu, kFirstMaterial = 4u, kMaterialWords = 18u, kTriangleWords = 25u;
 const int kClamp = 1, kMirror = 2;
 const vec2 kDown = vec2(1.0, -1.0);
 const float kBeyond = 2.0;  // triangles: so far a UV goes on past the end of its chart
 
+// Maps of a material, in the order of its words.
+const uint kBaseMap = 0u, kEmissionMap = 1u, kNormalMap = 2u, kRoughnessMap = 3u, kMetallicMap = 4u, kOcclusionMap = 5u;
+// Above a material's number: for each map, whether it lies on the second set of UVs. It comes along with the triangle, since
+// llvmpipe takes the level of four lanes from all of them, also from those beside the triangle that may read no buffer.
+const uint kSetsFrom = 26u, kMaterialMask = 0x3ffffffu;
+
 // Of a point of the outside.
 struct Looked {
-    vec2 uv;
+    vec4 uv;      // first set, second set
     vec4 colour;  // linear
     uint material;
 };
 
 // How UV and place change from pixel to pixel, or along two edges of a triangle.
 struct Laid {
-    vec2 uv_right, uv_up;
+    vec4 uv_right, uv_up;
     vec3 right, up;  // m, world
 };
 
@@ -36,7 +42,7 @@ vec4 cornerColour(uint at) {
 
 // `triangle`: of the uncut mesh; `rest`: in its plane, m.
 Looked lookedAt(uint triangle, vec3 rest) {
-    uint at = look_words[0] + kLookWords * triangle;
+    uint at = look_words[0] + kTriangleWords * triangle;
     vec3 a = lookVector(at), ab = lookVector(at + 3u) - a, ac = lookVector(at + 6u) - a, from = rest - a;
     vec3 normal = cross(ab, ac);
     float squared = dot(normal, normal);
@@ -44,13 +50,14 @@ Looked lookedAt(uint triangle, vec3 rest) {
     vec3 weights = clamp(vec3(1.0 - w.x - w.y, w), -kBeyond, 1.0 + kBeyond), held = max(weights, 0.0);
     held /= held.x + held.y + held.z;
     Looked l;
-    l.uv = vec2(0.0);
+    l.uv = vec4(0.0);
     l.colour = vec4(0.0);
     for (uint k = 0u; k < 3u; ++k) {
-        l.uv += weights[k] * vec2(lookNumber(at + 9u + 2u * k), lookNumber(at + 10u + 2u * k));
-        l.colour += held[k] * cornerColour(at + 15u + k);
+        uint first = at + 9u + 4u * k;
+        l.uv += weights[k] * vec4(lookNumber(first), lookNumber(first + 1u), lookNumber(first + 2u), lookNumber(first + 3u));
+        l.colour += held[k] * cornerColour(at + 21u + k);
     }
-    l.material = look_words[at + 18u];
+    l.material = look_words[at + 24u];
     return l;
 }
 
@@ -68,39 +75,41 @@ vec3 placeIn(uint use, vec2 uv) {
 bool isUsed(uint use) { return (use & 0x80000000u) != 0u; }
 bool isLarge(uint use) { return (use & 0x1000u) != 0u; }
 
-vec4 colourOf(uint use, vec2 uv, Laid l) {
+uint materialAt(uint material) { return kFirstMaterial + kMaterialWords * (material & kMaterialMask); }
+uint useOf(uint map, Looked look) { return look_words[materialAt(look.material) + 12u + map]; }
+
+// Of the set of UVs that the map lies on.
+vec2 ofSet(uint map, Looked look, vec4 uv) { return (look.material >> (kSetsFrom + map) & 1u) != 0u ? uv.zw : uv.xy; }
+
+vec4 colourOf(uint map, Looked look, Laid l) {
+    uint use = useOf(map, look);
     if (!isUsed(use)) return vec4(1.0);
-    vec3 place = placeIn(use, uv);
-    return isLarge(use) ? textureGrad(large_colours, place, kDown * l.uv_right, kDown * l.uv_up) : textureGrad(small_colours, place, kDown * l.uv_right, kDown * l.uv_up);
+    vec3 place = placeIn(use, ofSet(map, look, look.uv));
+    vec2 right = kDown * ofSet(map, look, l.uv_right), up = kDown * ofSet(map, look, l.uv_up);
+    return isLarge(use) ? textureGrad(large_colours, place, right, up) : textureGrad(small_colours, place, right, up);
 }
 
-vec4 numbersOf(uint use, vec2 uv, Laid l) {
+vec4 numbersOf(uint map, Looked look, Laid l) {
+    uint use = useOf(map, look);
     if (!isUsed(use)) return vec4(1.0);
-    vec3 place = placeIn(use, uv);
-    return isLarge(use) ? textureGrad(large_numbers, place, kDown * l.uv_right, kDown * l.uv_up) : textureGrad(small_numbers, place, kDown * l.uv_right, kDown * l.uv_up);
+    vec3 place = placeIn(use, ofSet(map, look, look.uv));
+    vec2 right = kDown * ofSet(map, look, l.uv_right), up = kDown * ofSet(map, look, l.uv_up);
+    return isLarge(use) ? textureGrad(large_numbers, place, right, up) : textureGrad(small_numbers, place, right, up);
 }
 
-float numberOf(uint use, vec2 uv, Laid l) { return numbersOf(use, uv, l)[use >> 13 & 3u]; }
-
-uint materialAt(uint material) { return kFirstMaterial + kLookWords * material; }
+float numberOf(uint map, Looked look, Laid l) { return numbersOf(map, look, l)[useOf(map, look) >> 13 & 3u]; }
 
 vec4 baseColour(Looked look, Laid l) {
     uint m = materialAt(look.material);
-    return vec4(lookVector(m), lookNumber(m + 3u)) * colourOf(look_words[m + 12u], look.uv, l) * look.colour;
-}
-
-bool isCutOut(Looked look, Laid l) {
-    if (look.material == kNoLook) return false;
-    float cutoff = lookNumber(materialAt(look.material) + 11u);
-    return cutoff > 0.0 && baseColour(look, l).a < cutoff;
+    return vec4(lookVector(m), lookNumber(m + 3u)) * colourOf(kBaseMap, look, l) * look.colour;
 }
 
 // rgb: light that it sends out; a: share of the surroundings' light that its picture of occlusion leaves.
 vec4 glowOf(Looked look, Laid l) {
     if (look.material == kNoLook) return vec4(0.0, 0.0, 0.0, 1.0);
     uint m = materialAt(look.material);
-    uint occlusion = look_words[m + 17u];
-    vec3 emission = lookVector(m + 4u) * colourOf(look_words[m + 13u], look.uv, l).rgb;
-    float open = isUsed(occlusion) ? 1.0 + lookNumber(m + 10u) * (numberOf(occlusion, look.uv, l) - 1.0) : 1.0;
+    vec3 emission = lookVector(m + 4u) * colourOf(kEmissionMap, look, l).rgb;
+    bool is_shaded = isUsed(useOf(kOcclusionMap, look));
+    float open = is_shaded ? 1.0 + lookNumber(m + 10u) * (numberOf(kOcclusionMap, look, l) - 1.0) : 1.0;
     return vec4(emission, open);
 }

@@ -10,6 +10,7 @@
 #include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/api/mesh_repair.h"
 #include "sim_cuda/api/model_part.h"
+#include "sim_cuda/api/paint.h"
 #include "sim_cuda/api/solver.h"
 
 namespace demolish {
@@ -79,6 +80,7 @@ struct FillOptions {
     uint64_t seed = 1;
     bool draw_geometry = true;  ///< false: no FractureGeometry (benchmarks without drawing)
     std::optional<ToughCellOptions> tough = std::nullopt;
+    std::optional<PaintedStrength> painted = std::nullopt;  ///< none: what is painted is only seen
     /// Spacing of cells far from the aim, or deep below it, over the spacing there: 1 (all alike) to 4.
     double refine = 1;
     ShotAim aim = {};  ///< of radial tough cells and of `refine`

@@ -60,6 +60,8 @@ struct BreakableBody {
     /// Of bonds between those, times what all others have: as strong against a straight cut as the teeth of a
     /// packing that knows no borders, which have more area (models E.3).
     double border_strength = 1;
+    /// Of each bond, times its strength: as painted on the outside above it; empty: 1.
+    std::vector<double> bond_strength;
     FractureGeometry geometry;
     std::shared_ptr<const ModelLooks> looks;  ///< of the model file; null: it has none
     double spacing = 0;                       ///< m, h = (V / N)^(1/3)

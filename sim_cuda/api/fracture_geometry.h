@@ -87,11 +87,11 @@ static_assert(sizeof(MeshTriangle) == 72);
 
 /// Looks of a triangle of the mesh.
 struct TriangleLook {
-    Float2 uv[3];
+    Float2 uv[3], second_uv[3];
     uint32_t colour[3];  ///< as CornerAttributes
     uint32_t material;
 };
-static_assert(sizeof(TriangleLook) == 40);
+static_assert(sizeof(TriangleLook) == 64);
 
 /// Where an exterior vertex belongs: its point, and the triangle of the mesh that its normal and UV are of.
 struct ExteriorHome {

@@ -22,10 +22,12 @@ struct ImageUse {
     uint32_t image = kNoImage;
     uint8_t channel = 0;  ///< 0 to 3: of RGBA, where a single number is wanted
     TextureWrap wrap_u = TextureWrap::kRepeat, wrap_v = TextureWrap::kRepeat;
-    uint8_t reserved = 0;
+    uint8_t uv_set = 0;  ///< 0: CornerAttributes::uv, 1: second_uv
 
     bool operator==(const ImageUse&) const = default;
 };
+
+inline constexpr float kBlends = -1;  ///< as an alpha_cutoff
 
 /// As glTF has it: each picture is multiplied by its number. Colours are linear, pictures of colours sRGB.
 struct LookMaterial {
@@ -34,7 +36,7 @@ struct LookMaterial {
     float metallic = 0, roughness = 1;
     float normal_scale = 1;
     float occlusion_strength = 1;
-    float alpha_cutoff = 0;  ///< what is less opaque is not there; 0: all is
+    float alpha_cutoff = 0;  ///< what is less opaque is not there; 0: all is; kBlends: as much as is opaque
     uint32_t is_double_sided = 0;
     ImageUse base_map, normal_map, metallic_map, roughness_map, occlusion_map, emission_map;
 

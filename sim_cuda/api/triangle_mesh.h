@@ -18,6 +18,7 @@ struct CornerAttributes {
     Float2 uv;                        ///< v upwards in the picture; zero where the file has none
     uint32_t colour = kWhite;         ///< RGBA of 8 bits, red lowest, sRGB; white where the file has none
     uint32_t material = kNoMaterial;  ///< of ModelLooks, the same at all corners of a triangle
+    Float2 second_uv = {};            ///< of pictures with ImageUse::uv_set 1; zero where the file has none
 };
 
 struct TriangleMesh {

@@ -12,8 +12,9 @@ namespace demolish {
 /// Equal for corners of equal looks, and hardly for others. UVs alone where there is neither material nor
 /// colour.
 inline uint32_t chartOf(const CornerAttributes& corner) {
-    return packHalf2(corner.uv.x, corner.uv.y) ^ (corner.material + 1) * 0x9e3779b1u ^
-           (corner.colour ^ kWhite) * 0x85ebca6bu;
+    return packHalf2(corner.uv.x, corner.uv.y) ^
+           packHalf2(corner.second_uv.x, corner.second_uv.y) * 0xc2b2ae35u ^
+           (corner.material + 1) * 0x9e3779b1u ^ (corner.colour ^ kWhite) * 0x85ebca6bu;
 }
 
 /// Of RGBA; weights sum to 1.

@@ -9,6 +9,7 @@
 #include "sim_cuda/authoring/cell_corners.h"
 #include "sim_cuda/authoring/conforming.h"
 #include "sim_cuda/authoring/packing.h"
+#include "sim_cuda/authoring/painted_bonds.h"
 #include "sim_cuda/authoring/solid_mesh.h"
 #include "sim_cuda/authoring/struck_place.h"
 
@@ -164,6 +165,9 @@ std::shared_ptr<const BreakableBody> filled(const SolidMesh& solid, const FillOp
     body->cell_spacing = cellSpacings(packing.spacing, complex.seeds);
     body->bonds = makeBonds(complex, spacing, body->cell_spacing);
     layToughCells(solid, options, packing, complex.seeds, *body);
+    if (options.painted)
+        body->bond_strength =
+            paintedBonds(solid.mesh(), solid.queries(), complex.seeds, body->bonds, *options.painted);
     body->corners = cellCorners(complex, spacing);
     stages.enter("Making crack surfaces", 0.78, 1);
     if (options.draw_geometry) {

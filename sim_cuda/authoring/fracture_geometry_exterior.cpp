@@ -83,8 +83,12 @@ uint32_t chartAt(const TriangleMesh& mesh, const CellComplex& complex, const Ext
     const Double3 weight = complex.exterior_barycentrics[piece.first + corner];
     const auto& [a, b, c] = mesh.corners[piece.triangle];
     CornerAttributes blended = a;
-    blended.uv = {static_cast<float>(blend(weight, a.uv.x, b.uv.x, c.uv.x)),
-                  static_cast<float>(blend(weight, a.uv.y, b.uv.y, c.uv.y))};
+    const auto blendUvs = [&](const Float2& at_a, const Float2& at_b, const Float2& at_c) {
+        return Float2{static_cast<float>(blend(weight, at_a.x, at_b.x, at_c.x)),
+                      static_cast<float>(blend(weight, at_a.y, at_b.y, at_c.y))};
+    };
+    blended.uv = blendUvs(a.uv, b.uv, c.uv);
+    blended.second_uv = blendUvs(a.second_uv, b.second_uv, c.second_uv);
     if (a.colour != b.colour || a.colour != c.colour)
         blended.colour = blendColours({a.colour, b.colour, c.colour}, {weight.x, weight.y, weight.z});
     return chartOf(blended);

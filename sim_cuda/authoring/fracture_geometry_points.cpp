@@ -124,7 +124,10 @@ void listLooks(const TriangleMesh& mesh, FractureGeometry& geometry) {
                                  [](const auto& corners) { return corners[0].material != kNoMaterial; });
     if (!any) return;
     for (const auto& [a, b, c] : mesh.corners)
-        geometry.looks.push_back({{a.uv, b.uv, c.uv}, {a.colour, b.colour, c.colour}, a.material});
+        geometry.looks.push_back({{a.uv, b.uv, c.uv},
+                                  {a.second_uv, b.second_uv, c.second_uv},
+                                  {a.colour, b.colour, c.colour},
+                                  a.material});
 }
 
 /// Rows of a CSR from (row, entry) in the order given.

@@ -72,9 +72,9 @@ Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const NodeTransform& tr
     return isFinite(n) && lengthSquared(n) > 0 ? toFloat(n) : toFloat(fallback);
 }
 
-Float2 cornerUv(const aiMesh& mesh, unsigned vertex) {
-    if (!mesh.HasTextureCoords(0)) return {};
-    const aiVector3D& uv = mesh.mTextureCoords[0][vertex];
+Float2 cornerUv(const aiMesh& mesh, unsigned set, unsigned vertex) {
+    if (!mesh.HasTextureCoords(set)) return {};
+    const aiVector3D& uv = mesh.mTextureCoords[set][vertex];
     return std::isfinite(uv.x) && std::isfinite(uv.y) ? Float2{float(uv.x), float(uv.y)} : Float2{};
 }
 
@@ -126,8 +126,9 @@ void addMesh(Welder& welder, const aiMesh& mesh, const NodeTransform& transform,
         if (!isFinite(flat)) refuseModel(file, "is too large to be a body; export it in a smaller unit");
         std::array<CornerAttributes, 3> corners;
         for (int k = 0; k < 3; ++k) {
-            corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, ids[k])};
+            corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, 0, ids[k])};
             if (!has_looks) continue;
+            corners[k].second_uv = cornerUv(mesh, 1, ids[k]);
             corners[k].colour = cornerColour(mesh, ids[k], facts.linear_colours, has_alpha);
             corners[k].material = mesh.mMaterialIndex;
         }
@@ -158,6 +159,13 @@ void addPart(Welder& welder, const aiScene& scene, const std::string& node, cons
     (has_own ? addOwn : addAll)(welder, scene, part, placeOf(part), facts);
 }
 
+/// assimp adds one to files of its own, which no mesh may use.
+uint32_t materialCount(const aiScene& scene) {
+    std::set<unsigned> used;
+    for (unsigned i = 0; i < scene.mNumMeshes; ++i) used.insert(scene.mMeshes[i]->mMaterialIndex);
+    return uint32_t(used.size());
+}
+
 uint32_t textureCount(const aiScene& scene) {
     std::set<std::string> pictures;
     for (unsigned m = 0; m < scene.mNumMaterials; ++m)
@@ -180,7 +188,7 @@ std::vector<ImportedModel> importModels(const std::filesystem::path& file,
     const aiScene& scene = readScene(importer, file);
     const std::shared_ptr<const ModelLooks> looks = importLooks(file, scene);
     const FileFacts facts{file, looks ? uint32_t(looks->materials.size()) : 0, isGltf(file)};
-    const ModelContents contents{scene.mNumMeshes, scene.mNumMaterials, textureCount(scene),
+    const ModelContents contents{scene.mNumMeshes, materialCount(scene), textureCount(scene),
                                  saysItsUnit(file)};
     std::vector<ImportedModel> models;
     for (const std::string& node : nodes) {

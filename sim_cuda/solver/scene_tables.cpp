@@ -100,8 +100,7 @@ std::vector<uint32_t> toughCells(const BodyInstance& instance, uint64_t seed) {
 }
 
 /// Strength factors of a body's bonds: Weibull
-/// scatter, 1/sqrt(a_b) of (13), tough cells
-/// (models E.3).
+/// scatter, 1/sqrt(a_b) of (13), what is painted, tough cells (models E.3).
 std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed) {
     const BreakableBody& body = *instance.body;
     std::vector<double> factors(body.bonds.size());
@@ -112,6 +111,7 @@ std::vector<double> strengthFactors(const BodyInstance& instance, uint64_t seed)
         for (size_t b = 0; b < factors.size(); ++b)
             factors[b] *= std::sqrt(mean / faceBondRadius(body.bonds[b].area));
     }
+    for (size_t b = 0; b < body.bond_strength.size(); ++b) factors[b] *= body.bond_strength[b];
     const std::vector<uint32_t> cell = toughCells(instance, counterHash(seed, 2));
     if (cell.empty()) return factors;
     for (size_t b = 0; b < factors.size(); ++b)

@@ -13,9 +13,9 @@ std::string describe(StepStatus status) {
         text += sentence;
     };
     add(StepStatus::kNotFinite,
-        "The simulation became unstable; lower --impact-velocity or raise the substeps.");
+        "The simulation became unstable; lower the impact velocity or raise the substeps.");
     add(StepStatus::kLeftScene,
-        "Something flew out of the scene; lower --impact-velocity or raise scene_radius_m in the scene "
+        "Something flew out of the scene; lower the impact velocity or raise scene_radius_m in the scene "
         "file.");
     return text;
 }

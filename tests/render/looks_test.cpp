@@ -249,6 +249,85 @@ TEST_F(LooksTest, WhatShinesDoesSoInTheDark) {
     }
 }
 
+TEST_F(LooksTest, WhatIsBlendedLetsThroughAsMuchAsItIsNotOpaque) {
+    const auto greenAt = [&](float opacity) {
+        FileMaterial material;
+        material.base_colour[1] = material.base_colour[2] = 0;
+        material.base_colour[3] = opacity;
+        material.alpha_cutoff = demolish::kBlends;
+        Scene scene = cutScene(cube(), looksOf(material, {}));
+        putIntoFurnace(scene.view, glm::vec3(0.8f));
+        lookAtSide(scene.view);
+        const Image image = drawPicture(renderer(), scene);
+        double green = 0;
+        for (int y = 32; y < 96; ++y)
+            for (int x = 32; x < 96; ++x) green += decoded(image.at(x, y)[1]);
+        return green / (64 * 64);
+    };
+    const double gloss = greenAt(1);
+    EXPECT_LT(gloss, 0.1) << "red, but for what mirrors";
+    for (const float opacity : {0.25f, 0.6f})
+        EXPECT_NEAR(greenAt(opacity), opacity * gloss + 0.8 * (1 - opacity), 0.03) << "the furnace behind it";
+}
+
+/// Root of the mean square of what its pixels differ by from their mean, in the middle.
+double grainOf(const std::vector<Image>& averaged) {
+    double sum = 0, squares = 0;
+    for (int y = 32; y < 96; ++y)
+        for (int x = 32; x < 96; ++x) {
+            double value = 0;
+            for (const Image& image : averaged) value += decoded(image.at(x, y)[1]);
+            value /= static_cast<double>(averaged.size());
+            sum += value;
+            squares += value * value;
+        }
+    const double mean = sum / (64 * 64);
+    return std::sqrt(squares / (64 * 64) - mean * mean);
+}
+
+TEST_F(LooksTest, PicturesThatAFilmAveragesSmoothWhatIsBlended) {
+    FileMaterial material;
+    material.base_colour[1] = material.base_colour[2] = 0;
+    material.base_colour[3] = 0.4f;
+    material.alpha_cutoff = demolish::kBlends;
+    Scene scene = cutScene(cube(), looksOf(material, {}));
+    putIntoFurnace(scene.view, glm::vec3(0.8f));
+    lookAtSide(scene.view);
+    std::vector<Image> pictures;
+    for (int k = 0; k < 8; ++k) {
+        scene.view.noise_turn = static_cast<float>(k) / 8;
+        pictures.push_back(drawPicture(renderer(), scene));
+    }
+    const double grain = grainOf({pictures[0]});
+    EXPECT_GT(grain, 0.05);
+    EXPECT_LT(grainOf(pictures), 0.2 * grain);
+}
+
+TEST_F(LooksTest, APictureMayLieOnTheSecondUvs) {
+    TriangleMesh mesh = cube();
+    for (auto& corners : mesh.corners)
+        for (CornerAttributes& corner : corners) {
+            corner.second_uv = corner.uv;
+            corner.uv = {0.25f, 0.75f};  // all red
+        }
+    FileMaterial material;
+    material.base_map.image = 0;
+    for (const uint8_t set : {0, 1}) {
+        material.base_map.uv_set = set;
+        Scene scene = cutScene(mesh, looksOf(material, {fourFields()}));
+        putIntoFurnace(scene.view, glm::vec3(0.8f));
+        lookAtSide(scene.view);
+        scene.view.quality = RenderQuality::kDraft;
+        for (const auto rasteriser : {Rasteriser::kDraw, Rasteriser::kCompute}) {
+            scene.view.rasteriser = rasteriser;
+            const Image image = drawPicture(renderer(), scene);
+            EXPECT_NEAR(linear(image, 0.3f, 0.7f, 0), 0.8f, 0.06f) << int(set);
+            EXPECT_NEAR(linear(image, 0.7f, 0.7f, 1), set == 1 ? 0.8f : 0, 0.06f) << int(set);
+            EXPECT_NEAR(linear(image, 0.3f, 0.3f, 2), set == 1 ? 0.8f : 0, 0.06f) << int(set);
+        }
+    }
+}
+
 TEST_F(LooksTest, WhatIsCutOutIsNotThere) {
     FileMaterial material;
     material.base_map.image = 0;

@@ -8,6 +8,7 @@
 
 #include "engine/image/compare.h"
 #include "engine/image/png.h"
+#include "engine/scene/camera.h"
 #include "tests/window/window_program.h"
 
 namespace demolish::test {
@@ -25,10 +26,36 @@ class WindowBodies : public WindowProgram {
                             "version = 1\nmodel = \"models/block.obj\"\nheight_m = 0.5\n"
                             "body = [ { name = \"left\", position_m = [-0.6, 0, 0] }, "
                             "{ name = \"right\", position_m = [0.6, 0, 0] } ]\n"
-                            "[camera]\neye_m = [0, 0.8, 2.6]\ntarget_m = [0, 0.25, 0]\n")
+                            "[camera]\neye_m = [0, 0.8, 2.6]\ntarget_m = [0, 0.25, 0]\n"
+                            "field_of_view_deg = 40\n")
                      .string();
+        camera_.eye = {0, 0.8f, 2.6f};
+        camera_.target = {0, 0.25f, 0};
+        camera_.field_of_view = glm::radians(40.0f);
     }
+    /// Of a point (m) in the picture, as shares of it; without panels it is the whole window of 900 x 640.
+    glm::vec2 at(const glm::dvec3& point) const {
+        const glm::vec4 p =
+            camera_.projection(900.0f / 640.0f) * camera_.view() * glm::vec4(glm::vec3(point), 1);
+        return {0.5f + 0.5f * p.x / p.w, 0.5f - 0.5f * p.y / p.w};
+    }
+    static std::string dragged(const glm::vec2& from, const glm::vec2& to, const std::string& name) {
+        std::ostringstream text;
+        text << "move_picture " << from.x << ' ' << from.y << ' ' << to.x << ' ' << to.y
+             << "\nuntil rebuilt\nwait 2\nscreenshot " << name << "\nstate " << name << '\n';
+        return text.str();
+    }
+    /// Of the right body, in the state of that name.
+    std::vector<double> place(const std::string& name) const {
+        return read(name)["bodies"][1]["position_m"].get<std::vector<double>>();
+    }
+    double yaw(const std::string& name) const { return read(name)["bodies"][1]["yaw_rad"].get<double>(); }
+
+    engine::Camera camera_;
 };
+
+constexpr const char* kRightOneChosen =
+    "wait 2\nkey space\nkey r\nclick bodies.arrange\nclick bodies.name.1\nkey tab\nwait 2\n";
 
 TEST_F(WindowBodies, HaveEyeLockMaterialAndAPlaceToBeDraggedTo) {
     run(R"(
@@ -91,6 +118,41 @@ state locked
     EXPECT_LT(engine::compare(two, one).ssim, 0.99);
 }
 
+TEST_F(WindowBodies, AnArrowMovesAlongItsAxisAndTheRingTurns) {
+    const glm::dvec3 foot(0.6, 0, 0), right(1, 0, 0), up(0, 1, 0);
+    const double far = glm::distance(foot, glm::dvec3(camera_.eye)), tip = 0.12 * far, ring = 0.075 * far;
+    const auto on_ring = [&](double degrees) {
+        const double angle = glm::radians(degrees);
+        return foot + ring * glm::dvec3(std::cos(angle), 0, -std::sin(angle));
+    };
+    const glm::dvec3 raised = foot + 0.4 * up;
+    run(kRightOneChosen + dragged(at(foot + tip * up), at(foot + (tip + 0.4) * up), "28_raised") +
+        dragged(at(raised + tip * right), at(raised + (tip + 0.25) * right), "29_aside"));
+    if (HasFatalFailure()) return;
+    EXPECT_NEAR(place("28_raised")[1], 0.4, 0.01);
+    EXPECT_NEAR(place("28_raised")[0], 0.6, 1e-6) << "along its axis alone";
+    EXPECT_NEAR(place("28_raised")[2], 0, 1e-6);
+    EXPECT_NEAR(place("29_aside")[0], 0.85, 0.01);
+    EXPECT_NEAR(place("29_aside")[1], place("28_raised")[1], 1e-6);
+    EXPECT_NEAR(yaw("29_aside"), 0, 1e-9);
+    run(kRightOneChosen + dragged(at(on_ring(-60)), at(on_ring(-25)), "30_turned"));
+    if (HasFatalFailure()) return;
+    EXPECT_NEAR(yaw("30_turned"), glm::radians(35.0), 0.06) << "a pixel of the ring is 2 degrees there";
+    EXPECT_NEAR(place("30_turned")[0], 0.6, 1e-6) << "it turns where it stands";
+    EXPECT_NEAR(place("30_turned")[1], 0, 1e-6);
+}
+
+TEST_F(WindowBodies, WhatIsDraggedOntoAnotherStandsOnIt) {
+    // Taken by its front. Its foot goes over the picture as the mouse does: onto the other's top.
+    const glm::vec2 front = at({0.6, 0.3, 0.25}), way = at({-0.6, 0.5, 0.1}) - at({0.6, 0, 0});
+    run(kRightOneChosen + dragged(front, front + way, "31_stacked"));
+    if (HasFatalFailure()) return;
+    EXPECT_NEAR(place("31_stacked")[0], -0.6, 0.02);
+    EXPECT_NEAR(place("31_stacked")[1], 0.5, 0.01);
+    EXPECT_NEAR(place("31_stacked")[2], 0.1, 0.02);
+    EXPECT_EQ(read("31_stacked")["bonds_broken"], 0);
+}
+
 TEST_F(WindowProgram, AnImportIsReportedAndItsRepairAndUnitAreChosen) {
     const std::string open_box =
         "v 0 0 0\nv 0 0 40\nv 40 0 40\nv 40 0 0\nv 0 40 0\nv 0 40 40\nv 40 40 40\nv 40 40 0\n"
@@ -126,6 +188,8 @@ state remeshed
         {}, 200);
     if (HasFatalFailure()) return;
     EXPECT_NEAR(read("loaded")["body_size"].get<double>(), 1, 1e-6);
+    EXPECT_THAT(read("loaded")["size_remark"].get<std::string>(), HasSubstr("'Unit of the file'"));
+    EXPECT_EQ(read("unit")["size_remark"], "");
     EXPECT_NEAR(read("unit")["body_size"].get<double>(), 0.4, 1e-6);
     EXPECT_THAT(read("refused")["message"].get<std::string>(), HasSubstr("is not closed"));
     EXPECT_EQ(read("refused")["repair"], "auto") << "what cannot be made is not kept";

@@ -10,7 +10,7 @@
 #include <cctype>
 #include <cmath>
 #include <initializer_list>
-#include <set>
+#include <map>
 #include <utility>
 
 #include "sim_cuda/authoring/looks/image_import.h"
@@ -29,8 +29,9 @@ struct TextureSlot {
 
 class MaterialReader {
   public:
-    MaterialReader(const aiMaterial& material, bool is_gltf, ImageImport& images)
-        : material_(material), is_gltf_(is_gltf), images_(images) {}
+    /// `uv_sets`: that the meshes of this material have.
+    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, ImageImport& images)
+        : material_(material), is_gltf_(is_gltf), uv_sets_(uv_sets), images_(images) {}
 
     LookMaterial read() {
         readMaps();
@@ -68,14 +69,17 @@ class MaterialReader {
             if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
-            if (uv_set != 0) {
+            // Of a file whose only set is its number 1, assimp keeps the number and moves the set to 0.
+            if (uv_sets_ < 2) uv_set = 0;
+            if (uv_set < 0 || uv_set > 1) {
                 images_.note(std::string("the texture '") + path.C_Str() +
-                             "' lies on a second set of UVs and is left out");
+                             "' lies on a third set of UVs and is left out");
                 return {};
             }
             material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
             material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
-            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v)};
+            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
+                    static_cast<uint8_t>(uv_set)};
         }
         return {};
     }
@@ -141,7 +145,7 @@ class MaterialReader {
         setNumbers(&look_.occlusion_strength, {strength}, 1);
     }
 
-    /// What is blended in the file is cut out here where its picture has holes.
+    /// glTF says what is blended; elsewhere a picture with holes is cut out.
     void readAlpha() {
         aiString mode;
         float cutoff = kUsualCutoff;
@@ -152,8 +156,8 @@ class MaterialReader {
         const bool by_map = material_.GetTexture(aiTextureType_OPACITY, 0, &opacity) == aiReturn_SUCCESS &&
                             material_.GetTexture(aiTextureType_DIFFUSE, 0, &base) == aiReturn_SUCCESS &&
                             opacity == base;
-        const bool cut =
-            said == "MASK" || ((said == "BLEND" || by_map) && look_.base_colour[3] > kUsualCutoff);
+        if (said == "BLEND" && (look_.base_colour[3] < 1 || hasHoles())) look_.alpha_cutoff = kBlends;
+        const bool cut = said == "MASK" || (by_map && look_.base_colour[3] > kUsualCutoff);
         if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
     }
     bool hasHoles() const {
@@ -171,6 +175,7 @@ class MaterialReader {
 
     const aiMaterial& material_;
     bool is_gltf_;
+    int uv_sets_;
     ImageImport& images_;
     LookMaterial look_;
 };
@@ -195,18 +200,21 @@ std::shared_ptr<const ModelLooks> importLooks(const std::filesystem::path& model
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
     const bool is_gltf = ending == ".gltf" || ending == ".glb";
     auto looks = std::make_shared<ModelLooks>();
-    std::set<unsigned> used;
+    std::map<unsigned, int> uv_sets;  // of the materials that are used
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
-        used.insert(scene.mMeshes[i]->mMaterialIndex);
-        looks->has_colours = looks->has_colours || scene.mMeshes[i]->HasVertexColors(0);
+        const aiMesh& mesh = *scene.mMeshes[i];
+        int& sets = uv_sets[mesh.mMaterialIndex];
+        sets = std::max(sets, static_cast<int>(mesh.GetNumUVChannels()));
+        looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
     bool any = looks->has_colours;
     const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
     for (unsigned m = 0; m < count; ++m) {
         looks->materials.emplace_back();
-        if (used.count(m) == 0) continue;
-        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, images).read();
+        const auto used = uv_sets.find(m);
+        if (used == uv_sets.end()) continue;
+        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, used->second, images).read();
         any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
     }
     if (!any) return nullptr;

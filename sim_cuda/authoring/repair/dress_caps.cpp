@@ -28,6 +28,7 @@ bool dress(RepairMesh& repair, size_t triangle, const VertexLooks& at) {
         const CornerAttributes& from = own.material == at[*leader].material ? own : at[*leader];
         CornerAttributes& corner = repair.mesh.corners[triangle][k];
         corner.uv = from.uv;
+        corner.second_uv = from.second_uv;
         corner.colour = from.colour;
         corner.material = from.material;
     }

@@ -62,12 +62,14 @@ void takeLooks(RepairMesh& surface, const RepairMesh& original, const MeshQuerie
         for (size_t k = 0; k < 3; ++k) {
             const auto weights = barycentrics(original, nearest.triangle, surface.at(t, int(k)));
             CornerAttributes& corner = surface.mesh.corners[t][k];
-            corner.uv = {};
+            corner.uv = corner.second_uv = {};
             corner.colour = blendColours({from[0].colour, from[1].colour, from[2].colour}, within(weights));
             corner.material = from[0].material;
             for (size_t i = 0; i < 3; ++i) {
                 corner.uv.x += float(weights[i] * from[i].uv.x);
                 corner.uv.y += float(weights[i] * from[i].uv.y);
+                corner.second_uv.x += float(weights[i] * from[i].second_uv.x);
+                corner.second_uv.y += float(weights[i] * from[i].second_uv.y);
             }
             corner.normal = nearest.distance > reach ? toFloat(of_face) : normalAt(from, weights, of_face);
         }

@@ -110,10 +110,8 @@ class Repair {
             report_.holes += holes[p].holes;
             report_.longest_hole = std::max(report_.longest_hole, holes[p].longest);
         }
-        if (any_sheet && sheetsEncloseSolid(repair_, facts))
-            closeWalls();
-        else
-            thicken(facts);
+        if (any_sheet && sheetsEncloseSolid(repair_, facts) && closeWalls()) return;
+        thicken(facts);
     }
 
     /// The file's triangles alone.
@@ -126,15 +124,21 @@ class Repair {
     }
 
     /// What looks like sheets bounds a solid: capped if that agrees with the winding number, else remeshed.
-    void closeWalls() {
-        constexpr double kAgrees = 0.04;
+    /// False, and nothing changed, where that encloses nothing: planes in a row, one behind the other.
+    bool closeWalls() {
+        constexpr double kAgrees = 0.04, kNothing = 1e-6;  // of the diagonal's cube
         const RepairMesh raw = withoutCaps();
+        RepairMesh before = repair_;
         separateParts();
         const bool is_solid = isSolid(repair_.mesh);
         if (is_solid && (!mayRemesh() || (windingDifference(repair_.mesh, raw.mesh) < kAgrees &&
                                           !sampleWinding(repair_.mesh).isInsideOut())))
-            return;
+            return true;
         if (mayRemesh()) remesh(raw, false, RemeshCause::kWallsOfSolid);
+        const double least = kNothing * diagonal_ * diagonal_ * diagonal_;
+        if (report_.remeshed != RemeshCause::kNone || enclosedVolume(repair_.mesh) > least) return true;
+        repair_ = std::move(before);
+        return false;
     }
 
     void thicken(const std::vector<PartFacts>& facts) {

@@ -105,18 +105,42 @@ void append(RepairMesh& repair, const RepairMesh& surface) {
     ++repair.parts;
 }
 
-RepairMesh united(const RepairMesh& repair, const Groups& groups, int cells) {
-    std::vector<char> flags(repair.size());
-    for (size_t t = 0; t < repair.size(); ++t)
-        flags[t] = groups.overlaps[groups.of_part[repair.part[t]]] == 0;
-    RepairMesh result = takenOut(repair, flags);
-    for (uint32_t group = 0; group < groups.overlaps.size(); ++group) {
-        if (groups.overlaps[group] == 0) continue;
-        for (size_t t = 0; t < repair.size(); ++t) flags[t] = groups.of_part[repair.part[t]] == group;
-        append(result, remeshed(takenOut(repair, flags), true, cells));
+/// The parts of each group that overlap, and the surface that they get together.
+class GroupSurfaces {
+  public:
+    GroupSurfaces(const RepairMesh& repair, const Groups& groups) : repair_(repair), groups_(groups) {
+        std::vector<char> flags(repair.size());
+        for (uint32_t group = 0; group < groups.overlaps.size(); ++group) {
+            if (groups.overlaps[group] == 0) continue;
+            for (size_t t = 0; t < repair.size(); ++t) flags[t] = groups.of_part[repair.part[t]] == group;
+            parts_.push_back(takenOut(repair, flags));
+            surfaces_.push_back(remeshed(parts_.back(), true, kRemeshCells));
+        }
     }
-    return result;
-}
+
+    /// On a grid twice as fine where a surface holds less than this share of what its parts hold, which may
+    /// be because they overlap and may be because they are thin.
+    void refine(double share) {
+        for (size_t k = 0; k < parts_.size(); ++k)
+            if (enclosedVolume(surfaces_[k].mesh) < share * enclosedVolume(parts_[k].mesh))
+                surfaces_[k] = remeshed(parts_[k], true, 2 * kRemeshCells);
+    }
+
+    /// With all parts that overlap nothing.
+    RepairMesh united() const {
+        std::vector<char> flags(repair_.size());
+        for (size_t t = 0; t < repair_.size(); ++t)
+            flags[t] = groups_.overlaps[groups_.of_part[repair_.part[t]]] == 0;
+        RepairMesh result = takenOut(repair_, flags);
+        for (const RepairMesh& surface : surfaces_) append(result, surface);
+        return result;
+    }
+
+  private:
+    const RepairMesh& repair_;
+    const Groups& groups_;
+    std::vector<RepairMesh> parts_, surfaces_;
+};
 
 }  // namespace
 
@@ -124,9 +148,12 @@ size_t uniteParts(RepairMesh& repair, const WindingSamples& samples) {
     constexpr double kAllThere = 0.97, kMostThere = 0.9;
     numberParts(repair);
     const Groups groups = groupsOf(repair, samples.doubled_points);
-    RepairMesh result = united(repair, groups, kRemeshCells);
-    if (enclosedVolume(result.mesh) < kAllThere * samples.volume)
-        result = united(repair, groups, 2 * kRemeshCells);
+    GroupSurfaces surfaces(repair, groups);
+    RepairMesh result = surfaces.united();
+    if (enclosedVolume(result.mesh) < kAllThere * samples.volume) {
+        surfaces.refine(kAllThere);
+        result = surfaces.united();
+    }
     if (!(enclosedVolume(result.mesh) > kMostThere * samples.volume)) return 0;
     repair = std::move(result);
     return size_t(std::count_if(groups.of_part.begin(), groups.of_part.end(),

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -65,6 +66,60 @@ TEST(Capture, EachMethodIsCaptured) {
             << method;
         EXPECT_GT(nlohmann::json::parse(readText(report))["bonds_broken"].get<int>(), 0) << method;
     }
+}
+
+/// What two pictures show otherwise.
+struct Change {
+    size_t pixels = 0;
+    double red = 0, blue = 0;  // sums over them, of the second picture
+};
+
+Change changeOf(const engine::Image& before, const engine::Image& after) {
+    Change change;
+    for (int y = 0; y < before.height; ++y)
+        for (int x = 0; x < before.width; ++x) {
+            const uint8_t *a = before.at(x, y), *b = after.at(x, y);
+            if (std::abs(a[0] - b[0]) + std::abs(a[1] - b[1]) + std::abs(a[2] - b[2]) < 40) continue;
+            ++change.pixels;
+            change.red += b[0];
+            change.blue += b[2];
+        }
+    return change;
+}
+
+TEST(Capture, FreshFacesShowTheInnerMaterialAndTheOutsideStays) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    for (const std::string inner : {"plaster", "brick"}) {
+        const ProgramRun run = runProgram({"capture",
+                                           "block",
+                                           "--particles",
+                                           "200",
+                                           "--material",
+                                           "plaster",
+                                           "--inner-material",
+                                           inner,
+                                           "--impact-velocity",
+                                           "60",
+                                           "--effects",
+                                           "off",
+                                           "--at",
+                                           "0,0.3",
+                                           "--size",
+                                           "320x180",
+                                           "--device",
+                                           "cpu",
+                                           "--out",
+                                           folder.path() / inner});
+        ASSERT_EQ(run.exit_code, 0) << run.err;
+    }
+    const auto shown = [&](const std::string& inner, const std::string& frame) {
+        return engine::readPng(folder.path() / inner / ("frame_" + frame + ".png"));
+    };
+    EXPECT_EQ(shown("plaster", "0000").pixels, shown("brick", "0000").pixels) << "whole, it is not seen";
+    const Change change = changeOf(shown("plaster", "0001"), shown("brick", "0001"));
+    EXPECT_GT(change.pixels, 300u) << "of 57,600";
+    EXPECT_GT(change.red, 1.25 * change.blue) << "brick is red, plaster white";
 }
 
 TEST(Capture, InterruptedItKeepsWhatWasMade) {

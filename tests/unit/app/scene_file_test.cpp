@@ -78,9 +78,14 @@ TEST(SceneFile, ReadsHowItsCellsLie) {
     EXPECT_FALSE(plain.pattern);
     const Shot shot =
         loadSceneFile(folder.write("cut.toml", "pattern = \"slabs\"\npattern_axis = [1, 0, 0]\n" + kHead +
-                                                   "[particles]\nconform = true\nrefine = 2.5\n"));
+                                                   "[particles]\nconform = true\nrefine = 2.5\n"
+                                                   "painted = \"green\"\npainted_least = 0.3\n"));
     EXPECT_TRUE(shot.conform);
     EXPECT_EQ(shot.refine, 2.5);
+    EXPECT_FALSE(plain.painted);
+    EXPECT_EQ(shot.painted, (PaintedStrength{PaintChannel::kGreen, 0.3}));
+    EXPECT_THAT(complaintAbout(kHead + "[particles]\npainted = \"pink\"\n"), HasSubstr("red, green, blue"));
+    EXPECT_THAT(complaintAbout(kHead + "[particles]\npainted_least = 0.3\n"), HasSubstr("painted_least"));
     EXPECT_EQ(shot.pattern, Pattern::kSlabs);
     EXPECT_EQ(shot.pattern_axis, (Double3{1, 0, 0}));
     EXPECT_THAT(complaintAbout(kHead + "[particles]\nrefine = 0.5\n"), HasSubstr("refine"));

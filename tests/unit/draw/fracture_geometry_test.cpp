@@ -129,6 +129,20 @@ TEST(FractureGeometry, VerticesPartWhereMaterialsMeet) {
     }
 }
 
+TEST(FractureGeometry, VerticesPartWhereEitherSetOfUvsDoes) {
+    TriangleMesh plain = test::makeCube(1);
+    for (auto& corners : plain.corners)
+        for (CornerAttributes& corner : corners) corner.uv = {};
+    const CellComplex complex = test::makeSlabComplex(plain, {-0.3, 0.35});
+    const size_t of_one = makeFractureGeometry(plain, complex, {}).exterior.size();
+    for (const auto set : {&CornerAttributes::uv, &CornerAttributes::second_uv}) {
+        TriangleMesh mesh = plain;
+        for (size_t t = 0; t < mesh.triangles.size(); ++t)
+            for (CornerAttributes& corner : mesh.corners[t]) corner.*set = {static_cast<float>(t % 2), 0};
+        EXPECT_EQ(makeFractureGeometry(mesh, complex, {}).exterior.size(), of_one + 2u * (2 + 4 * 2));
+    }
+}
+
 TEST(FractureGeometry, SlabsAreClosedAndHaveTheirVolumes) {
     const TriangleMesh mesh = test::makeCube(1);
     const CellComplex complex = test::makeSlabComplex(mesh, {-0.4, -0.1, 0.3});

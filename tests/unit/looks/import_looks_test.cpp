@@ -68,6 +68,58 @@ TEST_F(ImportLooks, BinaryGltfWithAnEmbeddedPicture) {
     EXPECT_EQ(look.occlusion_map.channel, 0);
 }
 
+TEST_F(ImportLooks, ASecondSetOfUvsIsTakenAndAThirdIsSaid) {
+    const std::string material =
+        R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}},"occlusionTexture":{"index":0,"texCoord":1},"emissiveTexture":{"index":0,"texCoord":2},"emissiveFactor":[1,1,1]})";
+    const ImportedModel model =
+        importModel(write("cube.glb", test::cubeGlb(material, test::pngOf(2, 2, test::fourTexels()))));
+    ASSERT_NE(model.looks, nullptr);
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_EQ(look.base_map.uv_set, 0);
+    EXPECT_EQ(look.occlusion_map.uv_set, 1);
+    EXPECT_EQ(look.occlusion_map.image, 0u);
+    EXPECT_EQ(look.emission_map.image, kNoImage);
+    EXPECT_THAT(model.looks->notes, ElementsAre(HasSubstr("lies on a third set of UVs and is left out")));
+    for (const auto& corners : model.mesh.corners)
+        for (const CornerAttributes& corner : corners) {
+            EXPECT_NEAR(corner.second_uv.x, 0.5f * corner.uv.x, 1e-6);
+            EXPECT_NEAR(corner.second_uv.y, 0.25f * corner.uv.y, 1e-6);
+        }
+}
+
+TEST_F(ImportLooks, TheOnlySetOfUvsIsTakenWhateverItsNumber) {
+    write("skin.png", test::pngOf(2, 2, test::fourTexels()));
+    std::string text = test::cubeDae("skin.png");
+    for (const std::string number : {" set=\"0\"", "input_set=\"0\""}) {
+        ASSERT_NE(text.find(number), std::string::npos);
+        text[text.find(number) + number.size() - 2] = '1';
+    }
+    const ImportedModel model = importModel(write("cube.dae", text));
+    expectCubeUvs(model.mesh);
+    ASSERT_NE(model.looks, nullptr);
+    EXPECT_TRUE(model.looks->notes.empty());
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_EQ(look.base_map.image, 0u);
+    EXPECT_EQ(look.base_map.uv_set, 0);
+}
+
+TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
+    const auto cutoffOf = [&](const std::string& material, std::vector<uint8_t> texels) {
+        const ImportedModel model =
+            importModel(write("cube.glb", test::cubeGlb(material, test::pngOf(2, 2, texels))));
+        return model.looks->materials[model.mesh.corners[0][0].material].alpha_cutoff;
+    };
+    const std::string textured =
+        R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})";
+    std::vector<uint8_t> holed = test::fourTexels();
+    holed[3] = 100;
+    EXPECT_EQ(cutoffOf(textured, holed), kBlends);
+    EXPECT_EQ(cutoffOf(textured, test::fourTexels()), 0) << "all of it is opaque";
+    EXPECT_EQ(cutoffOf(R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.25]}})",
+                       test::fourTexels()),
+              kBlends);
+}
+
 TEST_F(ImportLooks, ColoursOfGltfAreLinear) {
     const std::string glb = test::cubeGlb("{}", test::pngOf(2, 2, test::fourTexels()), true);
     const ImportedModel model = importModel(write("cube.glb", glb));

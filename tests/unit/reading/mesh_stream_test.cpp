@@ -105,6 +105,7 @@ TEST(MeshStream, LooksThatWouldCrashTheirUserAreRefused) {
     };
     expectRefused([](ModelLooks& looks) { looks.materials[1].base_map.image = 2; });
     expectRefused([](ModelLooks& looks) { looks.materials[0].normal_map = {0, 4}; });
+    expectRefused([](ModelLooks& looks) { looks.materials[1].base_map.uv_set = 2; });
     expectRefused([](ModelLooks& looks) { looks.materials[0].emission[1] = std::nanf(""); });
     expectRefused([](ModelLooks& looks) { looks.materials.pop_back(); });  // the cube's own
     expectRefused([](ModelLooks& looks) { looks.images[0].width = 0; });

@@ -99,6 +99,30 @@ TEST(Repair, SheetsAreThickened) {
     EXPECT_NEAR(enclosedVolume(pipe.mesh) / (0.4 * std::numbers::pi), 1, 0.01);
 }
 
+/// A cloud as games have it: eight upright planes, one behind the other. The winding number takes the air
+/// between them for a solid.
+TEST(Repair, PlanesInARowAreThickenedWhereTheyEncloseNothing) {
+    const double middle_and_half[8][5] = {{0.07, 0.46, 0.07, 0.5, 0.4},   {-0.02, 0.75, -0.04, 0.17, 0.24},
+                                          {0.01, 0.12, 0.05, 0.16, 0.37}, {-0.06, 0.1, 0.03, 0.13, 0.4},
+                                          {0, 0.32, 0.05, 0.2, 0.14},     {-0.07, 0.64, 0.01, 0.17, 0.14},
+                                          {-0.02, 0.1, 0.05, 0.1, 0.32},  {-0.11, 0.08, -0.18, 0.12, 0.1}};
+    std::vector<Double3> positions;
+    std::vector<Triangle> triangles;
+    double area = 0;
+    for (const auto& [x, y, z, high, wide] : middle_and_half) {
+        const auto first = static_cast<uint32_t>(positions.size());
+        for (const auto& [up, aside] : {std::pair{-1, -1}, {-1, 1}, {1, 1}, {1, -1}})
+            positions.push_back({x, y + up * high, z + aside * wide});
+        triangles.push_back({first, first + 1, first + 2});
+        triangles.push_back({first, first + 2, first + 3});
+        area += 4 * high * wide;
+    }
+    const RepairedMesh result = repairMesh(test::meshOf(positions, triangles), {.thickness = 0.005});
+    ASSERT_TRUE(isSolid(result.mesh));
+    EXPECT_EQ(result.report.sheets, 8u);
+    EXPECT_NEAR(enclosedVolume(result.mesh), 0.005 * area, 1e-9);
+}
+
 TEST(Repair, PartsThatOverlapCountOnce) {
     const TriangleMesh bars = joined(makeBox({}, {2, 0.6, 0.6}), makeBox({}, {0.6, 0.6, 2}));
     const RepairedMesh result = repaired(bars);

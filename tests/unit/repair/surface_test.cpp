@@ -56,7 +56,11 @@ TEST(Remesh, ClosedFormsOfBoxesSpheresAndTori) {
         const RepairMesh surface = remeshed(RepairMesh(mesh), true);
         EXPECT_TRUE(isSolid(surface.mesh));
         EXPECT_NEAR(enclosedVolume(surface.mesh) / enclosedVolume(mesh), 1, tolerance);
-        EXPECT_LT(offOf(surface.mesh, mesh), 0.15 * diagonalOf(mesh) / kRemeshCells);
+        const double cell = diagonalOf(mesh) / kRemeshCells;
+        EXPECT_LT(offOf(surface.mesh, mesh), 0.15 * cell);
+        EXPECT_LT(offOf(mesh, surface.mesh), 0.3 * cell) << "nothing of the file's is left out";
+        constexpr double kParticles = 10000;  // a fifth of the spacing that they have in this body
+        EXPECT_LT(0.3 * cell, 0.2 * std::cbrt(enclosedVolume(mesh) / kParticles));
     }
 }
 
@@ -75,6 +79,7 @@ TEST(Remesh, LooksAndNumbersComeFromTheTriangleNearest) {
         for (size_t k = 0; k < 3; ++k) {
             const Double3& p = cube.positions[cube.triangles[t][k]];
             cube.corners[t][k].uv = {float(p.y + 10 * double(t)), float(t)};
+            cube.corners[t][k].second_uv = {float(t), float(2 * p.y - 10 * double(t))};
         }
     const RepairMesh surface = remeshed(RepairMesh(cube), true);
     const MeshQueries queries(cube);
@@ -84,9 +89,11 @@ TEST(Remesh, LooksAndNumbersComeFromTheTriangleNearest) {
         for (int k = 0; k < 3; ++k) {
             const CornerAttributes& corner = surface.mesh.corners[t][size_t(k)];
             EXPECT_NEAR(corner.uv.y, float(source), 1e-3);  // no smear between charts
+            EXPECT_NEAR(corner.second_uv.x, float(source), 1e-3);
             const Double3 normal = RepairMesh(cube).normal(source);
             if (std::abs(normal.y) < 0.5) {
                 EXPECT_NEAR(corner.uv.x, surface.at(t, k).y + 10.0 * source, 1e-3);
+                EXPECT_NEAR(corner.second_uv.y, 2 * surface.at(t, k).y - 10.0 * source, 2e-3);
             }
         }
     }
