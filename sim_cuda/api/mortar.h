@@ -8,8 +8,8 @@ namespace demolish {
 /// each other at the start; who wants bodies joined that are turned against each other turns them in their
 /// frames (turned_body.h).
 struct Mortar {
-    /// Pa, of the real mortar: a joint is as strong as this is beside the tensile strength of the material; of
-    /// two materials, beside that which gives the weaker joint.
+    /// Pa, of the real mortar: a joint is as strong as this is beside the tensile strength of the material;
+    /// of two materials, beside that which gives the weaker joint.
     double tensile_strength = 0.3e6;
     double joint = 0.002;  ///< m: faces no farther apart than this are joined
     bool operator==(const Mortar&) const = default;
