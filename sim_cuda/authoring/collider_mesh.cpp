@@ -20,6 +20,9 @@ namespace {
 /// irrational part of one, so that rows miss vertices that sit on round coordinates.
 constexpr double kMargin = 0.1, kLeastMargin = 2, kOffRound = 0.41421356237309515;
 
+/// Steps by which distances beyond the grid may be less than true ones; measured, 0.05.
+constexpr double kInexact = 0.1;
+
 double longestOf(const Bounds& bounds) {
     const Double3 extent = bounds.size();
     return std::max({extent.x, extent.y, extent.z});
@@ -94,7 +97,7 @@ std::shared_ptr<const ColliderMesh> makeColliderMesh(TriangleMesh mesh, const st
     DistanceNodes& nodes = made->nodes;
     nodes.origin = frame.origin;
     nodes.step = frame.step;
-    nodes.margin = marginOf(options.cells) * frame.step;
+    nodes.margin = (marginOf(options.cells) - kInexact) * frame.step;
     nodes.count = {static_cast<uint32_t>(frame.nx), static_cast<uint32_t>(frame.ny),
                    static_cast<uint32_t>(frame.nz)};
     nodes.steps = signedDistances(mesh, MeshQueries(mesh), frame);
