@@ -43,8 +43,10 @@ FrameChange ExportHistory::next(const FrameStats& stats, ParticleColour colour, 
     const bool same_lists = !fresh && stats.bonds_broken == broken_;
     // A frame that was skipped may have moved what sleeps now.
     const bool no_frame_between = stats.frame == frame_ || stats.frame == frame_ + 1;
-    // A solver that puts nothing to sleep counts neither.
-    const bool all_asleep = stats.awake_particles == 0 && stats.sleeping_fragments > 0;
+    // A solver that puts nothing to sleep counts neither. What a path leads costs no particle's work, but
+    // moves.
+    const bool all_asleep =
+        stats.awake_particles == 0 && stats.rigid_fragments == 0 && stats.sleeping_fragments > 0;
     const bool effects_rest = !effects_moved_ && !stats.effects_moving;
     const bool at_rest = was_asleep_ && all_asleep && effects_rest && colour == colour_ && no_frame_between;
     effects_moved_ = stats.effects_moving;

@@ -100,6 +100,12 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
     view_.samples = windowSamples(headless_.info().software);
 }
 
+void BenchStage::draw(const Session& session) {
+    const BuiltShot& built = session.built();
+    view_.camera = shotCamera(built.shot, built.cells.of_body, session.status().stats.time);
+    draw(session.mesh(), session.spheres());
+}
+
 void BenchStage::draw(const engine::FractureMesh* mesh, std::span<const engine::SphereDraw> spheres) {
     headless_.renderer().draw(mesh, spheres, view_, target_.framebuffer());
     tellRefusal(headless_.renderer());

@@ -38,7 +38,7 @@ class BenchStage {
     BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& options, PictureSize size);
 
     /// Draws and waits.
-    void draw(const Session& session) { draw(session.mesh(), session.spheres()); }
+    void draw(const Session& session);
     void draw(const engine::FractureMesh* mesh, std::span<const engine::SphereDraw> spheres);
     /// The GPU's time of it. Reading the time stamps is no part of a frame.
     double lastDrawMs();

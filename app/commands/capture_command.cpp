@@ -70,24 +70,29 @@ ParticleColour colourOf(const std::string& view) {
     return ParticleColour::kFragment;
 }
 
-engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, double yaw, bool software) {
+engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, bool software) {
     engine::FrameView view =
         makeFrameView(built.shot, built.cells.of_body, capture.size.width, capture.size.height,
                       renderQuality(capture.options.shot, software));
     if (capture.options.view != "surface") view.mode = engine::ViewMode::kParticles;
     view.transparent = capture.options.film.transparent;
     view.colour_map = static_cast<engine::ColourMap>(colourOf(capture.options.view));
-    view.camera.orbit(static_cast<float>(glm::radians(yaw)),
-                      static_cast<float>(glm::radians(capture.options.camera_pitch)));
     return view;
+}
+
+/// The shot's at that time, turned.
+engine::Camera cameraFor(const Capture& capture, const BuiltShot& built, double yaw, double time) {
+    engine::Camera camera = shotCamera(built.shot, built.cells.of_body, time);
+    camera.orbit(static_cast<float>(glm::radians(yaw)),
+                 static_cast<float>(glm::radians(capture.options.camera_pitch)));
+    return camera;
 }
 
 /// Draws and simulates all frames; stops at the first bad status, or when asked to, with what was drawn so
 /// far.
 void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFiles& files) {
-    std::vector<engine::FrameView> views;
-    for (const double yaw : capture.options.camera_yaw)
-        views.push_back(viewFor(capture, session.built(), yaw, stage.info().software));
+    engine::FrameView view = viewFor(capture, session.built(), stage.info().software);
+    const std::vector<double>& yaws = capture.options.camera_yaw;
     engine::FrameCapture target(
         capture.size.width, capture.size.height,
         [&](uint64_t frame, engine::Image image) { files.add(frame, std::move(image)); });
@@ -101,14 +106,18 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
     for (uint64_t frame = 0; frame < frames; ++frame) {
         const StopWatch watch;
         if (frame > 0 && InterruptWatch::asked()) break;
+        const double time_before = session.status().stats.time;
         if (frame == capture.moments[drawn]) exposure.remember(session, lens);
         if (frame > 0) capture.status = session.advance(watchFrame(bar, frame, frames, kLabel));
         if (capture.status != StepStatus::kOk || session.frameUnderWay()) break;
         if (frame == capture.moments[drawn]) {
-            for (size_t camera = 0; camera < views.size(); ++camera) {
-                exposure.draw(session, views[camera], lens, target.framebuffer());
+            const double time = session.status().stats.time;
+            for (size_t k = 0; k < yaws.size(); ++k) {
+                view.camera = cameraFor(capture, session.built(), yaws[k], time);
+                exposure.draw(session, view, cameraFor(capture, session.built(), yaws[k], time_before), lens,
+                              target.framebuffer());
                 tellRefusal(stage.renderer());
-                target.submit(camera * capture.moments.size() + drawn);
+                target.submit(k * capture.moments.size() + drawn);
             }
             ++drawn;
         }

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/help_text.h"
+#include "app/commands/model_options.h"
 #include "app/session/json_text.h"
 #include "app/session/model_check.h"
 #include "app/session/output_file.h"

@@ -35,17 +35,20 @@ std::vector<engine::SphereDraw> FrameExposure::spheresAt(const Session& session,
     return spheres;
 }
 
-void FrameExposure::draw(Session& session, const engine::FrameView& view, const engine::Lens& lens,
-                         unsigned framebuffer) {
+void FrameExposure::draw(Session& session, const engine::FrameView& view, const engine::Camera& camera_before,
+                         const engine::Lens& lens, unsigned framebuffer) {
     const uint32_t pictures = engine::picturesOf(lens);
     if (pictures == 1 && lens.aperture <= 0 && lens.shutter <= 0 && !view.transparent)
         return renderer_.draw(session.mesh(), session.spheres(), view, framebuffer);
     if (!film_) film_ = std::make_unique<engine::Film>(dataFolder() / "shaders");
     film_->begin(view.width, view.height);
     for (uint32_t i = 0; i < pictures; ++i) {
-        engine::FrameView picture = engine::pictureView(view, lens, i, pictures);
-        if (pictures >= kEnoughForEdges) picture.samples = 1;
         const float moment = engine::pictureMoment(lens, i, pictures);
+        engine::FrameView shown = view;
+        shown.camera.eye = camera_before.eye + moment * (view.camera.eye - camera_before.eye);
+        shown.camera.target = camera_before.target + moment * (view.camera.target - camera_before.target);
+        engine::FrameView picture = engine::pictureView(shown, lens, i, pictures);
+        if (pictures >= kEnoughForEdges) picture.samples = 1;
         if (motion_ && session.mesh() != nullptr) motion_->place(*session.mesh(), moment);
         addPicture(*film_, renderer_, session.mesh(),
                    motion_ ? spheresAt(session, moment) : session.spheres(), picture);

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "app/commands/help_text.h"
+#include "app/commands/model_options.h"
 #include "app/session/output_file.h"
 #include "app/session/scene_file.h"
 #include "app/session/set_scene.h"
@@ -21,7 +22,7 @@ void runScene(const SceneOptions& options) {
     std::error_code ignored;
     if (std::filesystem::exists(out, ignored))
         throw OutputError("'" + options.out + "' is there already, perhaps edited; choose another name");
-    const std::string text = sceneTextOf(options.shot.model, modelPart(options.shot), out);
+    const std::string text = sceneTextOf(options.shot.model, setSize(options.shot), out);
     writeTextFile(out, text);
     const Shot shot = loadSceneFile(out);
     const size_t bodies = shot.bodies.size(), colliders = shot.colliders.size();
@@ -36,8 +37,10 @@ void addSceneCommand(CLI::App& app, SceneOptions& options) {
         app.add_subcommand("scene", "Write a scene file in which each node of a model file is a body");
     command->add_option("file", options.shot.model, "Model file")->type_name("FILE")->required();
     command->add_option("--out", options.out, "Scene file to write")->type_name("FILE.toml")->required();
+    command->add_option("--height", options.shot.height, "Scale the whole set to this height")
+        ->type_name("M");
     addLengthOptions(*command, options.shot);
-    setExamples(*command, {"scene set.glb --out my_shot.toml"});
+    setExamples(*command, {"scene set.glb --out my_shot.toml", "scene set.glb --height 2 --out small.toml"});
     command->callback([&options] { runScene(options); });
 }
 

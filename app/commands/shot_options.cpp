@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/commands/model_options.h"
 #include "app/commands/option_values.h"
 #include "app/commands/particle_options.h"
 #include "app/session/model_shot.h"
@@ -25,7 +26,7 @@ Shot baseShot(const ShotOptions& options) {
     if (options.split && options.model.empty())
         throw UsageError("--split is for --model: it makes a scene of the nodes of a file");
     if (options.model.empty()) return loadScene(options.scene.empty() ? kDefaultScene : options.scene);
-    if (options.split) return splitShot(options.model, modelPart(options));
+    if (options.split) return splitShot(options.model, setSize(options));
     return modelShot(options.model);
 }
 
@@ -57,18 +58,18 @@ void applyHeight(double height, bool is_scene, Shot& shot) {
     if (!is_scene) return;
     shot.settle_scale = std::sqrt(ratio);
     shot.camera.reset();
+    shot.camera_path.clear();
     shot.impact.ball_radius = 0;
     for (TimedBall& ball : shot.balls)
         if (ball.radius) *ball.radius *= ratio;
 }
 
 void applySize(const ShotOptions& options, Shot& shot) {
-    if (options.height && !options.unit.empty())
-        throw UsageError(
-            "--height and --unit exclude each other: one scales the model, the other keeps its size");
+    if (options.split) return;  // the set was scaled as a whole
+    requireOneSize(options);
     if (options.height)
         applyHeight(inRange("--height", *options.height, kHeightRange, "m"), options.model.empty(), shot);
-    if (!options.unit.empty() && !options.split) setUnit(shot, shot.part.unit);
+    if (!options.unit.empty()) setUnit(shot, shot.part.unit);
 }
 
 /// Benchmarks take the paper's mesh where there is one; a person who asks for it is told when there is none.
@@ -197,39 +198,6 @@ void addMaterialOptions(CLI::App& command, ShotOptions& options) {
 }
 
 }  // namespace
-
-ModelPart modelPart(const ShotOptions& options) {
-    const double unit = lengthUnitOf(options.unit).value_or(0);
-    if (const std::string refusal = unit > 0 ? refusalOfUnit(options.model) : ""; !refusal.empty())
-        throw UsageError("--unit is for files that do not say theirs: " + refusal +
-                         "; leave it out, or scale the model by --height");
-    return {options.node, options.up == "z" ? UpAxis::kZ : UpAxis::kY, unit};
-}
-
-void addLengthOptions(CLI::App& command, ShotOptions& options) {
-    command.add_option("--up", options.up, "Axis of the model file that points up (y)")
-        ->type_name("y|z")
-        ->check(CLI::IsMember({"y", "z"}).description(""));
-    command
-        .add_option("--unit", options.unit,
-                    "Of the model file, where its format says none: it keeps its size")
-        ->type_name("m|cm|mm|in|ft")
-        ->check(CLI::IsMember(lengthUnitNames()).description(""));
-}
-
-void addModelOptions(CLI::App& command, ShotOptions& options) {
-    command.add_option("--node", options.node, "Break this node of the model file alone")->type_name("NAME");
-    addLengthOptions(command, options);
-    command
-        .add_option("--repair", options.repair,
-                    "How a model that is not closed is made one; exact: never with a new surface")
-        ->type_name("auto|exact|remesh|off")
-        ->check(CLI::IsMember(repairModeNames()).description(""));
-    command
-        .add_option("--thickness", options.thickness,
-                    "Of sheets, surfaces without an inside (default: by their area)")
-        ->type_name("M");
-}
 
 void addShotOptions(CLI::App& command, ShotOptions& options) {
     const std::string own_group = command.get_help_ptr()->get_group();

@@ -41,13 +41,6 @@ struct ShotOptions {
     std::optional<double> grit, dust, sparks;
 };
 
-/// What of its model file is meant. Throws UsageError for a unit of a file that says its own.
-ModelPart modelPart(const ShotOptions& options);
-
-/// --up and --unit; part of addModelOptions().
-void addLengthOptions(CLI::App& command, ShotOptions& options);
-/// How a model file is read: --node, --up, --unit, --repair and --thickness; part of addShotOptions().
-void addModelOptions(CLI::App& command, ShotOptions& options);
 void addShotOptions(CLI::App& command, ShotOptions& options);
 
 /// `mesh` ("fine" or "paper") counts where the options name none. Throws UsageError (ranges, unknown scene,

@@ -110,6 +110,7 @@ struct ViewLoop {
         session.setColour(static_cast<ParticleColour>(desk.view.colour_map));
         session.update(now, pace.due(now, session.shot().fps, desk.view.real_time));
         followBody(desk, session, model, body);
+        desk.followShot(session);
         draw();
         if (script != nullptr) script->afterDraw();
         window.swapBuffers();

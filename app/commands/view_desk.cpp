@@ -27,11 +27,17 @@ void ViewDesk::adoptBody(const Session& session, bool move_camera) {
         built_preset_ = preset;
     }
     const SceneBox box = sceneBox(shot, session.built().cells.of_body);
-    home.shot_camera = shot.camera ? *shot.camera : framedCamera(box);
     const glm::vec3 low(box.low.x, box.low.y, box.low.z), high(box.high.x, box.high.y, box.high.z);
     home.centre = 0.5f * (low + high);
     home.radius = 0.6f * glm::length(high - low);
-    if (move_camera) camera = home.shot_camera;
+    follows_shot_ = follows_shot_ || move_camera;
+    followShot(session);
+}
+
+void ViewDesk::followShot(const Session& session) {
+    const BuiltShot& built = session.built();
+    home.shot_camera = shotCamera(built.shot, built.cells.of_body, session.status().stats.time);
+    if (follows_shot_) camera = home.shot_camera;
 }
 
 std::optional<Shot> ViewDesk::load(const std::string& scene, const std::string& model, const Shot& present) {
@@ -146,6 +152,7 @@ std::vector<command::Any> ViewDesk::update(const Session& session, std::optional
     picture = pictureArea(panels);
     if (!gizmo_.update(context, session.built().cells.of_body, camera, picture))
         click = mouse.update(camera, picture);
+    follows_shot_ = camera == home.shot_camera;
     if (panels.arrange) click.reset();
 
     if (!context.load_scene.empty() || !context.load_model.empty()) {

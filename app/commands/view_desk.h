@@ -37,6 +37,9 @@ struct ViewDesk {
     std::vector<command::Any> update(const Session& session, std::optional<PicturePoint>& click);
     /// Camera and framing for a body that is new.
     void adoptBody(const Session& session, bool move_camera);
+    /// The shot's camera is where it is at the time on screen, and the window's with it, until somebody moves
+    /// that; key 0 brings it back.
+    void followShot(const Session& session);
     /// Loads a scene or mesh into a shot; the message tells what went wrong.
     std::optional<Shot> load(const std::string& scene, const std::string& model, const Shot& present);
     engine::FrameView frameView(const Session& session) const;
@@ -48,6 +51,7 @@ struct ViewDesk {
     std::optional<Calibration> takeMeasurement();
     void obeyThreshold(const PanelContext& context, const Session& session);
 
+    bool follows_shot_ = true;
     LabelledLines report_;  ///< of `reported_`
     std::shared_ptr<const BreakableBody> reported_;
     Gizmo gizmo_;

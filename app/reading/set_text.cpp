@@ -24,12 +24,23 @@ class SetParser {
         ModelSet set;
         const size_t count = whole(kMostThings);
         for (size_t i = 0; i < count; ++i) set.things.push_back(thing());
-        if (whole(1) == 1) set.camera = SetCamera{point(), point(), number()};
-        if (whole(1) == 1) set.sun_direction = point();
+        if (whole(1) == 1) set.camera = camera();
+        if (whole(1) == 1) set.sun = SetSun{point(), point()};
         return set;
     }
 
   private:
+    SetCamera camera() {
+        SetCamera camera{point(), point(), number(), {}};
+        camera.path.resize(whole(kMostCameraKeys));
+        double before = 0;
+        for (SetCameraKey& key : camera.path) {
+            key = {number(), point(), point()};
+            if (!(key.time > before)) throw BrokenStream("keys of a camera are not in order");
+            before = key.time;
+        }
+        return camera;
+    }
     SetThing thing() {
         SetThing thing;
         thing.low = point();
@@ -65,6 +76,11 @@ class SetParser {
     std::istringstream in_;
 };
 
+void writeCamera(const SetCamera& camera, std::ostream& out) {
+    out << camera.eye << camera.target << camera.field_of_view << ' ' << camera.path.size() << '\n';
+    for (const SetCameraKey& key : camera.path) out << key.time << ' ' << key.eye << key.target << '\n';
+}
+
 }  // namespace
 
 std::string setText(const ModelSet& set) {
@@ -78,9 +94,9 @@ std::string setText(const ModelSet& set) {
         out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << '\n';
     }
     out << (set.camera ? 1 : 0) << '\n';
-    if (set.camera) out << set.camera->eye << set.camera->target << set.camera->field_of_view << '\n';
-    out << (set.sun_direction ? 1 : 0) << '\n';
-    if (set.sun_direction) out << *set.sun_direction << '\n';
+    if (set.camera) writeCamera(*set.camera, out);
+    out << (set.sun ? 1 : 0) << '\n';
+    if (set.sun) out << set.sun->direction << set.sun->colour << '\n';
     return out.str();
 }
 

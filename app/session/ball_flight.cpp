@@ -11,6 +11,7 @@
 #include <span>
 
 #include "app/session/scene_colliders.h"
+#include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
 #include "sim_cuda/api/collider_distance.h"
 
@@ -152,6 +153,13 @@ TimedBall ballOf(const Impact& impact) {
     return ball;
 }
 
+/// From the frame that the scene file speaks of to that of the set-up's body, which mortar may have turned.
+glm::dquat turnInFrame(const Shot& shot, const SceneSetup& setup, uint32_t body) {
+    const std::vector<SceneBody> places = bodiesOf(shot);
+    const SceneBody& place = places[std::min<size_t>(body, places.size() - 1)];
+    return setup.mortar && place.in_mortar ? turnOf(place) : glm::dquat(1, 0, 0, 0);
+}
+
 }  // namespace
 
 bool liesFlat(const BreakableBody& body) {
@@ -195,7 +203,7 @@ ThrownBall makeBall(const Shot& shot, const SceneSetup& setup, const TimedBall& 
     const glm::dvec3 direction = wayOf(ball.direction.value_or(shot.impact.direction), boxOf(body));
     const glm::dvec3 way = glm::inverse(rotation) * direction;
     const auto height = ball.height_fraction ? ball.height_fraction : shot.impact.height_fraction;
-    const glm::dvec3 aim = ball.aim ? shot.height * toGlm(*ball.aim)
+    const glm::dvec3 aim = ball.aim ? turnInFrame(shot, setup, ball.body) * (shot.height * toGlm(*ball.aim))
                            : height ? aimPoint(body, *height)
                                     : middleSeen(body, way);
     const glm::dvec3 touch = touchPoint(body, aim, way, radius);

@@ -29,6 +29,11 @@ std::vector<engine::SurfaceLook> sizedLooks(const Shot& shot, const BodyList& bo
 
 }  // namespace
 
+engine::Camera shotCamera(const Shot& shot, const BodyList& bodies, double time) {
+    if (!shot.camera) return framedCamera(sceneBox(shot, bodies));
+    return cameraAt(*shot.camera, shot.camera_path, time);
+}
+
 engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int width, int height,
                                 engine::RenderQuality quality) {
     const SceneBox box = sceneBox(shot, bodies);
@@ -39,7 +44,7 @@ engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int wi
     const double radius =
         0.5 * std::hypot(box.high.x - box.low.x, box.high.y - box.low.y, box.high.z - box.low.z);
     engine::FrameView view;
-    view.camera = shot.camera ? *shot.camera : framedCamera(box);
+    view.camera = shotCamera(shot, bodies, 0);
     view.lighting = litBy(shot.environment, shot.lighting);
     const std::vector<engine::SurfaceLook> looks = sizedLooks(shot, bodies);
     view.look = looks[0];

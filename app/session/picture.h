@@ -8,7 +8,11 @@
 
 namespace demolish {
 
-/// Camera, light and looks of the shot; noise sized to the cells, shadow to all of the shot's bodies.
+/// The shot's camera after `time` s.
+engine::Camera shotCamera(const Shot& shot, const BodyList& bodies, double time);
+
+/// Camera at the start, light and looks of the shot; noise sized to the cells, shadow to all of the shot's
+/// bodies.
 engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int width, int height,
                                 engine::RenderQuality quality);
 

@@ -2,9 +2,11 @@
 // Regions are in the frame of who holds them: the scene's in the world, a body's in its own.
 #include "app/session/scene_anchors.h"
 
+#include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 
 #include "app/session/asset_files.h"
+#include "app/session/scene_node_box.h"
 #include "app/session/scene_shapes.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
@@ -59,7 +61,11 @@ Anchor placed(Anchor anchor, const BodyInstance& body) {
     return anchor;
 }
 
-Anchor readAnchor(TomlReader& reader, const std::string& at, double height) {
+Box readNode(TomlReader& reader, const std::string& at, const Shot& shot, const SceneBody* own) {
+    return own != nullptr ? readOwnNodeBox(reader, at, shot, *own) : readNodeBox(reader, at, shot.model);
+}
+
+Anchor readAnchor(TomlReader& reader, const std::string& at, const Shot& shot, const SceneBody* own) {
     Anchor anchor;
     std::string shape;
     requireKey(reader, at + "shape");
@@ -68,10 +74,12 @@ Anchor readAnchor(TomlReader& reader, const std::string& at, double height) {
         anchor.region = readBox(reader, at);
     else if (shape == "sphere")
         anchor.region = readSphere(reader, at);
+    else if (shape == "node")
+        anchor.region = readNode(reader, at, shot, own);
     else
-        reader.fail(at + "shape", "must be one of " + listed({"box", "sphere"}));
-    anchor = scaled(anchor, 1 / height);
-    anchor.path = readPath(reader, at, height);
+        reader.fail(at + "shape", "must be one of " + listed({"box", "node", "sphere"}));
+    anchor = scaled(anchor, 1 / shot.height);
+    anchor.path = readPath(reader, at, shot.height);
     return anchor;
 }
 
@@ -99,15 +107,24 @@ MotionPath readPath(TomlReader& reader, const std::string& at, double height) {
     return path;
 }
 
-std::vector<Anchor> readAnchors(TomlReader& reader, const std::string& at, double height, size_t bodies) {
+std::vector<Anchor> readAnchors(TomlReader& reader, const Shot& shot) {
+    std::vector<Anchor> anchors;
+    const size_t count = reader.count("anchor", kMostAnchors);
+    const auto last_body = static_cast<double>(std::max<size_t>(1, shot.bodies.size()) - 1);
+    for (size_t i = 0; i < count; ++i) {
+        const std::string here = "anchor[" + std::to_string(i) + "].";
+        anchors.push_back(readAnchor(reader, here, shot, nullptr));
+        if (reader.has(here + "body")) reader.read(here + "body", anchors[i].body.emplace(), {0, last_body});
+    }
+    return anchors;
+}
+
+std::vector<Anchor> readAnchors(TomlReader& reader, const std::string& at, const Shot& shot,
+                                const SceneBody& body) {
     std::vector<Anchor> anchors;
     const size_t count = reader.count(at + "anchor", kMostAnchors);
-    for (size_t i = 0; i < count; ++i) {
-        const std::string here = at + "anchor[" + std::to_string(i) + "].";
-        anchors.push_back(readAnchor(reader, here, height));
-        if (!at.empty() || !reader.has(here + "body")) continue;
-        reader.read(here + "body", anchors.back().body.emplace(), {0, static_cast<double>(bodies - 1)});
-    }
+    for (size_t i = 0; i < count; ++i)
+        anchors.push_back(readAnchor(reader, at + "anchor[" + std::to_string(i) + "].", shot, &body));
     return anchors;
 }
 

@@ -11,11 +11,13 @@
 
 namespace demolish {
 
-/// The list `at` + anchor = [...] of a scene file, of the whole scene (`at` is "") or of a body ("body[0].").
-/// `height` of the bodies, m: the file gives metres, Shot heights. bodies: how many an anchor of the scene
-/// may name.
-std::vector<Anchor> readAnchors(TomlReader& reader, const std::string& at, double height, size_t bodies);
-/// The list `at` + path = [...] and path_motion, likewise; without keys where there is none.
+/// The list anchor = [...] of a scene file, whose bodies and height are known: the file gives metres, Shot
+/// heights.
+std::vector<Anchor> readAnchors(TomlReader& reader, const Shot& shot);
+/// The same of a body (`at`: "body[0]."), whose model and size are known.
+std::vector<Anchor> readAnchors(TomlReader& reader, const std::string& at, const Shot& shot,
+                                const SceneBody& body);
+/// The list `at` + path = [...] and path_motion; without keys where there is none. `height` of the shot, m.
 MotionPath readPath(TomlReader& reader, const std::string& at, double height);
 
 /// All that is held, m: the scene's own anchors, then those of the bodies as they stand.

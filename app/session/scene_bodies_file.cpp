@@ -54,11 +54,13 @@ void readSize(TomlReader& reader, const std::string& at, const Shot& shot, Scene
     const bool has_unit = reader.has(at + "unit"), has_height = reader.has(at + "height_m");
     if (has_unit && has_height)
         reader.fail(at + "height_m", "and unit exclude each other: one scales the model, the other keeps it");
-    double height = shot.height;
+    const bool all_have_height = reader.has("height_m");
+    double height = all_have_height ? shot.height : 1;
     reader.read(at + "height_m", height, kHeightRange);
-    body.keeps_size = has_unit || (!has_height && !reader.has("height_m") &&
+    body.keeps_size = has_unit || (!has_height && !all_have_height &&
                                    hasKnownSize(body.model.value_or(shot.model), partOf(shot, body)));
-    body.height_share = (body.keeps_size ? 1 : height) / shot.height;
+    if (body.keeps_size) height = all_have_height ? 1 : shot.height;  // the scene's `scale`
+    body.height_share = height / shot.height;
 }
 
 OwnMaterial ofShot(const Shot& shot) {
@@ -81,12 +83,13 @@ void readOwn(TomlReader& reader, const std::string& at, const Shot& shot, SceneB
     reader.read(at + "hidden", body.hidden);
     reader.read(at + "locked", body.locked);
     reader.read(at + "breaks", body.breaks);
+    reader.read(at + "mortar", body.in_mortar);
     readFineness(reader, at, shot.fineness, body);
 }
 
-void readHold(TomlReader& reader, const std::string& at, double height, SceneBody& body) {
-    body.anchors = readAnchors(reader, at, height, 0);
-    body.path = readPath(reader, at, height);
+void readHold(TomlReader& reader, const std::string& at, const Shot& shot, SceneBody& body) {
+    body.anchors = readAnchors(reader, at, shot, body);
+    body.path = readPath(reader, at, shot.height);
     if (body.path.keys.empty()) return;
     if (body.breaks) reader.fail(at + "path", "needs breaks = false: what follows a path stays whole");
     if (!body.anchors.empty())
@@ -127,7 +130,7 @@ std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot) {
         readPlace(reader, at, shot.height, bodies[i]);
         reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
         readOwn(reader, at, shot, bodies[i]);
-        readHold(reader, at, shot.height, bodies[i]);
+        readHold(reader, at, shot, bodies[i]);
         if (moves(bodies[i]) && shot.settle_time > 0)
             reader.fail(at + (bodies[i].velocity != Double3{} ? "velocity_mps" : "spin_radps"),
                         "needs solver.settle_s = 0: a body that moves would fall while the others settle");

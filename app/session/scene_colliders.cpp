@@ -8,7 +8,7 @@
 
 #include "app/reading/model_reader.h"
 #include "app/session/asset_files.h"
-#include "app/session/scene_assets.h"
+#include "app/session/scene_node_box.h"
 #include "app/session/scene_shapes.h"
 #include "app/session/shot_geometry.h"
 #include "sim_cuda/api/errors.h"
@@ -17,7 +17,6 @@ namespace demolish {
 namespace {
 
 constexpr Range kEdgeRange{1e-3, 1e4};  // m, radii as well
-constexpr Range kScaleRange{1e-6, 1e6};
 constexpr Range kFrictionRange{0, 1.5}, kRestitutionRange{0.05, 1};
 /// Of a plane, in radii of the scene: how far it is drawn beyond the place nearest to the scene, and how
 /// deep.
@@ -48,20 +47,14 @@ Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
 Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
     MeshShape shape;
     ColliderMeshOptions options;
-    requireKey(reader, at + "model");
-    std::string model;
-    reader.read(at + "model", model);
-    reader.read(at + "scale", shape.scale, kScaleRange);
-    reader.read(at + "position_m", shape.position, kPlaceRange);
-    shape.rotation = readTurn(reader, at);
+    const PlacedNode node = readPlacedNode(reader, at, {});
+    shape.scale = node.scale;
+    shape.position = node.position;
+    shape.rotation = node.rotation;
     reader.read(at + "cells", options.cells, {kLeastCells, kMostCells});
-    ModelPart part;
-    const std::filesystem::path file = modelFileOf(reader.file(), model);
-    readPart(reader, at, file, part);
-    options.up = part.up;
-    if (part.unit > 0) shape.scale *= part.unit;
+    options.up = node.part.up;
     try {
-        shape.mesh = makeColliderMesh(readModel(file, part.node).mesh, file, options);
+        shape.mesh = makeColliderMesh(readModel(node.file, node.part.node).mesh, node.file, options);
     } catch (const InputFileError& error) {
         reader.fail(at + "model", std::string("is wrong: ") + error.what());
     }

@@ -38,6 +38,9 @@ void readSize(TomlReader& reader, Shot& shot) {
         reader.fail("height_m", "and unit exclude each other: one scales the model, the other keeps it");
     reader.read("height_m", shot.height, kHeightRange);
     shot.keeps_size = !has_height && hasKnownSize(shot.model, shot.part);
+    if (!reader.has("scale")) return;
+    if (has_height) reader.fail("scale", "and height_m exclude each other: one is of sizes that files say");
+    reader.read("scale", shot.height, kSetScaleRange);
 }
 
 void readRepair(TomlReader& reader, RepairOptions& repair) {
@@ -216,7 +219,7 @@ Shot loadScene(TomlReader& reader) {
     readEffects(reader, shot.effects);
     shot.colliders = readColliders(reader, shot.height);
     readMortar(reader, shot);
-    shot.anchors = readAnchors(reader, "", shot.height, std::max<size_t>(1, shot.bodies.size()));
+    shot.anchors = readAnchors(reader, shot);
     readPicture(reader, file.parent_path(), shot);
     reader.requireAllRead();
     takeFromSubject(shot);

@@ -6,6 +6,7 @@
 
 #include "app/session/material_file.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/model_set.h"
 
 namespace demolish {
 namespace {
@@ -13,13 +14,39 @@ namespace {
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kLeastLength = 1e-3;   ///< of a direction; m between eye and target
 constexpr Range kColourRange{0, 1000};  // linear; the sun's is above 1
+constexpr Range kTimeRange{0, 3600};    // s
+
+/// Eye and target of the table that `at` names.
+void requireApart(TomlReader& reader, const std::string& at, const glm::vec3& eye, const glm::vec3& target) {
+    if (glm::distance(eye, target) < kLeastLength)
+        reader.fail(at + "eye_m", "must be apart from " + at + "target_m, or it looks nowhere");
+}
+
+/// Of a key that says one of the two, the other is as before.
+std::vector<CameraKey> readCameraPath(TomlReader& reader, const engine::Camera& start) {
+    std::vector<CameraKey> path(reader.count("camera.path", kMostCameraKeys));
+    CameraKey before{0, start.eye, start.target};
+    for (size_t k = 0; k < path.size(); ++k) {
+        const std::string at = "camera.path[" + std::to_string(k) + "].";
+        if (!reader.has(at + "at_s")) reader.fail(at + "at_s", "is missing");
+        path[k] = before;
+        reader.read(at + "at_s", path[k].time, kTimeRange);
+        reader.readVector(at + "eye_m", path[k].eye, kPlaceRange);
+        reader.readVector(at + "target_m", path[k].target, kPlaceRange);
+        if (!(path[k].time > before.time))
+            reader.fail(at + "at_s", k == 0 ? "must be above 0: at 0 s the camera is at camera.eye_m"
+                                            : "must be later than that of the key before it");
+        requireApart(reader, at, path[k].eye, path[k].target);
+        before = path[k];
+    }
+    return path;
+}
 
 engine::Camera readCamera(TomlReader& reader) {
     engine::Camera camera;
     reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
     reader.readVector("camera.target_m", camera.target, kPlaceRange);
-    if (glm::distance(camera.eye, camera.target) < kLeastLength)
-        reader.fail("camera.eye_m", "must be apart from camera.target_m, or it looks nowhere");
+    requireApart(reader, "camera.", camera.eye, camera.target);
     double degrees = camera.field_of_view / kDegree;
     reader.read("camera.field_of_view_deg", degrees, {5, 120});
     camera.field_of_view = static_cast<float>(degrees * kDegree);
@@ -71,7 +98,10 @@ void readEnvironment(TomlReader& reader, const std::filesystem::path& folder, En
 }  // namespace
 
 void readPicture(TomlReader& reader, const std::filesystem::path& folder, Shot& shot) {
-    if (reader.has("camera")) shot.camera = readCamera(reader);
+    if (reader.has("camera")) {
+        shot.camera = readCamera(reader);
+        shot.camera_path = readCameraPath(reader, *shot.camera);
+    }
     engine::Lighting& light = shot.lighting;
     readEnvironment(reader, folder, shot.environment);
     reader.readVector("light.sun_direction", light.sun_direction, kDirectionRange);

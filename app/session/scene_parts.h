@@ -52,6 +52,7 @@ struct SceneBody {
     bool keeps_size = false;        ///< as large as its file says, times the shot's height and this share
     std::optional<OwnMaterial> material;
     bool hidden = false, locked = false;   ///< not drawn; not to be taken hold of in the window
+    bool in_mortar = true;                 ///< false: it only touches others where the scene has mortar
     bool breaks = true;                    ///< false: whole whatever hits it, rigid when nothing swings in it
     double particles_share = 1;            ///< its number of particles, times the shot's
     std::optional<OwnSize> particle_size;  ///< in place of that

@@ -7,18 +7,21 @@
 #include <cstdio>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "app/reading/model_reader.h"
 #include "app/session/json_text.h"
 #include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
 #include "app/session/shot_geometry.h"
+#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
 
 namespace demolish {
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
+constexpr double kMostShine = 1000;  // as scene files take it
 /// Of all bodies together, on GPU and CPU; and the most of one.
 constexpr uint32_t kAllFull = 60000, kAllDraft = 6000, kMostFull = 10000, kMostDraft = 1200, kLeast = 60;
 
@@ -33,7 +36,7 @@ bool isBody(const SetThing& thing) {
 }
 
 glm::dvec3 upright(const Double3& p, const SetFile& file) {
-    const glm::dvec3 at = file.metres * toGlm(p);
+    const glm::dvec3 at = file.scale * file.metres * toGlm(p);
     return file.up == UpAxis::kY ? at : glm::dvec3(at.x, at.z, -at.y);
 }
 
@@ -59,11 +62,15 @@ std::string vectorText(const glm::dvec3& v) {
     return text;
 }
 
-double liftOf(const ModelSet& set, const SetFile& file) {
-    double lowest = 0;
-    for (const SetThing& thing : set.things)
-        if (isBody(thing)) lowest = std::min(lowest, extentOf(thing, file).low.y);
-    return -lowest;
+/// Round all bodies.
+Extent extentOfBodies(const ModelSet& set, const SetFile& file) {
+    Extent all{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    for (const SetThing& thing : set.things) {
+        if (!isBody(thing)) continue;
+        const Extent own = extentOf(thing, file);
+        all = {glm::min(all.low, own.low), glm::max(all.high, own.high)};
+    }
+    return all;
 }
 
 /// The body in the middle of the camera's picture; without a camera the largest.
@@ -77,6 +84,13 @@ size_t bodyToHit(const std::vector<Extent>& bodies, const ModelSet& set, const S
     const auto best = std::max_element(bodies.begin(), bodies.end(),
                                        [&](const Extent& a, const Extent& b) { return merit(a) < merit(b); });
     return static_cast<size_t>(best - bodies.begin());
+}
+
+std::string scaleText(const SetFile& file) {
+    if (file.scale == 1) return "";
+    char text[64];
+    std::snprintf(text, sizeof text, "scale = %.9g\n", file.scale);
+    return text;
 }
 
 std::string bodiesText(const std::vector<const SetThing*>& bodies, const SetFile& file, double lift) {
@@ -100,6 +114,7 @@ std::string collidersText(const ModelSet& set, const SetFile& file, double lift)
                 "\nnode = " + quoted(thing.node) + "\n";
         if (file.up == UpAxis::kZ) text += "up = \"z\"\n";
         if (!file.unit.empty()) text += "unit = " + quoted(file.unit) + "\n";
+        text += scaleText(file);
         if (lift > 0) text += "position_m = " + vectorText({0, lift, 0}) + "\n";
     }
     if (count >= kMaxColliders)
@@ -123,13 +138,47 @@ std::string anchorsText(const ModelSet& set, const SetFile& file, double lift) {
     return text;
 }
 
+/// The target is 1 m from the eye, in whatever unit the file is.
+std::string lookText(const Double3& eye, const Double3& target, const SetFile& file, double lift,
+                     const char* between) {
+    const glm::dvec3 from = upright(eye, file) + glm::dvec3(0, lift, 0);
+    const glm::dvec3 way = glm::normalize(upright(target, file) - upright(eye, file));
+    return "eye_m = " + vectorText(from) + between + "target_m = " + vectorText(from + way);
+}
+
+std::string pathText(const SetCamera& camera, const SetFile& file, double lift) {
+    if (camera.path.empty()) return "";
+    std::string text = "path = [\n";
+    for (const SetCameraKey& key : camera.path) {
+        char time[48];
+        std::snprintf(time, sizeof time, "  { at_s = %.9g, ", key.time);
+        text += time + lookText(key.eye, key.target, file, lift, ", ") + " },\n";
+    }
+    return text + "]\n";
+}
+
 std::string cameraText(const SetCamera& camera, const SetFile& file, double lift) {
-    const glm::dvec3 up(0, lift, 0);
     char angle[64];
     std::snprintf(angle, sizeof angle, "field_of_view_deg = %.6g\n",
                   std::clamp(camera.field_of_view / kDegree, 5.0, 120.0));
-    return "\n[camera]\neye_m = " + vectorText(upright(camera.eye, file) + up) +
-           "\ntarget_m = " + vectorText(upright(camera.target, file) + up) + "\n" + angle;
+    return "\n[camera]\n" + lookText(camera.eye, camera.target, file, lift, "\n") + "\n" + angle +
+           pathText(camera, file, lift);
+}
+
+/// What a white surface that faces the sun shines with. Of light that is as strong as a day's in lux, 683 are
+/// a watt on a square metre; what is weaker is no daylight in lux, but in watts, as files without a unit
+/// have it.
+glm::dvec3 shineOf(const SetSun& sun) {
+    constexpr double kLuxOfAWatt = 683, kLeastDaylight = 50;
+    const glm::dvec3 colour = toGlm(sun.colour);
+    const double most = std::max({colour.x, colour.y, colour.z});
+    const glm::dvec3 watts = most > kLeastDaylight ? colour / kLuxOfAWatt : colour;
+    return glm::min(watts / std::numbers::pi, glm::dvec3(kMostShine));
+}
+
+std::string lightText(const SetSun& sun, UpAxis up) {
+    return "\n[light]\nsun_direction = " + vectorText(upright(sun.direction, {"", up, "", 1, 1})) +
+           "\nsun_colour = " + vectorText(shineOf(sun)) + "\n";
 }
 
 std::string impactText(const std::vector<Extent>& bodies, const ModelSet& set, const SetFile& file) {
@@ -150,6 +199,15 @@ std::string particlesText(size_t bodies) {
            "\n";
 }
 
+/// A set of colliders alone has no height, and is refused for that.
+void requireScale(double scale, double height) {
+    if (scale >= kSetScaleRange.least && scale <= kSetScaleRange.most) return;
+    if (!(scale > 0)) return;
+    throw UsageError("--height " + plainNumber(height) + " would make the set " + plainNumber(scale) +
+                     " times as large as its file says; between " + plainNumber(kSetScaleRange.least) +
+                     " and " + plainNumber(kSetScaleRange.most) + " times are possible");
+}
+
 }  // namespace
 
 std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
@@ -162,37 +220,42 @@ std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
     }
     if (bodies.empty())
         throw UsageError("the set holds colliders and anchors only, and nothing that could break");
-    const double lift = liftOf(set, file);
+    const double lift = std::max(0.0, -extentOfBodies(set, file).low.y);
     std::string text =
         "# A scene of Demolish; keys: docs/file_keys.md\nversion = 1\nmodel = " + quoted(file.model) + "\n";
     if (file.up == UpAxis::kZ) text += "up = \"z\"\n";
     if (!file.unit.empty()) text += "unit = " + quoted(file.unit) + "\n";
-    text += "material_preset = \"ceramic\"\n" + bodiesText(bodies, file, lift) +
+    text += scaleText(file) + "material_preset = \"ceramic\"\n" + bodiesText(bodies, file, lift) +
             impactText(extents, set, file) + particlesText(bodies.size());
     if (set.camera) text += cameraText(*set.camera, file, lift);
-    if (set.sun_direction) {
-        SetFile turned = file;
-        turned.metres = 1;
-        text += "\n[light]\nsun_direction = " + vectorText(upright(*set.sun_direction, turned)) + "\n";
-    }
+    if (set.sun) text += lightText(*set.sun, file.up);
     return text + collidersText(set, file, lift) + anchorsText(set, file, lift);
 }
 
-std::string sceneTextOf(const std::filesystem::path& model, const ModelPart& part,
+std::string sceneTextOf(const std::filesystem::path& model, const SetSize& size,
                         const std::filesystem::path& scene_file) {
-    if (!hasKnownSize(model, part))
+    const bool is_known = hasKnownSize(model, size.part);
+    if (!is_known && !size.height)
         throw UsageError("a set must be as large as it is meant, and the format of '" +
-                         model.filename().string() + "' does not say its unit: give --unit");
+                         model.filename().string() + "' does not say its unit: give --unit, or --height");
     std::error_code error;
     const std::filesystem::path folder = std::filesystem::absolute(scene_file).parent_path();
     std::filesystem::path named = std::filesystem::relative(model, folder, error);
     if (error || named.empty()) named = std::filesystem::absolute(model);
-    SetFile file{named.generic_string(), part.up, lengthUnitName(part.unit), part.unit > 0 ? part.unit : 1};
-    return sceneTextOf(readModelSet(model), file);
+    const double unit = size.part.unit > 0 ? size.part.unit : 1;
+    SetFile file{named.generic_string(), size.part.up, lengthUnitName(is_known ? size.part.unit : unit),
+                 unit};
+    const ModelSet set = readModelSet(model);
+    if (size.height) {
+        const Extent all = extentOfBodies(set, file);
+        file.scale = *size.height / sizeToScale(fromGlm(all.high - all.low));
+        requireScale(file.scale, *size.height);
+    }
+    return sceneTextOf(set, file);
 }
 
-Shot splitShot(const std::filesystem::path& model, const ModelPart& part) {
-    return loadSceneText(sceneTextOf(model, part, model), model);
+Shot splitShot(const std::filesystem::path& model, const SetSize& size) {
+    return loadSceneText(sceneTextOf(model, size, model), model);
 }
 
 }  // namespace demolish

@@ -48,6 +48,7 @@ void takeWhatIsOnlyShown(const Shot& from, Shot& to) {
     to.environment = from.environment;
     to.lens = from.lens;
     to.camera = from.camera;
+    to.camera_path = from.camera_path;
     to.impact.times_threshold = from.impact.times_threshold;
     if (from.impact.kind != ImpactKind::kDrop) to.impact.tilt = from.impact.tilt;
 }

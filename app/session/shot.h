@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/session/camera_path.h"
 #include "app/session/environment.h"
 #include "app/session/method.h"
 #include "app/session/scene_parts.h"
@@ -114,6 +115,7 @@ struct Shot {
     engine::Lighting lighting;       ///< but for what `environment` says
     Environment environment;
     std::optional<engine::Camera> camera;  ///< none: framed on the body
+    std::vector<CameraKey> camera_path;    ///< of `camera`, by ascending time; empty: it stands
     engine::Lens lens;
 
     bool operator==(const Shot&) const = default;
@@ -126,6 +128,7 @@ struct Range {
 inline constexpr Range kVelocityRange{0, 200};        // m/s
 inline constexpr Range kBreakAtRange{0.05, 200};      // m/s
 inline constexpr Range kHeightRange{0.01, 100};       // m
+inline constexpr Range kSetScaleRange{0.01, 100};     // times what files say
 inline constexpr Range kThicknessRange{0, 10};        // m; 0: chosen by the sheet's area
 inline constexpr Range kParticleSizeRange{1e-4, 10};  // m
 inline constexpr Range kFpsRange{1, 1000};

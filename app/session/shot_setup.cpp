@@ -13,6 +13,7 @@
 #include "app/session/shot_geometry.h"
 #include "app/session/threshold.h"
 #include "sim_cuda/api/errors.h"
+#include "sim_cuda/api/turned_body.h"
 #include "sim_cuda/api/wave_speed.h"
 
 namespace demolish {
@@ -92,6 +93,22 @@ SolverParams paramsOf(const Shot& shot) {
     return params;
 }
 
+/// Bodies that stand in different ways get one orientation, as mortar wants it; those that share cells and
+/// way go on sharing.
+void turnInTheirFrames(SceneSetup& setup) {
+    std::vector<BodyInstance> before = setup.bodies;
+    for (size_t b = 0; b < setup.bodies.size(); ++b) {
+        BodyInstance& instance = setup.bodies[b];
+        if (!instance.in_mortar || instance.rotation == Quaternion{}) continue;
+        size_t first = 0;
+        while (before[first].body != before[b].body || before[first].rotation != before[b].rotation ||
+               !before[first].in_mortar)
+            ++first;
+        instance.body = first < b ? setup.bodies[first].body : turnedBody(*instance.body, instance.rotation);
+        instance.rotation = {};
+    }
+}
+
 }  // namespace
 
 double wantedWaveSpeed(const Shot& shot, double body_height) {
@@ -134,12 +151,15 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         instance.velocity = place.velocity;
         instance.angular_velocity = place.spin;
         instance.threshold_share = share[alike[b]];
+        instance.in_mortar = place.in_mortar;
         if (dropped) drop(shot, *instance.body, place, instance);
         setup.bodies.push_back(std::move(instance));
     }
     setup.anchors = anchorsOf(shot, setup.bodies);
-    if (shot.mortar && !setup.params.preset_pieces)  // which are cut body by body
+    if (shot.mortar && !setup.params.preset_pieces) {  // which are cut body by body
         setup.mortar = Mortar{shot.mortar->tensile_strength, shot.height * shot.mortar->joint};
+        turnInTheirFrames(setup);
+    }
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
     return setup;
 }

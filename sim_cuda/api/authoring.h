@@ -35,6 +35,9 @@ struct MeshPlacement {
 /// m, what a placement's height is of: the height, or the longest side of what is lower than a twentieth of
 /// it, since a plate that lies flat has no height to go by.
 double sizeToScale(const Double3& size);
+/// m, a length of 1 of a file's mesh of this size, y up: the height over sizeToScale(); with keep_units the
+/// metres in a length of the file, times the height. Throws UsageError for a height that is not positive.
+double placementScale(const Double3& size, const MeshPlacement& placement);
 
 /// Loads any file that assimp reads, welds, repairs what is not closed, and stands it on the floor (lowest
 /// y = 0, centred in x and z). Throws InputFileError with one sentence: unreadable, no such part, no

@@ -23,8 +23,9 @@ inline constexpr size_t kMostNodes = size_t{1} << 26;
 /// Signed distances to a closed surface on the nodes of a regular grid, in steps; negative inside. x runs
 /// fastest.
 struct DistanceNodes {
-    Double3 origin;   ///< m, of the first node
-    double step = 1;  ///< m
+    Double3 origin;     ///< m, of the first node
+    double step = 1;    ///< m
+    double margin = 0;  ///< m, from each side of the grid to the mesh, at least
     NodeCounts count;
     std::vector<float> steps;
 };

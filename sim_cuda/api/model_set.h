@@ -20,15 +20,30 @@ struct SetThing {
 
 inline constexpr const char *kColliderPrefix = "collider_", *kAnchorPrefix = "anchor_";
 
+struct SetCameraKey {
+    double time = 0;      ///< s
+    Double3 eye, target;  ///< lengths of the file; the target is a length of 1 from the eye
+};
+inline constexpr size_t kMostCameraKeys = 4800;
+
 struct SetCamera {
-    Double3 eye, target;       ///< lengths of the file; the target is a length of 1 from the eye
+    Double3 eye, target;       ///< as SetCameraKey's, at 0 s
     double field_of_view = 1;  ///< rad, of the picture's height
+    std::vector<SetCameraKey>
+        path;  ///< by ascending time, above 0 s; straight lines between; none: it stands
+};
+
+/// The first directional light.
+struct SetSun {
+    Double3 direction;  ///< unit, the way that the light travels
+    /// Linear, what falls on a surface that faces it: of glTF lux, of other formats as they have it.
+    Double3 colour;
 };
 
 struct ModelSet {
-    std::vector<SetThing> things;          ///< in the file's order
-    std::optional<SetCamera> camera;       ///< the first one, where the file's first frame has it
-    std::optional<Double3> sun_direction;  ///< unit, the way that the first sun's light travels
+    std::vector<SetThing> things;     ///< in the file's order
+    std::optional<SetCamera> camera;  ///< the first one
+    std::optional<SetSun> sun;
 };
 
 /// Throws InputFileError: no plain file, unreadable, no triangles. A damaged file may still end the process,

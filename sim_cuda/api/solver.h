@@ -29,6 +29,7 @@ struct BodyInstance {
     /// Lowest threshold of this body, v_th / v_c (models.md E.2): pieces that meet at less than half of it go
     /// on as rigid bodies. The default suits a slender body.
     double threshold_share = 0.3;
+    bool in_mortar = true;  ///< false: it only touches others where these are joined
 };
 
 struct SceneSetup {

@@ -20,14 +20,21 @@ namespace {
 /// irrational part of one, so that rows miss vertices that sit on round coordinates.
 constexpr double kMargin = 0.1, kLeastMargin = 2, kOffRound = 0.41421356237309515;
 
+/// Steps by which distances beyond the grid may be less than true ones; measured, 0.05.
+constexpr double kInexact = 0.1;
+
 double longestOf(const Bounds& bounds) {
     const Double3 extent = bounds.size();
     return std::max({extent.x, extent.y, extent.z});
 }
 
+/// Steps.
+double marginOf(uint32_t cells) {
+    return std::max(kMargin * cells, kLeastMargin) + kOffRound;
+}
+
 NodeFrame frameRound(const Bounds& bounds, uint32_t cells) {
-    const double step = longestOf(bounds) / cells,
-                 margin = std::max(kMargin * cells, kLeastMargin) + kOffRound;
+    const double step = longestOf(bounds) / cells, margin = marginOf(cells);
     const auto nodes = [&](double length) {
         return static_cast<int>(std::ceil(length / step + 2 * margin)) + 1;
     };
@@ -90,6 +97,7 @@ std::shared_ptr<const ColliderMesh> makeColliderMesh(TriangleMesh mesh, const st
     DistanceNodes& nodes = made->nodes;
     nodes.origin = frame.origin;
     nodes.step = frame.step;
+    nodes.margin = (marginOf(options.cells) - kInexact) * frame.step;
     nodes.count = {static_cast<uint32_t>(frame.nx), static_cast<uint32_t>(frame.ny),
                    static_cast<uint32_t>(frame.nz)};
     nodes.steps = signedDistances(mesh, MeshQueries(mesh), frame);

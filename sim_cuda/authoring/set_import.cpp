@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sim_cuda/api/model_set.h"
+#include "sim_cuda/authoring/camera_import.h"
 #include "sim_cuda/authoring/model_nodes.h"
 #include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/node_transform.h"
@@ -74,31 +75,16 @@ std::vector<SetThing> thingsOf(const aiScene& scene, const std::filesystem::path
     return things;
 }
 
-/// assimp keeps the angle across the picture; without an aspect of its own it is that of its height. Of glTF
-/// it multiplies the angle of the height by the aspect, and repeats the node's place in the camera.
-std::optional<SetCamera> cameraOf(const aiScene& scene, bool is_gltf) {
-    for (unsigned c = 0; c < scene.mNumCameras; ++c) {
-        const aiCamera& from = *scene.mCameras[c];
-        const aiNode* node = scene.mRootNode->FindNode(from.mName);
-        const NodeTransform place = node != nullptr ? placeOf(*node) : NodeTransform{};
-        const Double3 eye = is_gltf ? place.origin : place.point(fromAssimp(from.mPosition)),
-                      way = normalized(place.direction(fromAssimp(from.mLookAt)));
-        const double across = double(from.mHorizontalFOV),
-                     aspect = from.mAspect > 0 ? double(from.mAspect) : 1,
-                     angle = is_gltf ? across / aspect : 2 * std::atan(std::tan(0.5 * across) / aspect);
-        if (isFinite(eye) && isFinite(way) && angle > 0) return SetCamera{eye, eye + way, angle};
-    }
-    return std::nullopt;
-}
-
-std::optional<Double3> sunOf(const aiScene& scene) {
+std::optional<SetSun> sunOf(const aiScene& scene) {
     for (unsigned l = 0; l < scene.mNumLights; ++l) {
         const aiLight& light = *scene.mLights[l];
         if (light.mType != aiLightSource_DIRECTIONAL) continue;
         const aiNode* node = scene.mRootNode->FindNode(light.mName);
         const NodeTransform place = node != nullptr ? placeOf(*node) : NodeTransform{};
         const Double3 way = normalized(place.direction(fromAssimp(light.mDirection)));
-        if (isFinite(way)) return way;
+        const Double3 colour{double(light.mColorDiffuse.r), double(light.mColorDiffuse.g),
+                             double(light.mColorDiffuse.b)};
+        if (isFinite(way) && isFinite(colour)) return SetSun{way, maximum(colour, {})};
     }
     return std::nullopt;
 }
@@ -108,7 +94,7 @@ std::optional<Double3> sunOf(const aiScene& scene) {
 ModelSet importSet(const std::filesystem::path& file) {
     Assimp::Importer importer;
     const aiScene& scene = readScene(importer, file);
-    ModelSet set{thingsOf(scene, file), cameraOf(scene, isGltf(file)), sunOf(scene)};
+    ModelSet set{thingsOf(scene, file), importCamera(scene, isGltf(file)), sunOf(scene)};
     if (set.things.empty()) refuseModel(file, kNoTriangles);
     return set;
 }

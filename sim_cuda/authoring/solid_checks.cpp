@@ -56,11 +56,11 @@ double sizeToScale(const Double3& size) {
     return size.y < kLyingFlat * longest ? longest : size.y;
 }
 
-double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement) {
+double placementScale(const Double3& size, const MeshPlacement& placement) {
     if (!(placement.height > 0) || !std::isfinite(placement.height))
         throw UsageError("The model height must be a positive number of metres.");
     if (placement.keep_units) return placement.height * (placement.part.unit > 0 ? placement.part.unit : 1);
-    return placement.height / sizeToScale(boundsOf(mesh.positions).size());
+    return placement.height / sizeToScale(size);
 }
 
 void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale) {

@@ -18,10 +18,6 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file);
 /// A quarter turn about x: z becomes y, y becomes -z.
 void turnZUp(TriangleMesh& mesh);
 
-/// What brings the mesh to placement.height (m): that over sizeToScale(). With keep_units the metres in a
-/// length of 1 in the file, times placement.height. Throws UsageError for a height that is not positive.
-double placementScale(const TriangleMesh& mesh, const MeshPlacement& placement);
-
 /// Scaled, with the lowest y = 0, centred in x and z. Throws InputFileError where the scaled mesh is beyond
 /// what numbers hold.
 void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale);

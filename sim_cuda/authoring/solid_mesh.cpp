@@ -49,7 +49,8 @@ std::shared_ptr<const SolidMesh> makeSolidMesh(TriangleMesh mesh, const std::fil
                                                std::shared_ptr<const ModelLooks> looks) {
     if (mesh.triangles.empty()) refuseModel(file, kNoTriangles);
     if (placement.part.up == UpAxis::kZ) turnZUp(mesh);
-    const double scale = placementScale(mesh, placement);  // of the file's mesh, whatever the repair adds
+    // Of the file's mesh, whatever the repair adds.
+    const double scale = placementScale(boundsOf(mesh.positions).size(), placement);
     RepairOptions options = placement.repair;
     options.thickness /= scale;
     RepairedMesh repaired = repairMesh(std::move(mesh), options);

@@ -35,10 +35,11 @@ template <class Real>
 struct ColliderRows {
     ColliderShape shape = ColliderShape::kPlane;
     uint32_t counts = 0;      ///< of a mesh: packedCounts()
+    Real margin{};            ///< m, of a mesh: by which its grid reaches beyond the box of the rows
     Span<const float> steps;  ///< of a mesh: DistanceNodes::steps
     /// Plane: (unit normal; offsetOf). Box: three times (unit axis; halfEdgeOf), then (centre in m; 0).
     /// Sphere: (centre in m; radiusOf). Capsule: (one end in m; radiusOf), (to the other end in m;
-    /// shareOf). Mesh: the box of its grid; the last number is stepOf.
+    /// shareOf). Mesh: a box about it; the last number is stepOf.
     Vec4<Real> row[4];
 };
 /// m, of a plane: dot(normal, x) of its points.
@@ -181,24 +182,59 @@ DEM_FN Real sureDistance(Real distance) {
     return distance > Real(0) ? Real(0.577) * distance : distance;
 }
 
+/// Where a point lies in a mesh's grid.
+template <class Real>
+struct GridPlace {
+    NodePlace<Real> x, y, z;
+    uint32_t row = 0, layer = 0;  ///< nodes from one row to the next, and from one layer
+    uint32_t first = 0;           ///< the lowest of the eight nodes round it
+};
+template <class Real>
+DEM_FN GridPlace<Real> gridPlace(const ColliderRows<Real>& rows, const Vec3<Real>& high,
+                                 const Vec3<Real>& low) {
+    const Real per_step = Real(1) / stepOf(rows.row[3]);
+    const Vec3<Real> from_centre = (high - xyz(rows.row[3])) + low;
+    const auto along = [&](const Vec4<Real>& axis) {
+        return (dot(xyz(axis), from_centre) + (halfEdgeOf(axis) + rows.margin)) * per_step;
+    };
+    const uint32_t nx = rows.counts & 1023, ny = rows.counts >> 10 & 1023, nz = rows.counts >> 20;
+    GridPlace<Real> at{nodePlace(along(rows.row[0]), nx),
+                       nodePlace(along(rows.row[1]), ny),
+                       nodePlace(along(rows.row[2]), nz),
+                       nx,
+                       nx * ny,
+                       0};
+    at.first = at.z.node * at.layer + at.y.node * nx + at.x.node;
+    return at;
+}
+
+/// Steps by which the distance in a cell is less than at one of its nodes, at most: the diagonal, and what a
+/// grid is inexact by.
+inline constexpr double kNodeSlack = 2;
+
+/// m, so far is a point from a mesh at least, by one number of the grid in place of eight; beyond the grid 0.
+template <class Real>
+DEM_APART Real leastDistanceToMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+                                   Handed<Vec3<Real>> low) {
+    const GridPlace<Real> at = gridPlace(rows, high, low);
+    const bool is_within = at.x.beyond == Real(0) && at.y.beyond == Real(0) && at.z.beyond == Real(0);
+    const Real steps = is_within ? Real(rows.steps[at.first]) - Real(kNodeSlack) : Real(0);
+    return stepOf(rows.row[3]) * maxOf(steps, Real(0));
+}
+
 /// Within the grid the interpolated distance and the way in which it grows; beyond it, from the surface point
 /// that is nearest as seen from the grid's rim. Apart: only what is near a mesh pays for it, also in
 /// registers.
 template <class Real>
-DEM_APART TangentPlane<Real> tangentOfMesh(const ColliderRows<Real> rows, const Vec3<Real> high,
-                                           const Vec3<Real> low) {
-    const Real step = stepOf(rows.row[3]), per_step = Real(1) / step;
-    const Vec3<Real> from_centre = (high - xyz(rows.row[3])) + low;
-    const Vec3<Real> at{(dot(xyz(rows.row[0]), from_centre) + halfEdgeOf(rows.row[0])) * per_step,
-                        (dot(xyz(rows.row[1]), from_centre) + halfEdgeOf(rows.row[1])) * per_step,
-                        (dot(xyz(rows.row[2]), from_centre) + halfEdgeOf(rows.row[2])) * per_step};
-    const uint32_t nx = rows.counts & 1023, ny = rows.counts >> 10 & 1023, nz = rows.counts >> 20;
-    const NodePlace<Real> x = nodePlace(at.x, nx), y = nodePlace(at.y, ny), z = nodePlace(at.z, nz);
-    const uint32_t layer = nx * ny, first = z.node * layer + y.node * nx + x.node;
-    const Vec4<Real> field = trilinear(rows.steps, first, nx, layer, Vec3<Real>{x.share, y.share, z.share});
+DEM_APART TangentPlane<Real> tangentOfMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+                                           Handed<Vec3<Real>> low) {
+    const Real step = stepOf(rows.row[3]);
+    const GridPlace<Real> at = gridPlace(rows, high, low);
+    const Vec4<Real> field =
+        trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
     const Real steep = inverseSqrt(length2(xyz(field)));
     const Vec3<Real> uphill = steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)};
-    const Vec3<Real> beyond{x.beyond, y.beyond, z.beyond};
+    const Vec3<Real> beyond{at.x.beyond, at.y.beyond, at.z.beyond};
     const Vec3<Real> away = axpy(field.w, uphill, beyond);
     const Real squared = length2(away), inverse = inverseSqrt(squared);
     const bool is_beyond = length2(beyond) > Real(0);
@@ -221,7 +257,7 @@ struct ColliderSet {
     DEM_FN TangentPlane<Real> tangent(uint32_t c, const Vec3<Real>& high, const Vec3<Real>& low = {}) const {
         return isMesh(c) ? tangentOfMesh(collider[c], high, low) : bound(c, high, low);
     }
-    /// Of a mesh that of its grid's box, which is nearer and read without memory; else tangent().
+    /// Of a mesh that of the box about it, which is nearer and read without memory; else tangent().
     DEM_FN TangentPlane<Real> bound(uint32_t c, const Vec3<Real>& high, const Vec3<Real>& low = {}) const {
         const ColliderRows<Real>& rows = collider[c];
         if (rows.shape == ColliderShape::kPlane) return tangentOfPlane(rows.row[0], high, low);
@@ -257,13 +293,14 @@ Vec4<Real> colliderRow(const Vec3<double>& a, double w) {
 template <class Real>
 ColliderRows<Real> rowsOf(const Plane& plane) {
     const Double3& n = plane.normal;
-    return {ColliderShape::kPlane, 0, {}, {colliderRow<Real>({n.x, n.y, n.z}, plane.offset)}};
+    return {ColliderShape::kPlane, 0, 0, {}, {colliderRow<Real>({n.x, n.y, n.z}, plane.offset)}};
 }
 template <class Real>
 ColliderRows<Real> rowsOf(const Box& box) {
     const auto q = normalized(Quat<double>{box.rotation.x, box.rotation.y, box.rotation.z, box.rotation.w});
     const Double3 &size = box.size, &at = box.position;
     return {ColliderShape::kBox,
+            0,
             0,
             {},
             {colliderRow<Real>(rotate(q, {1, 0, 0}), size.x / 2),
@@ -273,13 +310,14 @@ ColliderRows<Real> rowsOf(const Box& box) {
 template <class Real>
 ColliderRows<Real> rowsOf(const Sphere& ball) {
     const Double3& at = ball.position;
-    return {ColliderShape::kSphere, 0, {}, {colliderRow<Real>({at.x, at.y, at.z}, ball.radius)}};
+    return {ColliderShape::kSphere, 0, 0, {}, {colliderRow<Real>({at.x, at.y, at.z}, ball.radius)}};
 }
 template <class Real>
 ColliderRows<Real> rowsOf(const Capsule& rod) {
     const Vec3<double> from{rod.from.x, rod.from.y, rod.from.z}, to{rod.to.x, rod.to.y, rod.to.z};
     const Vec3<double> line = to - from;
     return {ColliderShape::kCapsule,
+            0,
             0,
             {},
             {colliderRow<Real>(from, rod.radius), colliderRow<Real>(line, 1 / length2(line))}};
@@ -297,10 +335,13 @@ ColliderRows<Real> rowsOf(const MeshShape& shape) {
     const Quaternion& r = shape.rotation;
     const Vec3<double> turned = rotate(normalized(Quat<double>{r.x, r.y, r.z, r.w}), middle);
     const Double3& at = shape.position;
-    auto rows = rowsOf<Real>(Box{size, {at.x + turned.x, at.y + turned.y, at.z + turned.z}, r});
+    const double margin = shape.scale * nodes.margin;
+    const Double3 inner{size.x - 2 * margin, size.y - 2 * margin, size.z - 2 * margin};
+    auto rows = rowsOf<Real>(Box{inner, {at.x + turned.x, at.y + turned.y, at.z + turned.z}, r});
     rows.shape = ColliderShape::kMesh;
     rows.row[3].w = static_cast<Real>(step);
     rows.counts = packedCounts(n);
+    rows.margin = static_cast<Real>(margin);
     rows.steps = {nodes.steps.data(), nodes.steps.size()};
     return rows;
 }

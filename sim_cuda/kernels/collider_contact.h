@@ -209,6 +209,14 @@ DEM_FN TangentPlane<Real> tangentFrom(const ColliderSet<Real>& colliders, uint32
                                : bound;
 }
 
+/// m, of mesh c: what most of a body near it can be told by.
+template <class Real>
+DEM_FN Real leastToMesh(const ColliderSet<Real>& colliders, uint32_t c, const OwnParticle<Real>& own) {
+    const LoadedState<Real>& state = own.state;
+    return leastDistanceToMesh(colliders.collider[c], xyz(state.position),
+                               lowPart(state.position, state.velocity, state.spin));
+}
+
 /// A bonded body gives back two thirds of the speed of a landing that breaks nothing: its floor is hard, and
 /// the wave comes back from its top. Landings slower than PairLaw::gentle meet a floor that is soft, with a
 /// damper near the body's own impedance, so that the wave goes out into it. From this share of that speed on
@@ -284,10 +292,13 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     constexpr StepKind kStep = TurnedWith::kStep;
     const Real radius = own.constants.floor_radius;
     if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
+    const bool is_mesh = params.colliders.isMesh(c);
+    const auto isClear = [&](Real least) {
+        return isClearOf<kStep>(own, sureDistance(least) - radius, params.dt);
+    };
+    if (is_mesh && isClear(leastToMesh(params.colliders, c, own))) return {};
     const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
-    if (params.colliders.isMesh(c) &&
-        isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
-        return {};
+    if (is_mesh && isClear(tangent.distance)) return {};
     const Pressed<Real> at =
         pressedOn<kLedger>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];

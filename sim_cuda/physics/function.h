@@ -9,3 +9,17 @@
 #define DEM_FN inline
 #define DEM_APART [[gnu::noinline]]
 #endif
+
+namespace demolish {
+
+/// How a function that is called takes what it reads: on a GPU by value, since parameters of a kernel have no
+/// address without a copy; on the host by reference, since there the copy is what costs.
+#if defined(__CUDACC__)
+template <class T>
+using Handed = const T;
+#else
+template <class T>
+using Handed = const T&;
+#endif
+
+}  // namespace demolish

@@ -89,6 +89,7 @@ BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& pa
     report.strain_at_failure = strainAtFailure(report.strength, report.effective_modulus);
     report.highest_frequency = trial_omega * std::sqrt(report.bond_modulus / kTrialModulus);
     constants.shear_ratio = shearRatio(material);
+    constants.faces = {material.friction, material.rolling_friction, material.adhesion_energy};
     if (report.highest_frequency > 0)
         constants.beta_r = stiffnessDamping(material.damping_ratio, report.highest_frequency);
     return constants;

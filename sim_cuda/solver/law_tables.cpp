@@ -85,13 +85,10 @@ PairLaw<double> wallLaw(const SolverParams& params, const Collider& wall, const 
     return law;
 }
 
-BodyLaw<double> bodyLaw(const Material& material, const BodyConstants& constants) {
+BodyLaw<double> bodyLaw(const BodyConstants& constants) {
     constexpr double kShares = 65535;
-    return {constants.shear_ratio,
-            constants.beta_r,
-            constants.largest_radius / kShares,
-            constants.strength_scale / kShares,
-            {material.friction, material.rolling_friction, material.adhesion_energy}};
+    return {constants.shear_ratio, constants.beta_r, constants.largest_radius / kShares,
+            constants.strength_scale / kShares, constants.faces};
 }
 
 }  // namespace
@@ -99,8 +96,7 @@ BodyLaw<double> bodyLaw(const Material& material, const BodyConstants& constants
 LawTables buildLawTables(const SceneSetup& setup, const SceneTables& tables,
                          const std::vector<Projectile>& projectiles) {
     LawTables laws;
-    for (uint32_t b = 0; b < tables.bodies; ++b)
-        laws.body.push_back(bodyLaw(setup.bodies[b].material, tables.body[b]));
+    for (uint32_t b = 0; b < tables.bodies; ++b) laws.body.push_back(bodyLaw(tables.body[b]));
     const uint32_t owners = tables.owners();
     for (uint32_t a = 0; a < owners; ++a) {
         const Surface surface = surfaceOf(setup, tables, projectiles, a);

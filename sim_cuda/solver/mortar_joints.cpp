@@ -8,6 +8,7 @@
 #include <map>
 
 #include "sim_cuda/physics/bond_stiffness.h"
+#include "sim_cuda/solver/body_constants.h"
 
 namespace demolish {
 namespace {
@@ -120,8 +121,21 @@ void addAreas(const Outside& a, const Outside& b, double gap, Areas& areas) {
         }
 }
 
-bool turnedAlike(const Quaternion& a, const Quaternion& b) {
-    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+/// Strength by (13) hangs on the modulus, which bodies in mortar share.
+bool mayJoin(const BodyInstance& a, const BodyInstance& b) {
+    return a.in_mortar && b.in_mortar && a.rotation == b.rotation && a.material.fracture_energy == 0 &&
+           b.material.fracture_energy == 0;
+}
+
+/// N/m, k_N at the trial modulus: that of the softer material.
+double stiffnessAt(const MortarJoint& joint, const SceneSetup& setup, const SceneTables& tables) {
+    BondGeometry bond;
+    bond.area = joint.area;
+    bond.length = length(tables.position[joint.j] - tables.position[joint.i]);
+    const auto of = [&](uint32_t end) {
+        return stiffnessOf(setup.bodies[tables.owner[end]].material, bond, kTrialModulus).normal;
+    };
+    return std::min(of(joint.i), of(joint.j));
 }
 
 /// A slot, and where it was before: joint k has the places 2 k and 2 k + 1 after all others.
@@ -140,13 +154,14 @@ std::vector<std::vector<Entry>> rowsWith(const std::vector<MortarJoint>& joints,
     const size_t former_slots = tables.slots.size();
     for (size_t k = 0; k < joints.size(); ++k) {
         const auto& [i, j, area, stiffness] = joints[k];
-        const double strength =
-            setup.mortar->tensile_strength / setup.bodies[tables.owner[i]].material.tensile_strength;
+        const auto strength = [&](uint32_t end) {
+            return setup.mortar->tensile_strength / setup.bodies[tables.owner[end]].material.tensile_strength;
+        };
         const Vec3<double> rest =
             rotate(conjugate(tables.rotation[i]), tables.position[j] - tables.position[i]);
         const double radius = faceBondRadius(area);
-        rows[i].push_back({{j, rest, stiffness, radius, strength}, former_slots + 2 * k});
-        rows[j].push_back({{i, -rest, stiffness, radius, strength}, former_slots + 2 * k + 1});
+        rows[i].push_back({{j, rest, stiffness, radius, strength(i)}, former_slots + 2 * k});
+        rows[j].push_back({{i, -rest, stiffness, radius, strength(j)}, former_slots + 2 * k + 1});
     }
     for (std::vector<Entry>& row : rows)
         std::sort(row.begin(), row.end(),
@@ -156,8 +171,7 @@ std::vector<std::vector<Entry>> rowsWith(const std::vector<MortarJoint>& joints,
 
 }  // namespace
 
-std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& tables,
-                                    const std::vector<uint32_t>& kind) {
+std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& tables) {
     std::vector<Outside> outside;
     uint32_t first = 0;
     for (const BodyInstance& instance : setup.bodies) {
@@ -168,13 +182,15 @@ std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& 
     Areas areas;  // of the lower body's cell first, which is the lower one
     for (uint32_t a = 0; a < tables.bodies; ++a)
         for (uint32_t b = a + 1; b < tables.bodies; ++b)
-            if (kind[a] == kind[b] && outside[a].box.isNear(outside[b].box, gap) &&
-                turnedAlike(setup.bodies[a].rotation, setup.bodies[b].rotation))
+            if (mayJoin(setup.bodies[a], setup.bodies[b]) && outside[a].box.isNear(outside[b].box, gap))
                 addAreas(outside[a], outside[b], gap, areas);
     std::vector<MortarJoint> joints;
     for (const auto& [cells, area] : areas) {
-        const double h = setup.bodies[tables.owner[cells.first]].body->spacing;
-        if (area > kLeastArea * h * h) joints.push_back({cells.first, cells.second, area, 0});
+        const double h = std::min(setup.bodies[tables.owner[cells.first]].body->spacing,
+                                  setup.bodies[tables.owner[cells.second]].body->spacing);
+        if (!(area > kLeastArea * h * h)) continue;
+        joints.push_back({cells.first, cells.second, area, 0});
+        joints.back().stiffness = stiffnessAt(joints.back(), setup, tables);
     }
     return joints;
 }

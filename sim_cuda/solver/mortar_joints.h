@@ -15,13 +15,12 @@ struct MortarJoint {
     double stiffness = 0;   ///< N/m, k_N at the trial modulus
 };
 
-/// Of all bodies that mortar may join, sorted by (i, j): those with equal `kind`, which are turned alike.
-/// From the outsides that are drawn: a body without draw geometry has no joints.
-std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& tables,
-                                    const std::vector<uint32_t>& kind);
+/// Of all bodies that mortar joins, sorted by (i, j), with their stiffness. From the outsides that are drawn:
+/// a body without draw geometry has no joints.
+std::vector<MortarJoint> findJoints(const SceneSetup& setup, const SceneTables& tables);
 
-/// Adds bonds at these joints, as strong as mortar is, to the rows of the bodies, of which they change
-/// nothing. They come after all others in the order of bonds.
+/// Adds bonds at these joints to the rows of the bodies, of which they change nothing: at each end as strong
+/// as mortar is beside the material there. They come after all others in the order of bonds.
 void appendJoints(const std::vector<MortarJoint>& joints, const SceneSetup& setup, SceneTables& tables);
 
 }  // namespace demolish

@@ -20,6 +20,7 @@ struct BodyConstants {
     double largest_radius = 0;    ///< m, a_b
     double largest_strength = 0;  ///< s_b
     double strength_scale = 0;    ///< Pa, of a bond of that factor
+    FaceLaw<double> faces;        ///< of its broken bonds
 };
 
 /// One direction of a bond.

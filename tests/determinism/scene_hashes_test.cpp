@@ -81,7 +81,8 @@ TEST_P(SceneHashes, AreTheStoredOnes) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneHashes,
                          testing::Values(HashedScene{"bunny", 400, 100}, HashedScene{"wolf", 500, 100},
                                          HashedScene{"vase", 60, 100}, HashedScene{"column", 60, 100},
-                                         HashedScene{"arch", 60, 20}),
+                                         HashedScene{"arch", 60, 20}, HashedScene{"wall", 4, 20},
+                                         HashedScene{"table", 60, 20}, HashedScene{"room", 500, 100}),
                          [](const auto& test) { return keyOf(test.param); });
 INSTANTIATE_TEST_SUITE_P(Methods, SceneHashes,
                          testing::Values(HashedScene{"bunny", 150, 50, Method::kHeavy},

@@ -13,6 +13,7 @@
 #include "tests/physics/solver/breaking_scene.h"
 #include "tests/physics/solver/collider_meshes.h"
 #include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/set_scenes.h"
 
 namespace demolish::tests {
 namespace {
@@ -44,6 +45,27 @@ TEST_F(Parity, HertzContactsAndThePapersBondLaw) {
     setup.bodies[0].material.bond_law = BondLaw::kPaper;
     setup.bodies[0].material.adhesion_energy = 0.1;
     EXPECT_EQ(asText(hashesOf(*makeCudaSolver(setup))), storedHashes("breaking_brick_paper"));
+}
+
+TEST_F(Parity, WhatIsHeldLedAndInMortarGivesTheStoredBits) {
+    EXPECT_EQ(asText(hashesOf(*makeCudaSolver(heldScene()))), storedHashes("held_and_led"));
+    EXPECT_EQ(asText(hashesOf(*makeCudaSolver(mortarScene()))), storedHashes("mortar"));
+}
+
+TEST_F(Parity, HeldAndMortaredFragmentsAreHandedOverAndSleepAlike) {
+    for (SceneSetup setup : {heldScene(), mortarScene()}) {
+        setup.params.hand_over = setup.params.sleeping = true;
+        auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
+        uint32_t most_rigid = 0;
+        for (int frame = 0; frame < 60; ++frame) {
+            ASSERT_EQ(cpu->advanceFrame(), StepStatus::kOk);
+            ASSERT_EQ(gpu->advanceFrame(), StepStatus::kOk);
+            ASSERT_EQ(gpu->stateHash(), cpu->stateHash()) << "frame " << frame;
+            most_rigid = std::max(most_rigid, cpu->stats().rigid_fragments);
+        }
+        EXPECT_GT(most_rigid, 0u);
+        EXPECT_GT(cpu->stats().bonds_broken, 20u);
+    }
 }
 
 TEST_F(Parity, FramesShotsSnapshotsAndSettlingAgree) {

@@ -38,6 +38,7 @@ TEST_F(Presets, AreRealMaterials) {
         {"marble", {{2600, 2750}, {40e9, 70e9}, {0.2, 0.3}, {5e6, 15e6}}},
         {"brick", {{1600, 2000}, {5e9, 20e9}, {0.1, 0.25}, {1e6, 4e6}}},
         {"terracotta", {{1700, 2100}, {10e9, 25e9}, {0.15, 0.25}, {3e6, 12e6}}},
+        {"cast_iron", {{7000, 7400}, {80e9, 150e9}, {0.24, 0.28}, {100e6, 350e6}}},
         {"tempered_glass", {{2400, 2600}, {69e9, 74e9}, {0.2, 0.23}, {120e6, 200e6}}}};
     for (const auto& [name, real] : expected) {
         const Material m = withPreset(name).material;

@@ -34,6 +34,8 @@ Shot inMaterial(const std::string& scene, const std::string& material) {
     Shot shot = oneBody(scene);
     const double critical = shot.material.critical_velocity;
     if (!material.empty()) applyMaterial(shot, material);
+    if (shot.impact.kind == ImpactKind::kNone)
+        shot.impact.kind = ImpactKind::kBall;  // its paths are not here
     shot.impact.velocity *= shot.material.critical_velocity / critical;
     bringForward(shot, {0.1, 0.1});
     return shot;

@@ -2,6 +2,7 @@
 // One or two bodies of each scene: what the scene promises, at a few hundred particles.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
 #include "tests/physics/scenes/scene_run.h"
@@ -110,12 +111,87 @@ TEST(Scenes, AtVelocityZeroNothingIsHit) {
 
 /// Four hundred sleeping bricks: what is hit wakes after the ball has been made ready to hit it.
 TEST(Scenes, ABallDoesNotHangBeforeWhatSleepsAndMortarHoldsUntilThen) {
-    SceneRun run(smallScene("wall", 24));
+    Shot shot = smallScene("wall", 24);
+    shot.bodies.pop_back();  // the wrecking ball
+    shot.impact.kind = ImpactKind::kBall;
+    shot.impact.body = 249;
+    shot.impact.direction = {0.12, -0.1, -1};
+    shot.impact.arrival_time = 0.6;
+    SceneRun run(shot);
     run.runTo(0.4);
     EXPECT_EQ(run.stats().fragments, 1u);
     run.runTo(0.75);
     EXPECT_GT(run.stats().bonds_broken, 0u);
     EXPECT_GT(run.stats().fragments, 5u);
+}
+
+TEST(Scenes, AWreckingBallSwingsThroughTheWallAndStaysWhole) {
+    SceneRun run(smallScene("wall", 8));
+    run.runTo(0.7);
+    EXPECT_EQ(run.stats().bonds_broken, 0u);
+    EXPECT_EQ(run.stats().fragments, 2u) << "the wall and the ball";
+    run.runTo(1.8);
+    EXPECT_GT(run.stats().fragments, 20u);
+    const std::vector<uint32_t> fragments = run.fragments();
+    const size_t of_ball = run.setup().bodies.back().body->particles.size();
+    for (size_t i = fragments.size() - of_ball; i < fragments.size(); ++i)
+        EXPECT_EQ(fragments[i], fragments.back());
+    EXPECT_LT(run.positions().back().z, -0.5) << "it is through";
+}
+
+/// m, the highest particle of a body.
+double topOf(SceneRun& run, size_t body) {
+    const std::vector<Float3> positions = run.positions();
+    size_t first = 0;
+    for (size_t b = 0; b < body; ++b) first += run.setup().bodies[b].body->particles.size();
+    double top = -1e300;
+    for (size_t i = 0; i < run.setup().bodies[body].body->particles.size(); ++i)
+        top = std::max<double>(top, positions[first + i].y);
+    return top;
+}
+
+TEST(Scenes, ATableLosesALegAndWhatIsLaidOnItFalls) {
+    Shot shot = smallScene("table", 300);
+    SceneRun run(shot);
+    const auto start = run.positions();
+    run.runTo(0.45);
+    EXPECT_EQ(run.stats().bonds_broken, 0u);
+    EXPECT_LT(farthest(start, run.positions()), 2e-3);
+    for (size_t body = 5; body < 8; ++body) EXPECT_GT(topOf(run, body), 0.76) << shot.bodies[body].name;
+    run.runTo(0.7);
+    EXPECT_GT(run.stats().bonds_broken, 20u) << "the leg";
+    run.runTo(4);
+    for (size_t body = 5; body < 8; ++body) EXPECT_LT(topOf(run, body), 0.6) << shot.bodies[body].name;
+}
+
+TEST(Scenes, AStatueIsShotOffItsPlinthAndStaysBetweenTheWalls) {
+    SceneRun run(smallScene("room", 2000));
+    run.runTo(0.45);
+    EXPECT_EQ(run.stats().bonds_broken, 0u);
+    run.runTo(2.5);
+    EXPECT_GT(run.stats().fragments, 5u);
+    for (const Float3& at : run.positions()) {
+        EXPECT_GT(at.x, -2.0);
+        EXPECT_GT(at.z, -1.7);
+        EXPECT_GT(at.y, 0);
+    }
+}
+
+TEST(Scenes, AnArchInMortarIsOnePieceAndHoldsAShotThatBreaksTheDryOne) {
+    for (const bool in_mortar : {false, true}) {
+        Shot shot = smallScene("arch", 60);
+        bringForward(shot, {0.4, 0.4});
+        shot.impact.velocity = 4;
+        if (in_mortar) shot.mortar = Mortar{5e6, 0.002 / shot.height};
+        SceneRun run(shot);
+        const auto start = run.positions();
+        run.runTo(0.3);
+        EXPECT_EQ(run.stats().fragments, in_mortar ? 1u : 13u);
+        EXPECT_EQ(run.stats().bonds_broken, 0u);
+        run.runTo(1.5);
+        const double moved = farthest(start, run.positions());
+        EXPECT_EQ(moved < 0.1, in_mortar) << moved;
+    }
 }
 
 }  // namespace

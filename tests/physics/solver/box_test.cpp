@@ -117,6 +117,57 @@ TEST_F(OnABox, FrictionOnASlopeIsThatOfAPlane) {
     }
 }
 
+constexpr double kRadius = 0.1;  // m, of a ball
+
+/// It touches the slope at the origin.
+SceneSetup ballOn(const Collider& slope, double angle) {
+    SceneSetup setup = freeBody(ballBody(kRadius));
+    setup.bodies[0].position = {kRadius * std::sin(angle), kRadius * std::cos(angle) - kRadius, 0};
+    setup.bodies[0].material.friction = 0.5;
+    setup.bodies[0].material.rolling_friction = 0;
+    setup.params.colliders = {slope};
+    setup.params.substeps = 100;
+    setup.params.step_safety = 0.1;
+    return setup;
+}
+double speedAlong(Solver& solver, const Double3& way) {
+    solver.measure();
+    const Double3 p = solver.stats().linear_momentum;
+    return (p.x * way.x + p.y * way.y + p.z * way.z) / solver.stats().mass;
+}
+
+TEST_F(OnABox, ABallRollsDownWithFiveSeventhsOfTheSlope) {
+    const double angle = std::atan(0.3);
+    SceneSetup setup = ballOn(boxOf(angle), angle);
+    setup.params.gravity = {0, -9.81, 0};
+    auto solver = makeSolver(setup);
+    const Double3 down{std::cos(angle), -std::sin(angle), 0};
+    advance(*solver, 6);
+    const double first = speedAlong(*solver, down), start = solver->stats().time;
+    advance(*solver, 20);
+    const double expected = 5.0 / 7 * 9.81 * std::sin(angle);
+    EXPECT_NEAR((speedAlong(*solver, down) - first) / (solver->stats().time - start), expected,
+                0.01 * expected);
+}
+
+TEST_F(OnABox, ABallBouncesAsOnAPlane) {
+    const double angle = 0.4;
+    const Double3 up{std::sin(angle), std::cos(angle), 0};
+    double given_back[2];
+    for (const bool on_box : {false, true}) {
+        SceneSetup setup = ballOn(on_box ? boxOf(angle) : planeOf(angle), angle);
+        setup.bodies[0].material.restitution = 0.6;
+        setup.bodies[0].position.x += 0.001 * up.x;
+        setup.bodies[0].position.y += 0.001 * up.y;
+        setup.bodies[0].velocity = {-2 * up.x, -2 * up.y, 0};
+        auto solver = makeSolver(setup);
+        advance(*solver, 6);
+        given_back[on_box ? 1 : 0] = speedAlong(*solver, up) / 2;
+    }
+    EXPECT_NEAR(given_back[0], 0.6, 0.03);
+    EXPECT_NEAR(given_back[1], given_back[0], 1e-3);
+}
+
 /// A brick comes down on an edge of the step and breaks there. While pieces in contact steps press on each
 /// other books are 4 % off, on planes as well; so they are closed when little moves.
 TEST_F(OnABox, TheBooksCloseThroughAnImpactOnAnEdge) {

@@ -111,6 +111,26 @@ TEST_F(MeshColliders, ABrickSlidesOnTheBoxOfTriangles) {
     }
 }
 
+TEST_F(MeshColliders, ABallRollsDownTheBoxOfTrianglesWithFiveSeventhsOfTheSlope) {
+    const double angle = std::atan(0.3), half = angle / 2;
+    SceneSetup setup = ballAt({kRadius * std::sin(angle), kRadius * std::cos(angle) - kRadius, 0},
+                              meshShape(test::makeCube(4), {-2 * std::sin(angle), -2 * std::cos(angle), 0},
+                                        {0, 0, std::sin(-half), std::cos(half)}));
+    setup.bodies[0].material.friction = 0.5;
+    auto solver = makeSolver(setup);
+    double speed[2], time[2];
+    for (const int look : {0, 1}) {
+        for (int frame = 0; frame < (look == 0 ? 6 : 20); ++frame)
+            ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        solver->measure();
+        const Double3 p = solver->stats().linear_momentum;
+        speed[look] = std::hypot(p.x, p.y) / solver->stats().mass;
+        time[look] = solver->stats().time;
+    }
+    const double expected = 5.0 / 7 * kGravity * std::sin(angle);
+    EXPECT_NEAR((speed[1] - speed[0]) / (time[1] - time[0]), expected, 0.01 * expected);
+}
+
 /// Nothing of what is left lies in the wall or below it.
 void expectInTheBowl(Solver& solver, size_t count) {
     const auto set = makeColliderSet<double>({bowl()});

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "sim_cuda/api/authoring.h"
+#include "sim_cuda/api/turned_body.h"
 #include "tests/physics/solver/exported_frame.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/regimes_of.h"
@@ -166,14 +167,83 @@ TEST_F(MortarOnTheCpu, TheNumberOfThreadsChangesNoBit) {
     EXPECT_EQ(hash[0], hash[1]);
 }
 
-/// Only bodies of one material that are turned alike are joined.
-TEST_F(MortarOnTheCpu, OthersOnlyTouch) {
+/// Of another material: heavier, and of less than half the strength.
+void makeUnlike(BodyInstance& body) {
+    body.material.density *= 1.5;
+    body.material.critical_velocity *= 0.4;
+    body.material.friction = 0.3;
+    body.material.shear_ratio = 0.25;
+    body.material.damping_ratio = 0.2;
+}
+/// Of its softened strength beside that of the others, at the modulus that all in mortar share.
+const double kUnlikeStrength = 0.4 * std::sqrt(1.5);
+
+/// Does what hangs on the joint hold at `holds` and fall at 1.1 of the weight that the joint bears? `area`:
+/// m^2.
+void expectBears(SceneSetup setup, double strength, double area, double holds = 0.55) {
+    const Material& material = setup.bodies[1].material;
+    for (const double times : {holds, 1.1}) {
+        setup.params.gravity.y = -times * strength * area / (material.density * kLength * kHeight * kDepth);
+        auto solver = makeCpuSolver(setup);
+        EXPECT_EQ(solver->stats().fragments, 1u);
+        for (int frame = 0; frame < 20; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        EXPECT_EQ(solver->stats().fragments, times < 1 ? 1u : 2u) << times;
+    }
+}
+
+TEST_F(MortarOnTheCpu, AJointOfUnlikeMaterialsBearsWhatItsWeakerSideSays) {
+    SceneSetup setup = hangingBrick(0);
+    makeUnlike(setup.bodies[1]);
+    const double strength = kShare * kUnlikeStrength * makeCpuSolver(setup)->softening().strength;
+    expectBears(setup, strength, kLength * kDepth);
+}
+
+TEST_F(MortarOnTheCpu, AJointOfCellsOfUnlikeSizesBearsAsMuch) {
+    SceneSetup setup = hangingBrick(0);
+    setup.bodies[1].body = brick(60);
+    const double strength = kShare * makeCpuSolver(setup)->softening().strength;
+    expectBears(setup, strength, kLength * kDepth);
+}
+
+/// By half a turn, and across the one above it: there its ends hang over, and the joint's rim bears several
+/// times the mean.
+TEST_F(MortarOnTheCpu, AJointOfBodiesThatAreTurnedInTheirFramesBearsByItsArea) {
+    const double root = std::sqrt(0.5);
+    for (const Quaternion turn : {Quaternion{0, 1, 0, 0}, Quaternion{0, root, 0, root}}) {
+        SceneSetup setup = hangingBrick(0);
+        setup.bodies[1].rotation = turn;
+        EXPECT_EQ(makeCpuSolver(setup)->stats().fragments, 2u) << "no orientation in common";
+        setup.bodies[1].body = turnedBody(*setup.bodies[1].body, turn);
+        setup.bodies[1].rotation = {};
+        const double strength = kShare * makeCpuSolver(setup)->softening().strength;
+        const bool crosses = turn.w != 0;
+        expectBears(setup, strength, (crosses ? kDepth : kLength) * kDepth, crosses ? 0.2 : 0.55);
+    }
+}
+
+TEST_F(MortarJoints, OfUnlikeMaterialsMomentumAndEnergyAreKept) {
     SceneSetup setup = wall(true);
-    for (size_t b = 0; b < setup.bodies.size(); b += 2) setup.bodies[b].material.friction = 0.4;
-    const uint32_t of_two_kinds = makeCpuSolver(setup)->stats().fragments;
-    EXPECT_GT(of_two_kinds, 1u);
-    for (BodyInstance& body : setup.bodies) body.material.friction = 0.4;
-    EXPECT_EQ(makeCpuSolver(setup)->stats().fragments, 1u);
+    for (size_t b = 0; b < setup.bodies.size(); b += 2) makeUnlike(setup.bodies[b]);
+    setup.params.colliders.clear();
+    setup.params.gravity = {};
+    setup.params.settle_time = 0;
+    setup.projectiles.push_back(ball(4));
+    auto solver = makeSolver(setup);
+    EXPECT_EQ(solver->stats().fragments, 1u);
+    solver->measure();
+    const Double3 before = solver->stats().linear_momentum;
+    const double start = energySum(solver->stats().energy), scale = solver->stats().energy.kinetic;
+    for (int frame = 0; frame < 20; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    EXPECT_GT(solver->stats().bonds_broken, 10u);
+    EXPECT_NEAR(solver->stats().linear_momentum.z, before.z, 1e-5 * std::abs(before.z));
+    EXPECT_NEAR(energySum(solver->stats().energy), start, 0.02 * scale);
+}
+
+TEST_F(MortarOnTheCpu, WhatIsNotInMortarOnlyTouches) {
+    SceneSetup setup = wall(true);
+    setup.bodies.back().in_mortar = false;
+    EXPECT_EQ(makeCpuSolver(setup)->stats().fragments, 2u);
 }
 
 }  // namespace

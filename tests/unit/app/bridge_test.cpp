@@ -65,6 +65,17 @@ TEST(Bridge, WhatSleepsTravelsOnceMoreAndThenOnlyProjectiles) {
     EXPECT_EQ(history.next(moving, colour, false), FrameChange::kMotion);
 }
 
+TEST(Bridge, WhatAPathLeadsTravelsWhileAllElseSleeps) {
+    ExportHistory history;
+    const auto colour = ParticleColour::kFragment;
+    history.next(asleep(0), colour, true);
+    for (const uint64_t frame : {1, 2, 3}) {
+        FrameStats led = asleep(frame);
+        led.rigid_fragments = 1;
+        EXPECT_EQ(history.next(led, colour, false), FrameChange::kMotion) << frame;
+    }
+}
+
 TEST(Bridge, WhatBreaksOrIsFreshTravelsWhole) {
     ExportHistory history;
     const auto colour = ParticleColour::kFragment;

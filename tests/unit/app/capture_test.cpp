@@ -290,6 +290,37 @@ TEST(Capture, TheCameraTurnsRoundTheBody) {
     EXPECT_EQ(runProgram({"capture", "bunny", "--camera-yaw", "500", "--out", folder.path()}).exit_code, 2);
 }
 
+TEST(Capture, TheCameraFollowsItsPathAtTheShotsTime) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    const auto pictureAt = [&](const std::string& name, const std::string& time, const std::string& camera) {
+        const auto scene =
+            folder.write(name + ".toml",
+                         "version = 1\nmodel = \"models/block.obj\"\n[impact]\nkind = \"none\"\n"
+                         "[camera]\n" +
+                             camera);
+        const auto out = folder.path() / name;
+        const ProgramRun run = runProgram({"capture", scene, "--device", "cpu", "--particles", "50", "--fps",
+                                           "20", "--at", time, "--size", "160x90", "--out", out});
+        EXPECT_EQ(run.exit_code, 0) << run.err;
+        return engine::readPng(out / "frame_0000.png");
+    };
+    const std::string moving =
+        "eye_m = [2, 1, 3]\ntarget_m = [0, 0.5, 0]\npath = [{ at_s = 0.4, eye_m = [-2, 2, 3] }]\n";
+    const auto standing = [](const std::string& eye) {
+        return "eye_m = [" + eye + "]\ntarget_m = [0, 0.5, 0]\n";
+    };
+    const engine::Image start = pictureAt("start", "0", moving);
+    EXPECT_TRUE(engine::compare(start, pictureAt("first", "0", standing("2, 1, 3"))).passed);
+    const engine::Image half = pictureAt("half", "0.2", moving);
+    EXPECT_FALSE(engine::compare(start, half).passed);
+    EXPECT_TRUE(engine::compare(half, pictureAt("middle", "0.2", standing("0, 1.5, 3"))).passed);
+    EXPECT_TRUE(
+        engine::compare(pictureAt("end", "0.6", moving), pictureAt("last", "0.6", standing("-2, 2, 3")))
+            .passed)
+        << "it stays at its last key";
+}
+
 TEST(Capture, MomentsFromTwoCamerasMakeOneSheet) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "tests/unit/app/run_program.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -152,6 +154,12 @@ TEST_F(Program, ASetBecomesASceneFileThatIsNeverWrittenOver) {
     const ProgramRun run = runProgram({"bench", file, "--no-draw", "--device", "cpu", "--particles", "40",
                                        "--frames", "2", "--warmup", "0"});
     EXPECT_EQ(run.exit_code, 0) << run.err;
+    const std::string tall = (folder_.path() / "tall.toml").string();
+    EXPECT_EQ(runProgram({"scene", set, "--height", "2.5", "--out", tall}).exit_code, 0);
+    std::stringstream text;
+    text << std::ifstream(tall).rdbuf();
+    EXPECT_THAT(text.str(), HasSubstr("scale = 2.5\n"));
+    expectOneSentence(runProgram({"scene", set, "--height", "500", "--out", file + "2.toml"}), 2, "--height");
     expectOneSentence(runProgram({"scene", set, "--out", file}), 6, "is there already");
     expectOneSentence(runProgram({"scene", set, "--out", "my_shot.txt"}), 2, "ends in .toml");
     expectOneSentence(runProgram({"bench", "block", "--no-draw", "--split"}), 2, "--split is for --model");

@@ -10,6 +10,7 @@
 #include "app/session/scene_file.h"
 #include "tests/unit/app/scene_texts.h"
 #include "tests/unit/app/temporary_folder.h"
+#include "tests/unit/meshes/gltf_set.h"
 
 namespace demolish {
 namespace {
@@ -57,6 +58,72 @@ TEST(SceneAnchors, OfTheSceneAndOfItsBodiesAreReadAndPlaced) {
     EXPECT_NEAR(anchors[2].path.keys[0].way.y, -1, 1e-12);
     EXPECT_NEAR(anchors[2].path.keys[1].turn.z, 4 * M_PI, 1e-12);
     EXPECT_NEAR(anchors[2].pivot.y, 2, 1e-12);
+}
+
+/// A table of 2 x 1 x 1 m on the floor of its file at (3, 0, 1), and a cube of 0.2 m whose middle is 1.1 m
+/// above the floor, 0.5 m beside the table's.
+void writeTable(const TemporaryFolder& folder) {
+    test::writeGltfSet(folder.path(), "set.gltf",
+                       R"([{"name":"table","mesh":0,"translation":[3,0.5,1],"scale":[2,1,1]},
+{"name":"hand","mesh":0,"translation":[3.5,1.1,1],"scale":[0.2,0.2,0.2]}])",
+                       "[0,1]");
+}
+
+TEST(SceneAnchors, ANodeOfTheBodysFileHoldsWhereItLiesOnTheBody) {
+    const TemporaryFolder folder;
+    writeTable(folder);
+    const std::string own = "node = \"table\", anchor = [{ shape = \"node\", node = \"hand\" }]";
+    const std::string head = "version = 1\nmodel = \"set.gltf\"\n";
+    const Shot kept = loadSceneFile(folder.write("kept.toml", head + "body = [{ " + own + " }]\n"));
+    const Box& box = std::get<Box>(kept.bodies.at(0).anchors.at(0).region);
+    EXPECT_NEAR(box.position.x, 0.5, 1e-6) << "from the middle of the table's foot";
+    EXPECT_NEAR(box.position.y, 1.1, 1e-6);
+    EXPECT_NEAR(box.position.z, 0, 1e-6);
+    EXPECT_NEAR(box.size.y, 0.2, 1e-6);
+    const Shot tall =
+        loadSceneFile(folder.write("tall.toml", head + "body = [{ height_m = 2, " + own + " }]\n"));
+    const Box& larger = std::get<Box>(tall.bodies.at(0).anchors.at(0).region);
+    EXPECT_NEAR(larger.position.y, 2.2, 1e-6);
+    EXPECT_NEAR(larger.size.x, 0.4, 1e-6);
+}
+
+TEST(SceneAnchors, ANodeOfAFileHoldsInTheSceneWhereItLiesInItsFile) {
+    const TemporaryFolder folder;
+    writeTable(folder);
+    const Shot shot = loadSceneFile(folder.write(
+        "scene.toml", kHead + "[[anchor]]\nshape = \"node\"\nmodel = \"set.gltf\"\nnode = \"hand\"\n"
+                              "position_m = [0, 1, 0]\nrotation_deg = [0, 90, 0]\nscale = 2\n"));
+    const Box& box = std::get<Box>(shot.anchors.at(0).region);
+    EXPECT_NEAR(box.position.x, 2, 1e-6) << "z comes to x";
+    EXPECT_NEAR(box.position.y, 3.2, 1e-6);
+    EXPECT_NEAR(box.position.z, -7, 1e-6);
+    EXPECT_NEAR(box.size.z, 0.4, 1e-6);
+    EXPECT_NEAR(box.rotation.y, std::sqrt(0.5), 1e-6);
+}
+
+TEST(SceneAnchors, ANodeThatIsNotThereIsRefusedWithThoseThatAre) {
+    const TemporaryFolder folder;
+    writeTable(folder);
+    const auto complaint = [&folder](const std::string& keys) -> std::string {
+        try {
+            loadSceneFile(folder.write("scene.toml",
+                                       "version = 1\nmodel = \"set.gltf\"\nbody = [\n{ node = "
+                                       "\"table\", anchor = [{ shape = \"node\"" +
+                                           keys + " }] }]\n"));
+        } catch (const InputFileError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_THAT(complaint(""), HasSubstr("scene.toml:4: body[0].anchor[0].node is missing"));
+    EXPECT_THAT(complaint(", node = \"claw\""),
+                testing::AllOf(HasSubstr("scene.toml:4: body[0].anchor[0].node is wrong"),
+                               HasSubstr("has no node 'claw'"), HasSubstr("table, hand")));
+    EXPECT_THAT(complaint(", node = \"hand\", model = \"set.gltf\""),
+                HasSubstr("there is no setting 'body[0].anchor[0].model'"));
+    EXPECT_THAT(complaintAbout("version = 1\nbody = [{ model = \"models/block.obj\" }]\n[[anchor]]\nshape = "
+                               "\"node\"\nnode = \"a\"\n"),
+                HasSubstr("anchor[0].model is missing"));
 }
 
 std::string body(const std::string& keys) {

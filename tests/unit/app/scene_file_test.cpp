@@ -183,6 +183,19 @@ TEST(SceneFile, RefusesCameraAndLightThatShowNothing) {
     EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [1, 2, 3]\ntarget_m = [1, 2, 3]\n"),
                 HasSubstr("scene.toml:4: camera.eye_m must be apart from camera.target_m"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\nfield_of_view_deg = 0\n"), HasSubstr("between 5 and 120"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ eye_m = [1, 2, 3] }]\n"),
+                HasSubstr("scene.toml:4: camera.path[0].at_s is missing"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ at_s = 0 }]\n"),
+                HasSubstr("camera.path[0].at_s must be above 0"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ at_s = 2 }, { at_s = 2 }]\n"),
+                HasSubstr("camera.path[1].at_s must be later"));
+    EXPECT_THAT(
+        complaintAbout(kHead + "[camera]\npath = [{ at_s = 1, eye_m = [1, 0, 0], target_m = [1, 0, 0] }]\n"),
+        HasSubstr("camera.path[0].eye_m must be apart from camera.path[0].target_m"));
+    EXPECT_THAT(complaintAbout(kHead + "scale = 2\nheight_m = 2\n"),
+                HasSubstr("scale and height_m exclude each other"));
+    EXPECT_THAT(complaintAbout(kHead + "scale = 0\n"),
+                HasSubstr("scale must be a number between 0.01 and 100"));
     EXPECT_EQ(complaintAbout(kHead + "[camera]\neye_m = [0, 3, 0]\ntarget_m = [0, 0, 0]\n"), "")
         << "straight down";
     for (const char* number : {"1e39", "-1e39", "inf", "nan"}) {

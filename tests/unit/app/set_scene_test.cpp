@@ -41,11 +41,12 @@ const char* const kMore =
 class SetScene : public testing::Test {
   protected:
     std::filesystem::path set(const std::string& nodes = kNodes, const std::string& scene = "[0,3,4,7,8]",
-                              const std::string& more = kMore) {
-        return test::writeGltfSet(folder_.path(), "set.gltf", nodes, scene, more);
+                              const std::string& more = kMore,
+                              const std::vector<test::GltfNumbers>& numbers = {}) {
+        return test::writeGltfSet(folder_.path(), "set.gltf", nodes, scene, more, numbers);
     }
-    Shot split(const std::filesystem::path& file, const ModelPart& part = {}) {
-        Shot shot = splitShot(file, part);
+    Shot split(const std::filesystem::path& file, const SetSize& size = {}) {
+        Shot shot = splitShot(file, size);
         shot.device = DeviceChoice::kCpu;
         return shot;
     }
@@ -126,6 +127,77 @@ TEST_F(SetScene, CameraAndSunAreTaken) {
     EXPECT_NEAR(shot.impact.direction.z, -1, 1e-5) << "from the camera's side";
 }
 
+TEST_F(SetScene, TheSunShinesAsBrightAsTheFileSays) {
+    const auto shine = [this](const char* light) {
+        const std::string lights = std::string(R"(,"extensionsUsed":["KHR_lights_punctual"],
+"extensions":{"KHR_lights_punctual":{"lights":[{"type":"directional",)") +
+                                   light + "}]}}";
+        return *split(set(R"([{"name":"box","mesh":0},
+{"name":"sun","extensions":{"KHR_lights_punctual":{"light":0}}}])",
+                          "[0,1]", lights))
+                    .environment.sun_colour;
+    };
+    const glm::vec3 day = shine(R"("intensity":2049,"color":[1,0.5,0.25])");  // 3 W/m2
+    EXPECT_NEAR(day.r, 3 / M_PI, 1e-4);
+    EXPECT_NEAR(day.g, 1.5 / M_PI, 1e-4);
+    EXPECT_NEAR(day.b, 0.75 / M_PI, 1e-4);
+    EXPECT_NEAR(shine(R"("intensity":3)").g, 3 / M_PI, 1e-4) << "no daylight in lux: watts";
+    EXPECT_EQ(shine(R"("intensity":1e30)").g, 1000) << "as much as a scene takes";
+    EXPECT_EQ(shine(R"("intensity":0)").g, 0);
+}
+
+/// Its parent goes round the origin by a quarter in a second, then the camera itself rises by 2 m in one.
+TEST_F(SetScene, AMovingCameraIsAPathThatTheShotFollows) {
+    const float half = std::sqrt(0.5f);
+    const auto file = set(R"([{"name":"box","mesh":0},{"name":"rig","children":[2]},
+{"name":"eye","camera":0,"translation":[0,1,4]}])",
+                          "[0,1]",
+                          R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}],
+"animations":[{"channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}}],
+"samplers":[{"input":2,"output":3}]},
+{"channels":[{"sampler":0,"target":{"node":2,"path":"translation"}}],"samplers":[{"input":4,"output":5}]}])",
+                          {{"SCALAR", {0, 1}},
+                           {"VEC4", {0, 0, 0, 1, 0, half, 0, half}},
+                           {"SCALAR", {1, 2}},
+                           {"VEC3", {0, 1, 4, 0, 3, 4}}});
+    const Shot shot = split(file);
+    const auto at = [&shot](double time) { return cameraAt(*shot.camera, shot.camera_path, time); };
+    for (const double time : {0.0, 0.2, 0.5, 0.83, 1.0}) {
+        const double angle = time * M_PI / 2;
+        EXPECT_NEAR(at(time).eye.x, 4 * std::sin(angle), 0.01) << time;
+        EXPECT_NEAR(at(time).eye.z, 4 * std::cos(angle), 0.01) << time;
+        EXPECT_NEAR(at(time).direction().x, -std::sin(angle), 0.003) << time;
+    }
+    EXPECT_NEAR(at(1.5).eye.y, 2.5, 0.01) << "lifted by the box's half below the floor";
+    EXPECT_NEAR(at(9).eye.y, 3.5, 1e-4) << "and stays";
+    EXPECT_LT(shot.camera_path.size(), 40u) << "as few keys as tell it";
+    EXPECT_TRUE(split(set()).camera_path.empty()) << "one that stands has none";
+}
+
+TEST_F(SetScene, AHeightScalesAllOfTheSet) {
+    const Shot plain = split(set()), shot = split(set(), {{}, 2.4});
+    ASSERT_EQ(shot.bodies.size(), 2u);
+    EXPECT_NEAR(shot.height, 2, 1e-6) << "the cup's top was at 1.2 m";
+    const MeshPlacement table = placementOf(shot, shot.bodies[0]);
+    EXPECT_TRUE(table.keep_units);
+    EXPECT_NEAR(table.height, 2, 1e-6);
+    EXPECT_NEAR(shot.height * shot.bodies[1].position.y, 2, 1e-5);
+    EXPECT_NEAR(shot.camera->eye.z, 8, 1e-5);
+    const auto wall = [](const Shot& of) {
+        return of.height * std::get<MeshShape>(of.colliders[0].shape).scale;
+    };
+    EXPECT_NEAR(wall(shot), 2 * wall(plain), 1e-6);
+    Shot small = shot;
+    small.fineness.particles = 40;
+    const BuiltShot built = prepareShot(small, {.draw_geometry = false}, {});
+    EXPECT_NEAR(built.setup.bodies[0].body->bounds_max.x - built.setup.bodies[0].body->bounds_min.x, 4, 1e-5);
+    EXPECT_THROW(split(set(), {{}, 1000.0}), UsageError);
+    const auto unknown = folder_.write("one.obj",
+                                       "o a\nv 0 0 0\nv 2 0 0\nv 0 3 0\nv 0 0 4\nf 1 3 2\nf 1 2 4\n"
+                                       "f 2 3 4\nf 3 1 4\n");
+    EXPECT_NEAR(split(unknown, {{}, 6.0}).height, 2, 1e-6) << "a height stands in for a unit";
+}
+
 TEST_F(SetScene, WhatLiesBelowTheFloorIsLiftedWithTheRest) {
     const Shot shot =
         split(set(R"([{"name":"a","mesh":0},{"name":"b","mesh":0,"translation":[3,2,0]}])", "[0,1]", ""));
@@ -144,7 +216,7 @@ TEST_F(SetScene, AFormatWithoutAUnitNeedsOneAndMayPointUpwardsByZ) {
     } catch (const UsageError& error) {
         EXPECT_THAT(error.what(), HasSubstr("'two.obj' does not say its unit: give --unit"));
     }
-    const Shot shot = split(file, {"", UpAxis::kZ, 0.01});
+    const Shot shot = split(file, {{"", UpAxis::kZ, 0.01}, {}});
     ASSERT_EQ(shot.bodies.size(), 2u);
     EXPECT_EQ(shot.bodies[1].name, "high");
     EXPECT_NEAR(shot.bodies[1].position.x, 0.1, 1e-9);
@@ -155,12 +227,16 @@ TEST_F(SetScene, AFormatWithoutAUnitNeedsOneAndMayPointUpwardsByZ) {
 }
 
 TEST_F(SetScene, TheSceneFileIsTheSameShot) {
-    const auto model = set();
+    const auto model =
+        set(kNodes, "[0,3,4,7,8]", std::string(kMore) + R"(,"animations":[{"channels":[{"sampler":0,
+"target":{"node":7,"path":"translation"}}],"samplers":[{"input":2,"output":3}]}])",
+            {{"SCALAR", {0, 1.5}}, {"VEC3", {0.5, 1.1, 4, 2, 1.1, 4}}});
+    const SetSize size{{}, 3.0};
     std::filesystem::create_directory(folder_.path() / "shots");
     const auto file = folder_.path() / "shots" / "my_shot.toml";
-    std::ofstream(file) << sceneTextOf(model, {}, file);
+    std::ofstream(file) << sceneTextOf(model, size, file);
     Shot written = loadSceneFile(file);
-    const Shot direct = splitShot(model, {});
+    const Shot direct = splitShot(model, size);
     EXPECT_TRUE(std::filesystem::equivalent(written.model, direct.model));
     written.model = direct.model;
     for (SceneBody& body : written.bodies)
@@ -169,6 +245,8 @@ TEST_F(SetScene, TheSceneFileIsTheSameShot) {
     written.scene_file = direct.scene_file;
     written.colliders = direct.colliders;  // meshes of their own reading
     EXPECT_TRUE(written == direct);
+    EXPECT_EQ(written.camera_path.size(), 1u);
+    EXPECT_TRUE(written.environment.sun_colour);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ void put(std::ofstream& out, Value value) {
 
 std::filesystem::path writeGltfSet(const std::filesystem::path& folder, const std::string& name,
                                    const std::string& nodes, const std::string& scene,
-                                   const std::string& more) {
+                                   const std::string& more, const std::vector<GltfNumbers>& numbers) {
     const TriangleMesh cube = makeCube(1);
     Double3 low = cube.positions[0];
     for (const Double3& p : cube.positions)
@@ -29,11 +29,28 @@ std::filesystem::path writeGltfSet(const std::filesystem::path& folder, const st
             put(bytes, static_cast<float>(v));
     for (const auto& triangle : cube.triangles)
         for (const uint32_t vertex : triangle) put(bytes, static_cast<uint16_t>(vertex));
+    std::string views, accessors;
+    size_t at = 168;
+    for (const GltfNumbers& list : numbers) {
+        const size_t each = list.type == "SCALAR" ? 1 : list.type == "VEC3" ? 3 : 4;
+        for (const float value : list.values) put(bytes, value);
+        const std::string view = std::to_string(2 + (&list - numbers.data())),
+                          bytes_of_list = std::to_string(4 * list.values.size());
+        views +=
+            ",{\"buffer\":0,\"byteOffset\":" + std::to_string(at) + ",\"byteLength\":" + bytes_of_list + "}";
+        accessors += ",{\"bufferView\":" + view +
+                     ",\"componentType\":5126,\"count\":" + std::to_string(list.values.size() / each) +
+                     ",\"type\":\"" + list.type + "\"}";
+        at += 4 * list.values.size();
+    }
     const std::filesystem::path file = folder / name;
-    std::ofstream(file) << R"({"asset":{"version":"2.0"},"buffers":[{"uri":"box.bin","byteLength":168}],
-"bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72}],
+    std::ofstream(file) << R"({"asset":{"version":"2.0"},"buffers":[{"uri":"box.bin","byteLength":)" << at
+                        << R"(}],
+"bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":72})"
+                        << views << R"(],
 "accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5]},
-{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],
+{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"})"
+                        << accessors << R"(],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":)"
                         << nodes << R"(,"scenes":[{"nodes":)" << scene << "}],\"scene\":0" << more << "}";
     return file;

@@ -93,7 +93,7 @@ TEST_F(ModelReader, ReadsSeveralNodesAtOnceAndWhatStandsInASet) {
     EXPECT_EQ(there.things[1].low, here.things[1].low);
     EXPECT_NEAR(there.things[1].high.x, 3.5, 1e-6);
     EXPECT_EQ(there.things[1].triangles, 12u);
-    EXPECT_FALSE(there.camera || there.sun_direction);
+    EXPECT_FALSE(there.camera || there.sun);
     EXPECT_THROW(readModelSet("no/such/set.glb"), InputFileError);
 }
 

@@ -41,8 +41,9 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Made{"rabbit", "rabbit_paper.obj", 592, 1}, Made{"rabbit", "rabbit_paper.obj", 592, 7},
                     Made{"rabbit", "rabbit.obj", 20000, 2}, Made{"vase", "vase_paper.obj", 3000, 1},
                     Made{"vase", "vase.obj", 19872, 1}, Made{"column", "column_paper.obj", 674, 1},
-                    Made{"column", "column.obj", 20160, 1}, Made{"wolf", "wolf_paper.obj", 18724, 2},
-                    Made{"wolf", "wolf.obj", 60000, 2}));
+                    Made{"column", "column.obj", 20160, 1}, Made{"tumbler", "tumbler.obj", 5920, 1},
+                    Made{"dish", "dish.obj", 5568, 1}, Made{"wrecking_ball", "wrecking_ball.obj", 1200, 2},
+                    Made{"wolf", "wolf_paper.obj", 18724, 2}, Made{"wolf", "wolf.obj", 60000, 2}));
 
 }  // namespace
 }  // namespace demolish::sculptor

@@ -58,6 +58,26 @@ TEST(MeshCollider, ASphereOfTrianglesIsTheSphere) {
     EXPECT_GT(near, 50);
 }
 
+/// Steps ask these first, and look closer only where they do not tell enough.
+TEST(MeshCollider, ItsBoxAndOneNumberNeverSayMoreThanTheDistance) {
+    const MeshShape ring{
+        gridOf(test::makeTorus(0.5, 0.1, 32, 16)), 1, {0.1, 0, 0}, {0.1, 0.2, 0.3, 0.92736185}};
+    const auto set = makeColliderSet<double>({ring});
+    Points points(0.9);
+    int told_by_box = 0, told_by_one = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Vec3<double> p = points.next();
+        const double distance = set.tangent(0, p).distance, box = set.bound(0, p).distance,
+                     least = leastDistanceToMesh(set.collider[0], p, Vec3<double>{});
+        EXPECT_LE(box, distance + 1e-9);
+        EXPECT_LE(least, std::max(distance, 0.0));
+        told_by_box += box > 0.1;
+        told_by_one += box <= 0 && least > 0.1;
+    }
+    EXPECT_GT(told_by_box, 2000);
+    EXPECT_GT(told_by_one, 200) << "in the ring";
+}
+
 /// Distances of its faces are linear, and interpolation keeps them; its edges are rounded by less than a
 /// cell.
 TEST(MeshCollider, ABoxOfTrianglesIsTheBox) {
