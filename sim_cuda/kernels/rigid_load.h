@@ -75,14 +75,13 @@ DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4
 struct OtherFragment {
     uint32_t id = 0, label = 0;
 };
-/// A bond record: nothing from one that is solid, or whose ends are of the same fragment.
+/// A bond record: nothing from one whose ends are of the same fragment, as those of solid ones are.
 template <bool kLedger, class Real>
 DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                     uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
                                     const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const LinkEnd end = linkEnd(arrays, slot);
-    if (isBonded(end.link)) return {};
     return countedSlot(arrays.constants[end.id], arrays.bond_spring[slot], load.touching, [&] {
         return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });

@@ -7,8 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <thread>
 
 #include "app/process/child_process.h"
@@ -132,18 +135,15 @@ TEST(ChildProcess, InheritsNoFileAndNoIgnoredSignal) {
     EXPECT_EQ(ignored & (1ull << (SIGPIPE - 1)), 0u);
 }
 
-TEST(ChildProcess, WritesIntoASharedFileAlsoWhenThatHasNoNameAnyMore) {
-    char name[] = "/tmp/demolish_shared_XXXXXX";
-    const int file = mkstemp(name);
-    ASSERT_GE(file, 0);
-    unlink(name);
+TEST(ChildProcess, WritesIntoASharedFileThatHasNoName) {
+    const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::tmpfile(), std::fclose);
+    ASSERT_TRUE(file);
     ChildPlan plan = shell(std::string("echo shared > ") + kSharedFile + "; ls /proc/self/fd | wc -l");
-    plan.shares = file;
+    plan.shares = fileno(file.get());
     EXPECT_EQ(whatItSays(plan), "5\n") << "three streams, the file, and the folder that ls lists";
-    std::array<char, 7> text{};
-    EXPECT_EQ(pread(file, text.data(), text.size(), 0), 7);
-    close(file);
-    EXPECT_EQ(std::string(text.data(), text.size()), "shared\n");
+    std::array<char, 8> text{};
+    EXPECT_EQ(std::fread(text.data(), 1, text.size(), file.get()), 7u);
+    EXPECT_STREQ(text.data(), "shared\n");
 }
 
 TEST(ChildProcess, TakesVariablesInPlaceOfThoseOfTheEnvironment) {
