@@ -25,21 +25,20 @@ struct RigidLoad {
     }
 };
 
-/// By the particle's place in RigidWork::active. A GPU gathers the two side by side: either is a long way of
-/// reads that wait for one another.
+/// By the particle's place in RigidWork::active: what neighbours give it, and what colliders give it. A GPU
+/// gathers the two side by side, since either is a long way of reads that wait for one another. They lie next
+/// to each other, so that where a place lies depends on no length: graphs are kept for a memory, however much
+/// of it is used.
 template <class Real>
 struct RigidLoads {
-    Span<RigidLoad<Real>> of_rows;       ///< of the faces of broken bonds and of contacts
-    Span<RigidLoad<Real>> of_colliders;  ///< as many
+    Span<RigidLoad<Real>> memory;
 
-    /// `memory`: of both, one after the other.
-    static RigidLoads in(Span<RigidLoad<Real>> memory) {
-        const size_t half = memory.count / 2;
-        return {memory.part(0, half), memory.part(half, half)};
-    }
+    static size_t needed(uint32_t places) { return 2 * size_t{places}; }
+    DEM_FN RigidLoad<Real>& ofRows(uint32_t place) const { return memory[2 * size_t{place}]; }
+    DEM_FN RigidLoad<Real>& ofColliders(uint32_t place) const { return memory[2 * size_t{place} + 1]; }
     DEM_FN RigidLoad<Real> at(uint32_t place) const {
-        RigidLoad<Real> sum = of_rows[place];
-        sum += of_colliders[place];
+        RigidLoad<Real> sum = ofRows(place);
+        sum += ofColliders(place);
         return sum;
     }
 };
@@ -197,8 +196,8 @@ struct GatherRigidLoad {
                      countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
                                                  contactFragment(arrays, work.label, slot), rows));
         rows.wrench = sums.total();
-        loads.of_rows[place] = rows;
-        loads.of_colliders[place] = collidersLoad<kLedger>(arrays, params, work, own);
+        loads.ofRows(place) = rows;
+        loads.ofColliders(place) = collidersLoad<kLedger>(arrays, params, work, own);
     }
 };
 

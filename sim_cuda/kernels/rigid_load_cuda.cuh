@@ -25,7 +25,7 @@ DEM_FN uint32_t gatherBlocks(uint32_t active) {
 /// Particles up to which sixteen threads go through the rows of one, beyond them eight.
 inline constexpr uint32_t kFewActive = 8192;
 
-/// Written for the ledger alone: most of it is the tally.
+/// Without the ledger, without what is for that alone: it is most of it.
 template <bool kLedger, class Real>
 __device__ __forceinline__ void keepLoad(RigidLoad<Real>& kept, const RigidLoad<Real>& load) {
     if constexpr (kLedger) kept.tally = load.tally;
@@ -70,7 +70,7 @@ __device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, ui
     for (uint32_t step = T / 2; step > 0; step /= 2)
         out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
     if constexpr (kLedger) sumTally<T>(out.tally);
-    if (present && lane == 0) keepLoad<kLedger>(gather.loads.of_rows[place], out);
+    if (present && lane == 0) keepLoad<kLedger>(gather.loads.ofRows(place), out);
 }
 
 /// What colliders give. Their part needs no other particle, and so a thread each.
@@ -82,7 +82,7 @@ __device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gathe
     awaitPrevious();
     if (place >= count) return;
     const OwnParticle<Real> own = loadOwn(gather.arrays, id);
-    keepLoad<kLedger>(gather.loads.of_colliders[place],
+    keepLoad<kLedger>(gather.loads.ofColliders(place),
                       collidersLoad<kLedger>(gather.arrays, gather.params, gather.work, own));
 }
 

@@ -97,9 +97,10 @@ class RigidRunner<CudaBackend, Real> {
     static constexpr uint32_t kLeastLarge = 16;
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
-        if (load_.size() >= 2 * size_t{work.active_at_most}) return;
+        const size_t needed = RigidLoads<Real>::needed(work.active_at_most);
+        if (load_.size() >= needed) return;
         backend.synchronize();  // what was started before may still use it
-        load_ = backend.allocate<RigidLoad<Real>>(3 * size_t{work.active_at_most});
+        load_ = backend.allocate<RigidLoad<Real>>(needed + needed / 2);
     }
 
     /// Always after another kernel of the step.
@@ -139,7 +140,7 @@ class RigidRunner<CudaBackend, Real> {
                        "moving rigid fragments", step, large);
     }
 
-    RigidLoads<Real> loads() { return RigidLoads<Real>::in(load_.span()); }
+    RigidLoads<Real> loads() { return RigidLoads<Real>{load_.span()}; }
 
     CudaBackend::Buffer<RigidLoad<Real>> load_;
     CudaGraphCache graphs_;

@@ -88,8 +88,8 @@ class RigidRunner<CpuBackend, Real> {
     /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.
     void gather(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool) {
-        if (load_.size() < 2 * size_t{step.work.active_at_most})
-            load_ = backend.allocate<RigidLoad<Real>>(3 * size_t{step.work.active_at_most});
+        if (const size_t needed = RigidLoads<Real>::needed(step.work.active_at_most); load_.size() < needed)
+            load_ = backend.allocate<RigidLoad<Real>>(needed + needed / 2);
         step.ledger ? gatherWith<true>(backend, step, previous, stride)
                     : gatherWith<false>(backend, step, previous, stride);
     }
@@ -107,14 +107,14 @@ class RigidRunner<CpuBackend, Real> {
         backend.forEach(
             step.work.active_at_most,
             GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, previous, stride),
-                                           step.work, RigidLoads<Real>::in(load_.span())},
+                                           step.work, RigidLoads<Real>{load_.span()}},
             "rigid load");
     }
     template <bool kLedger>
     void moveWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
         backend.forEach(
             step.work.fragments_at_most,
-            step.template mover<kLedger>(RigidLoads<Real>::in(load_.span()), previous, stride, carried),
+            step.template mover<kLedger>(RigidLoads<Real>{load_.span()}, previous, stride, carried),
             "rigid step");
     }
 

@@ -117,7 +117,7 @@ TEST(Findings, FaultsRefusalsAndSentencesWithoutAKnobFail) {
     EXPECT_THAT(findings, ElementsAre(kindIs("refusal"), kindIs("body"), kindIs("frame"), kindIs("status")));
     for (const Finding& finding : findings) EXPECT_TRUE(fails(finding)) << finding.kind;
     watched = goodRun();
-    watched.stopped = "It became unstable; lower --impact-velocity.";
+    watched.stopped = "It became unstable; lower the impact velocity.";
     EXPECT_THAT(findingsOf(goodRun(), watched), IsEmpty());
 }
 

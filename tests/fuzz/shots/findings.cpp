@@ -17,7 +17,8 @@ constexpr double kFarthestStep = 0.2;
 
 /// Knobs are options, or keys of a scene file.
 bool namesAKnob(const std::string& status) {
-    return status.find("--") != std::string::npos || status.find("scene_radius_m") != std::string::npos;
+    return status.find("impact velocity") != std::string::npos ||
+           status.find("substeps") != std::string::npos;
 }
 
 void compareHashes(const ShotRun& alone, const ShotRun& watched, std::vector<Finding>& findings) {
