@@ -6,7 +6,8 @@
 #include "common/noise.glsl"
 #include "common/rotate.glsl"
 #include "common/glass_layer.glsl"
-layout(location = 0) uniform vec2 noise_shape;  // first wavelength m, strength
+#define GLASS_NOISE 0
+#include "common/glass_relief.glsl"
 layout(location = 1) uniform int first;
 layout(binding = 3) uniform usampler2D previous;
 #if SAMPLES > 1
@@ -23,13 +24,10 @@ in vec2 relief;
 #endif
 layout(location = 0) out uvec2 layer_out;
 
-const float kSame = 2e-6;  // of a depth: faces that near lie in one
-const float kFlat = 0.85;  // or cells look like drops
-
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = gl_FragCoord.z;
-    if (first == 0 && depth >= uintBitsToFloat(texelFetch(previous, at, 0).r) * (1.0 - kSame)) discard;
+    if (first == 0 && !isBehind(depth, uintBitsToFloat(texelFetch(previous, at, 0).r))) discard;
     if (depth <= texelFetch(opaque_depth, at / ACROSS, 0).r) discard;
     GlassLayer layer;
     layer.depth = depth;
@@ -37,11 +35,7 @@ void main() {
     layer.enters = gl_FrontFacing;
     layer.broken = false;
 #ifdef INTERIOR
-    vec3 even = cross(dFdx(world_position), dFdy(world_position));
-    even = normalize(dot(even, layer.normal) < 0.0 ? -even : even + vec3(0.0, 1e-20, 0.0));
-    vec3 slope = rotate(rotation, fractureNoise(rest, 1.0 / noise_shape.x).xyz);
-    slope -= even * dot(slope, even);
-    layer.normal = normalize(mix(layer.normal, even, kFlat) - noise_shape.y * slope);
+    layer.normal = brokenNormal(layer.normal, cross(dFdx(world_position), dFdy(world_position)), rest, rotation);
     layer.broken = true;
 #endif
     layer_out = packLayer(layer);

@@ -26,6 +26,7 @@ void main() {
     uint triangles = triangleCount();
     for (uint t = gl_WorkGroupID.x; t < triangles; t += gl_NumWorkGroups.x) {
         uint name = nameOfTriangle(t);
+        if (!isShown(name)) continue;
         vec3 p[3];
         cornersOf(name, p);
         fillCamera(p, name);

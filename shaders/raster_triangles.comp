@@ -51,8 +51,8 @@ void note(uint name, int view, int part, uint place) {
 void depthsOf(uint triangle, bool exists) {
     uint name = 0u, views = 0u;  // a bit for each view in which it is large, and one for what the near plane makes two of
     bool shows = false;
-    if (exists) {
-        name = nameOfTriangle(triangle);
+    if (exists) name = nameOfTriangle(triangle);
+    if (exists && isShown(name)) {
         vec3 p[3];
         bool is_cut;
         cornersOf(name, p);

@@ -27,6 +27,7 @@ enum class StorageBinding : GLuint {
     kFound = 8,
     kTasks = 9,
     kBalls = 10,
+    kComputedCellLooks = 10,  // of a pass that knows no balls
     kLarge = 11,
     kGrains = 12,
     kEffectCommands = 13,

@@ -12,15 +12,14 @@
 #include "engine/passes/collider_pass.h"
 #include "engine/passes/shadow_pass.h"
 #include "engine/passes/sphere_pass.h"
+#include "engine/passes/triangle_raster.h"
 #include "engine/render/render_targets.h"
 
 namespace demolish::engine {
 
 class ComputedRaster {
   public:
-    /// `task_room`: squares of 16 px of large triangles, 52 bytes each; where they do not suffice it goes
-    /// slower.
-    /// Throws gl::GlError.
+    /// `task_room`: as TriangleRaster's. Throws gl::GlError.
     ComputedRaster(const std::filesystem::path& shaders, size_t task_room);
 
     /// Has the driver as many and as large storage bindings as this picture of this mesh takes?
@@ -45,9 +44,13 @@ class ComputedRaster {
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
     void bind(const FractureMesh& mesh, const SpherePass& balls) const;
     struct Programs {
-        gl::Program triangles, setup, squares, large, balls, grit, cracks;
+        TriangleRaster::Programs triangles;
+        gl::Program balls, grit, cracks;
         /// Those that know the views.
-        std::array<gl::Program*, 6> raster() { return {&triangles, &setup, &squares, &large, &balls, &grit}; }
+        std::array<gl::Program*, 6> raster() {
+            return {&triangles.triangles, &triangles.setup, &triangles.squares,
+                    &triangles.large,     &balls,           &grit};
+        }
     };
     Programs& programsFor(const RenderTargets& targets);
     void clear(int shadow_texels);
@@ -60,13 +63,13 @@ class ComputedRaster {
     static void rasterise(Programs& programs, const Drawn& drawn, bool naming);
 
     std::filesystem::path shaders_;
-    gl::Program clear_, coarse_, colliders_;  ///< the last: made when first needed
-    std::map<int, Programs> programs_;        ///< by samples, made when first needed
-    gl::Buffer visible_, found_, tasks_, large_;
+    TriangleRaster triangles_;
+    gl::Program coarse_, colliders_;    ///< the second: made when first needed
+    std::map<int, Programs> programs_;  ///< by samples, made when first needed
+    gl::Buffer visible_;
     gl::Texture shadow_bits_, shadow_depth_;  ///< the same memory, as R32UI and R32F
     gl::Texture shadow_coarse_;               ///< least depth of squares of it
     std::optional<ShadowScene> shadow_scene_;
-    size_t task_room_;
     bool visible_is_empty_ = false;
 };
 

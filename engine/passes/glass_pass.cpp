@@ -11,7 +11,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kScattered = 0;
+constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kWalkNoise = 20, kScattered = 0;
 constexpr GLuint kLayerUnit = 3, kOpaqueUnit = 7, kShadowUnit = 14, kSceneUnit = 15;
 constexpr int kShadowTexels = 1024, kShadowLevels = 5;
 
@@ -27,8 +27,16 @@ constexpr float kEmptyDepth = 0;
 
 }  // namespace
 
-GlassPass::GlassPass(const std::filesystem::path& shaders)
-    : shaders_(shaders), eraser_(shaders, kEmptyDepth) {}
+GlassPass::GlassPass(const std::filesystem::path& shaders, size_t task_room)
+    : shaders_(shaders), task_room_(task_room), eraser_(shaders, kEmptyDepth) {}
+
+bool GlassPass::readyToFind(const FractureMesh& mesh, const RenderTargets& targets) {
+    const int across = acrossFor(targets);
+    if (!GlassRaster::suits(mesh, targets, across)) return false;
+    if (!raster_) raster_.emplace(shaders_, task_room_);
+    raster_->prepare(targets, across);
+    return true;
+}
 
 void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
                            const FrameView& view) {
@@ -68,17 +76,19 @@ GLuint GlassPass::scene(const RenderTargets& targets) {
 }
 
 void GlassPass::fit(const RenderTargets& targets) {
-    const int across = acrossFor(targets);
-    if (scene_ && scene_.width() == targets.width && scene_.height() == targets.height && across == across_)
-        return;
-    across_ = across;
+    if (scene_ && scene_.width() == targets.width && scene_.height() == targets.height) return;
     scene_ = gl::Texture::make2d(GL_RGBA16F, targets.width, targets.height);
     scene_.setFilter(GL_LINEAR, GL_LINEAR);
     scene_.setWrap(GL_CLAMP_TO_EDGE);
     scene_target_ = gl::Framebuffer({&scene_}, nullptr);
-    depth_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, across * targets.width, across * targets.height);
+}
+
+void GlassPass::fitLayers(const RenderTargets& targets) {
+    const int across = acrossFor(targets), width = across * targets.width, height = across * targets.height;
+    if (depth_ && depth_.width() == width && depth_.height() == height) return;
+    depth_ = gl::Texture::make2d(GL_DEPTH_COMPONENT32F, width, height);
     for (Layer& layer : layers_) {
-        layer.texture = gl::Texture::make2d(GL_RG32UI, across * targets.width, across * targets.height);
+        layer.texture = gl::Texture::make2d(GL_RG32UI, width, height);
         layer.framebuffer = gl::Framebuffer({&layer.texture}, &depth_);
     }
     depth_only_ = gl::Framebuffer({}, &depth_);
@@ -125,7 +135,7 @@ void GlassPass::peelLayer(size_t k, PeelPrograms& programs, BodyGeometry& body, 
 
 void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
                      const RenderTargets& targets) {
-    fit(targets);
+    fitLayers(targets);
     const std::vector<SurfaceLook> looks = looksOf(view);
     const SurfaceLook look = glassOf(view);
     PeelPrograms& programs = peelFor(targets);
@@ -152,41 +162,62 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameVi
     glDepthFunc(GL_LESS);
 }
 
-gl::Program& GlassPass::walkFor(const RenderTargets& targets, PictureKind kind, bool drawn) {
+void GlassPass::find(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets) {
+    raster_->find(mesh, targets, acrossFor(targets), hiddenUnless(true, looksOf(view)));
+}
+
+gl::Program& GlassPass::walkFor(const RenderTargets& targets, PictureKind kind, Walk how) {
     kind.samples = targets.samples;
     kind.glow = false;  // of what is opaque, which is lit already
-    gl::Program& program = walk_[{kind, across_, drawn}];
+    const int across = acrossFor(targets);
+    gl::Program& program = walk_[{kind, across, how}];
     if (program.id() != 0) return program;
-    const std::string numbers = defines(kind) + numbersFor(targets) + "#define LAYERS " +
-                                std::to_string(kLayers) + (drawn ? "\n#define DRAFT\n" : "\n");
-    program = drawn ? gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"}, numbers)
-                    : gl::Program(shaders_, {"glass_walk.comp"}, numbers);
+    std::string text = defines(kind) + "#define LAYERS " + std::to_string(kLayers) + "\n";
+    if (how == Walk::kOverFound)
+        text += "#define FOUND_FACES\n" + GlassRaster::defines(across);
+    else
+        text += numbersFor(targets);
+    program = how == Walk::kDrawn
+                  ? gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"}, text + "#define DRAFT\n")
+                  : gl::Program(shaders_, {"glass_walk.comp"}, text);
     setTone(program, kind.tone);
     return program;
 }
 
 void GlassPass::bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view) {
-    for (size_t k = 0; k < layers_.size(); ++k) layers_[k].texture.bind(kLayerUnit + static_cast<GLuint>(k));
     targets.depth.bind(kOpaqueUnit);
     scene_.bind(kSceneUnit);
     program.set(kFrost, glassOf(view).frost);
     program.use();
 }
 
+void GlassPass::bindLayers() const {
+    for (size_t k = 0; k < layers_.size(); ++k) layers_[k].texture.bind(kLayerUnit + static_cast<GLuint>(k));
+}
+
 void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
                      GLuint framebuffer) {
-    bindWalk(walkFor(targets, kind, true), targets, view);
+    bindLayers();
+    bindWalk(walkFor(targets, kind, Walk::kDrawn), targets, view);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);
     no_attributes_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void GlassPass::computeWalk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
-                            GLuint framebuffer) {
+void GlassPass::computeWalk(const FractureMesh* found, const RenderTargets& targets, const FrameView& view,
+                            PictureKind kind, GLuint framebuffer) {
     const GLenum format = kind.radiance ? GL_RGBA16F : GL_RGBA8;
     const GLuint target = gl::writableTexture(framebuffer, targets.width, targets.height, format);
-    bindWalk(walkFor(targets, kind, false), targets, view);
+    gl::Program& program = walkFor(targets, kind, found != nullptr ? Walk::kOverFound : Walk::kComputed);
+    if (found != nullptr) {
+        const SurfaceLook look = glassOf(view);
+        program.set(kWalkNoise, glm::vec2(look.noise_scale, look.noise_strength));
+        raster_->bind(*found);
+    } else {
+        bindLayers();
+    }
+    bindWalk(program, targets, view);
     gl::computePicture(target != 0 ? target : targets.display.id(), format, targets.width, targets.height);
     if (target == 0) targets.show(framebuffer);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Transparent bodies: their faces are peeled off layer by layer, then each ray walks through them. No order
-// of drawing is needed. Everything opaque is lit before, as light, into scene().
+// Transparent bodies: their faces are found along each ray, drawn layer by layer or computed at once, then
+// each ray walks through them. No order of drawing is needed. Everything opaque is lit before, as light, into
+// scene().
 #pragma once
 #include <array>
 #include <filesystem>
@@ -13,6 +14,7 @@
 #include "engine/gl/vertex_array.h"
 #include "engine/passes/body_geometry.h"
 #include "engine/passes/depth_eraser.h"
+#include "engine/passes/glass_raster.h"
 #include "engine/passes/picture_kind.h"
 #include "engine/render/render_targets.h"
 
@@ -20,7 +22,11 @@ namespace demolish::engine {
 
 class GlassPass {
   public:
-    explicit GlassPass(const std::filesystem::path& shaders);
+    /// `task_room`: as TriangleRaster's.
+    GlassPass(const std::filesystem::path& shaders, size_t task_room);
+    /// Can faces be computed for these targets? Makes what that takes. Throws GlError where a driver refuses
+    /// it.
+    bool readyToFind(const FractureMesh& mesh, const RenderTargets& targets);
     /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
     /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region.
     void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
@@ -30,12 +36,15 @@ class GlassPass {
     /// Depth of what is opaque is the targets'. The depth range is 0..1, reversed, and stays so.
     void peel(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view,
               const RenderTargets& targets);
-    /// The finished picture into `framebuffer`. Bound are the shadow map, the noise volume, the surroundings
-    /// and the sums of dust.
+    /// The same by computing, where readyToFind().
+    void find(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets);
+    /// The finished picture into `framebuffer`, from what peel() has drawn. Bound are the shadow map, the
+    /// noise volume, the surroundings and the sums of dust.
     void walk(const RenderTargets& targets, const FrameView& view, PictureKind kind, GLuint framebuffer);
     /// The same by computing: on data-centre GPUs only few multiprocessors draw, but all of them compute.
-    void computeWalk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
-                     GLuint framebuffer);
+    /// `found`: the mesh of which find() has found the faces, null after peel().
+    void computeWalk(const FractureMesh* found, const RenderTargets& targets, const FrameView& view,
+                     PictureKind kind, GLuint framebuffer);
 
   private:
     static constexpr int kLayers = 4;
@@ -52,16 +61,22 @@ class GlassPass {
         float frost;
         bool operator==(const ShadowKey&) const = default;
     };
+    /// How the walk runs, and on what.
+    enum class Walk { kDrawn, kComputed, kOverFound };
     void fit(const RenderTargets& targets);
+    void fitLayers(const RenderTargets& targets);
     void clearLayers();
     void peelLayer(size_t k, PeelPrograms& programs, BodyGeometry& body, const FractureMesh& mesh);
     PeelPrograms& peelFor(const RenderTargets& targets);
-    gl::Program& walkFor(const RenderTargets& targets, PictureKind kind, bool drawn);
+    gl::Program& walkFor(const RenderTargets& targets, PictureKind kind, Walk how);
+    void bindLayers() const;
     void bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view);
 
     std::filesystem::path shaders_;
+    size_t task_room_;
+    std::optional<GlassRaster> raster_;                 ///< made when first needed
     std::map<std::pair<int, int>, PeelPrograms> peel_;  ///< by samples, and layer texels across a pixel
-    std::map<std::tuple<PictureKind, int, bool>, gl::Program> walk_;  ///< by layer texels across; drawn
+    std::map<std::tuple<PictureKind, int, Walk>, gl::Program> walk_;  ///< by layer texels across
     gl::Program shadow_;
     gl::Program clear_;
     DepthEraser eraser_;  ///< of depth_
@@ -69,7 +84,6 @@ class GlassPass {
     gl::Framebuffer shadow_target_, scene_target_, depth_only_;
     std::array<Layer, kLayers> layers_;
     std::optional<ShadowKey> shadow_key_;
-    int across_ = 0;
     gl::VertexArray no_attributes_;
 };
 

@@ -60,7 +60,7 @@ struct Renderer::Passes {
           grit(shaders),
           dust(shaders),
           sparks(shaders),
-          glass(shaders),
+          glass(shaders, task_count),
           glow(shaders),
           eraser(shaders, kEmptyDepth),
           noise(makeNoiseVolume()),
@@ -107,7 +107,8 @@ struct Renderer::Passes {
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
     void computeLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer, bool found);
-    void drawGlass(const FrameView& view, GLuint framebuffer);
+    bool findsFaces(const FractureMesh& mesh, const FrameView& view);
+    void drawGlass(const FractureMesh* found, const FrameView& view, GLuint framebuffer);
     void drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     void castDustShadows(const FractureMesh* mesh, const FrameView& view);
     void addUpDust(const FractureMesh* mesh, const FrameView& view);
@@ -197,6 +198,19 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     clock.mark("shadow");
 }
 
+/// Of transparent bodies, by computing.
+bool Renderer::Passes::findsFaces(const FractureMesh& mesh, const FrameView& view) {
+    if (view.quality != RenderQuality::kFull || !refusal.empty() || view.rasteriser == Rasteriser::kDraw ||
+        (view.rasteriser == Rasteriser::kAuto && in_software))
+        return false;
+    try {
+        return glass.readyToFind(mesh, *targets);
+    } catch (const gl::GlError& problem) {
+        refusal = problem.what();
+        return false;
+    }
+}
+
 void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& view) {
     // Colour is not cleared: it is read only where depth says that something was drawn.
     if (!erasesTiles(view)) eraser.forget();
@@ -269,10 +283,15 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
     if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view);
+    clock.mark("glass shadow");
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawMaterials(mesh, view);
-    if (kind.glass) glass.peel(body, *mesh, view, *targets);
+    const bool finds = kind.glass && findsFaces(*mesh, view);
+    if (finds)
+        glass.find(*mesh, view, *targets);
+    else if (kind.glass)
+        glass.peel(body, *mesh, view, *targets);
     clock.mark("glass");
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -286,16 +305,16 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
         clock.mark("touched");
         computeLight(mesh, view, opaque, false);
     }
-    if (kind.glass) drawGlass(view, framebuffer);
+    if (kind.glass) drawGlass(finds ? mesh : nullptr, view, framebuffer);
     drawSparks(mesh, view, framebuffer);
 }
 
-void Renderer::Passes::drawGlass(const FrameView& view, GLuint framebuffer) {
+void Renderer::Passes::drawGlass(const FractureMesh* found, const FrameView& view, GLuint framebuffer) {
     shadow.bindMap();
     if (view.quality == RenderQuality::kDraft)
         glass.walk(*targets, view, kind, framebuffer);
     else
-        glass.computeWalk(*targets, view, kind, framebuffer);
+        glass.computeWalk(found, *targets, view, kind, framebuffer);
     ShadowPass::unbindMap();
     clock.mark("walk");
 }

@@ -2,6 +2,7 @@
 // What a sample shows, from its name: the triangle is fetched again and its material made here, once for all samples of a
 // pixel that show it.
 #include "common/body_triangle.glsl"
+#include "common/corner_weights.glsl"
 #include "common/visible.glsl"
 #include "common/ball.glsl"
 #include "common/noise.glsl"
@@ -25,24 +26,6 @@ uint crackStepsAt(ivec2 pixel, int i) { return (visible[crackWord(pixel, SAMPLES
 
 // Equal for samples that look alike; z is never that of floor or sky.
 uvec3 valueAt(ivec2 pixel, int i) { return uvec3(nameAt(pixel, i), crackStepsAt(pixel, i), 1u); }
-
-// A triangle in the world.
-struct Corners {
-    vec3 first, to_1, to_2;  // m
-};
-
-// Weights of the second and third corner where a ray from the eye meets the triangle's plane.
-vec2 weightsAt(Corners c, vec3 ray) {
-    vec3 from = frame.eye.xyz - c.first, across = cross(ray, c.to_2);
-    float area = dot(c.to_1, across);
-    return vec2(dot(from, across), dot(ray, cross(from, c.to_1))) / (abs(area) > 1e-30 ? area : 1e-30);
-}
-
-// The nearest weights that are inside.
-vec3 nearestInside(vec2 w) {
-    vec3 weights = max(vec3(1.0 - w.x - w.y, w), 0.0);
-    return weights / (weights.x + weights.y + weights.z);
-}
 
 #ifdef LOOKS
 const float kLookStep = 1.0 / 16.0;  // px: a whole one leaves what is seen aslant
@@ -71,8 +54,7 @@ void makeBody(ivec2 pixel, uint name, inout Surface s) {
     BodyVertex v[3];
     fetchTriangle(name, v);
     FragmentTransform t = motionOf(v[0]);  // all corners are of one fragment
-    vec3 first = moved(t, v[0].rest);
-    Corners corners = Corners(first, moved(t, v[1].rest) - first, moved(t, v[2].rest) - first);
+    Corners corners = cornersIn(v, t);
     // As a drawing pass has it: in the middle of the pixel, but never off the triangle.
     vec3 ray = rayThrough(vec2(pixel) + 0.5);
     vec2 w = weightsAt(corners, ray);

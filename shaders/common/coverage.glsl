@@ -9,7 +9,7 @@ struct Flat {
     ivec2 low, high;             // px, pixels that may hold covered samples, cut to the picture
     float depth, least, most;    // at the first corner; within these of all corners
     vec2 slope;                  // of depth, along a grid step
-    bool shows;                  // faces the viewer, and the box is not empty
+    bool shows;                  // faces the viewer or is wanted from both sides, and the box is not empty
 };
 
 const float kFarthest = 1048576.0;  // px; beyond it corners are moved, so that products stay exact
@@ -26,6 +26,18 @@ Flat flatten(vec2 w_0, vec2 w_1, vec2 w_2, vec3 z, ivec2 least_at, ivec2 most_at
     f.high = min((max(f.at_0, max(f.at_1, f.at_2)) - least_at) >> 8, size - 1);
     dvec2 a = dvec2(f.at_1 - f.at_0), b = dvec2(f.at_2 - f.at_0);
     float area = float(a.x * b.y - a.y * b.x);
+#ifdef FACES
+    if (area < 0.0) {  // from behind: the other way round
+        area = -area;
+        z.yz = z.zy;
+        dvec2 first = a;
+        a = b;
+        b = first;
+        ivec2 at_1 = f.at_1;
+        f.at_1 = f.at_2;
+        f.at_2 = at_1;
+    }
+#endif
     f.shows = all(lessThanEqual(f.low, f.high)) && area > 0.0;
     vec2 to_1 = vec2(a), to_2 = vec2(b);
     float rise_1 = z.y - z.x, rise_2 = z.z - z.x;

@@ -7,6 +7,9 @@ struct GlassLayer {
     bool broken;
 };
 
+const float kSame = 2e-6;  // of a depth: faces that near lie in one
+bool isBehind(float depth, float last) { return depth < last * (1.0 - kSame); }
+
 uvec2 packLayer(GlassLayer layer) {
     uvec2 n = uvec2((0.5 + 0.5 * encodeOctahedral(layer.normal)) * 32767.0 + 0.5);
     return uvec2(floatBitsToUint(layer.depth), n.x | n.y << 15 | uint(layer.enters) << 30 | uint(layer.broken) << 31);

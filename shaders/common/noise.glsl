@@ -18,7 +18,7 @@ vec4 noiseOver(vec3 p, float footprint) {
 
 // `p` in m, `per_metre` lattice cells. A pass that computes says how wide a pixel is on the surface; in one that draws the
 // pipeline knows.
-#ifdef COMPUTED
+#if defined(COMPUTED) || defined(FOUND_FACES)
 float noise_footprint;  // m
 vec4 noise(vec3 p, float per_metre) { return noiseOver(p * per_metre, noise_footprint * per_metre); }
 #else

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first, the nearest wins;
-// then, of the triangles that have this depth, the one drawn last gives its name.
+// Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first; then, of the
+// triangles that have this depth, the one drawn last gives its name. FACES: those of transparent bodies, both sides of them.
 #include "common/frame.glsl"
 #include "common/body_triangle.glsl"
 #include "common/coverage.glsl"
-#include "common/visible.glsl"
 #include "common/put_shadow.glsl"
 
 // Triangles that one lane has done and that may show: to be named.
@@ -36,8 +35,14 @@ layout(location = 11) uniform uint large_room;
 
 const int kCamera = 0;  // views; 1 and 2 are the regions
 
+#ifdef FACES
+#include "common/put_face.glsl"
+#else
+#include "common/put_visible.glsl"
+#endif
+
 Flat cameraFlat(vec4 a, vec4 b, vec4 c) {
-    vec2 size = frame.viewport.xy;
+    vec2 size = cameraSize();
     return flatten((a.xy / a.w * 0.5 + 0.5) * size, (b.xy / b.w * 0.5 + 0.5) * size, (c.xy / c.w * 0.5 + 0.5) * size,
                    vec3(a.z / a.w, b.z / b.w, c.z / c.w), sample_box.xy, sample_box.zw, ivec2(size));
 }
@@ -62,20 +67,4 @@ float shadowShift(Flat f) {
     int exponent = int((floatBitsToUint(abs(f.most)) >> 23) & 0xffu);
     float least_step = exponent > 23 ? uintBitsToFloat(uint(exponent - 23) << 23) : 0.0;
     return shadow_offset.x * float(kGrid) * max(abs(f.slope.x), abs(f.slope.y)) + shadow_offset.y * least_step;
-}
-
-// Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
-bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
-    uint place = sampleIndex(pixel, SAMPLES, 0), held[SAMPLES];
-    for (int i = 0; i < SAMPLES; ++i) held[i] = visible[place + uint(i)];  // all are fetched before one is waited for
-    bool shows = false;
-    for (int i = 0; i < SAMPLES; ++i) {
-        float depth = depthAt(f, kGrid * pixel + sample_at[i]);
-        uint bits = floatBitsToUint(depth), own = place + uint(i);
-        if ((covered >> i & 1u) == 0u || depth <= 0.0 || depth > 1.0 || bits < held[i]) continue;
-        shows = true;
-        if (naming == 0) atomicMax(visible[own], bits);
-        else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
-    }
-    return shows;
 }

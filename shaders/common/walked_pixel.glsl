@@ -17,8 +17,7 @@
 #define SHADOW_DRAFT
 #endif
 #include "common/dust_over.glsl"
-#include "common/glass_layer.glsl"
-layout(binding = 3) uniform usampler2D layers[LAYERS];
+#include "common/peeled_faces.glsl"
 #if SAMPLES > 1
 layout(binding = 7) uniform sampler2DMS opaque_depth;
 #else
@@ -29,6 +28,7 @@ layout(location = 1) uniform float frost;        // share that a broken face sca
 
 const float kSmooth = 0.05, kBroken = 0.22;  // roughness
 const float kBrightest = 12.0;               // of the sun in a face
+const float kTouches = 1e-4;                 // of the way from the eye: a face that lies in the floor is before it
 
 // Of unpolarised light; `eta`: index behind the face over that before it.
 float mirrors(float cosine, float eta) {
@@ -66,7 +66,7 @@ bool drawnSeen(vec3 from, vec3 way, float reach, out vec4 light) {
 vec4 sceneSeen(vec3 from, vec3 way, float reach, vec2 pixel) {
     vec4 light;
     if (drawnSeen(from, way, reach, light)) return light;
-    bool to_floor = frame.floor_colour.w > 0.0 && from.y > 0.0 && way.y < -1e-3 && frame.eye.y > 0.0;
+    bool to_floor = frame.floor_colour.w > 0.0 && from.y > -kTouches * length(from - frame.eye.xyz) && way.y < -1e-3 && frame.eye.y > 0.0;
 #ifdef COLLIDERS
     Crossing solid = firstCollider(from, way);
     if (solid.enter < kNoCollider && (!to_floor || solid.enter < -from.y / way.y)) {
@@ -126,10 +126,14 @@ vec4 walked(ivec2 at, ivec2 pixel) {
     bool inside = false;
     // Fetched before the loop: after one that all pixels leave at once, a software renderer fetches for one of eight.
     vec4 behind = texelFetch(picture, pixel, 0);
-    for (int k = 0; k < LAYERS; ++k) {
-        GlassLayer layer = unpackLayer(texelFetch(layers[k], at, 0).rg);
-        float along = linearDepth(layer.depth);
-        if (layer.depth == 0.0 || along > end) break;
+    float nearer = 2.0;
+    for (int k = 0, met = 0; k < kFaces && met < LAYERS; ++k) {
+        float depth = faceDepth(at, k), along = linearDepth(depth);
+        if (depth == 0.0 || along > (1.0 + kTouches) * end) break;
+        if (!isBehind(depth, nearer)) continue;
+        GlassLayer layer = faceOf(at, k, ray);
+        nearer = depth;
+        ++met;
         if (inside) w.left *= exp(-frame.glass.rgb * (along - last) * length(ray));
         last = along;
         w.at = frame.eye.xyz + ray * along;
@@ -153,7 +157,10 @@ vec4 walked(ivec2 at, ivec2 pixel) {
 
 vec4 pixelWalked(ivec2 pixel) {
     vec4 dust = dustBefore(pixel), sum = vec4(0.0);
-    for (int i = 0; i < ACROSS * ACROSS; ++i)
-        sum += taken(dust + (1.0 - dust.a) * walked(ACROSS * pixel + ivec2(i % ACROSS, i / ACROSS), pixel));
+    for (int i = 0; i < ACROSS * ACROSS; ++i) {
+        ivec2 at = ACROSS * pixel + ivec2(i % ACROSS, i / ACROSS);
+        sum += taken(dust + (1.0 - dust.a) * walked(at, pixel));
+        forgetFaces(at);
+    }
     return finished(sum / float(ACROSS * ACROSS));
 }

@@ -149,6 +149,73 @@ TEST_F(Computed, NothingIsLeftOfThePictureBefore) {
     EXPECT_TRUE(drawPicture(renderer(), broken).pixels == expected.pixels) << "after another size";
 }
 
+Scene ofGlass(const std::string& name) {
+    Scene scene = small(name);
+    scene.view.look.refraction_index = 1.5f;
+    scene.view.look.frost = 0.1f;
+    scene.view.look.absorption[0] = 2;
+    return scene;
+}
+
+TEST_F(Computed, FacesOfGlassAreTheSameFromEverySide) {
+    for (const char* name : {"whole_block", "broken_block", "broken_ball"}) {
+        Scene scene = ofGlass(name);
+        for (int side = 0; side < 2; ++side) {
+            SCOPED_TRACE(std::string(name) + " " + std::to_string(side));
+            scene.view.samples = side == 0 ? 4 : 1;
+            expectSameLook(scene);
+            turn(scene.view.camera, 2.4f);
+        }
+    }
+}
+
+TEST_F(Computed, GlassFromAfarAndCutByTheNearPlane) {
+    Scene scene = ofGlass("broken_block");
+    Camera& camera = scene.view.camera;
+    const glm::vec3 out = camera.eye - camera.target;
+    camera.eye = camera.target + 5.0f * out;
+    expectSameLook(scene);
+    camera.eye = camera.target + out;
+    camera.near_plane = 0.9f * glm::length(out);
+    expectSameLook(scene);
+}
+
+TEST_F(Computed, TooManyLargeFacesOfGlassForTheirMemory) {
+    Renderer poor(shaderFolder(), 10);
+    Scene scene = ofGlass("broken_block");
+    expectSameLook(scene, poor);
+}
+
+TEST_F(Computed, GlassBesideAnOpaqueBody) {
+    Scene scene = ofGlass("broken_block");
+    std::vector<uint32_t> looks;
+    for (uint32_t cell = 0; cell < scene.body->cellCount(); ++cell)
+        looks.push_back(scene.body->cellCentre(cell).x > 0 ? 1 : 0);
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
+    scene.body->write(
+        *scene.mesh, [](uint32_t cell) { return cell; },
+        [&](uint32_t cell) { return Motion{.translation = 0.3f * scene.body->cellCentre(cell)}; },
+        [](uint32_t, uint32_t) { return false; });
+    SurfaceLook stone = scene.view.look;
+    stone.refraction_index = 1;
+    scene.view.more_looks = {stone};
+    expectSameLook(scene);
+    const Image both = drawPicture(renderer(), scene);
+    scene.view.more_looks[0].refraction_index = 1.5f;
+    EXPECT_GT(differingPixels(both, drawPicture(renderer(), scene), 20), 500u);
+}
+
+/// The walk empties what it has read.
+TEST_F(Computed, NothingIsLeftOfTheGlassBefore) {
+    Scene whole = ofGlass("whole_block"), broken = ofGlass("broken_ball");
+    whole.view.rasteriser = broken.view.rasteriser = Rasteriser::kCompute;
+    Renderer fresh(shaderFolder());
+    const Image expected = drawPicture(fresh, broken);
+    EXPECT_FALSE(drawPicture(renderer(), whole).pixels == expected.pixels);
+    EXPECT_TRUE(drawPicture(renderer(), broken).pixels == expected.pixels);
+    EXPECT_TRUE(drawPicture(renderer(), broken).pixels == expected.pixels) << "drawn again";
+}
+
 TEST_F(Computed, DraftsAreDrawn) {
     Scene scene = small("broken_block_draft");
     scene.view.rasteriser = Rasteriser::kDraw;

@@ -11,7 +11,17 @@
 namespace demolish::engine::test {
 namespace {
 
-class GlassTest : public GlTest, public testing::WithParamInterface<RenderQuality> {
+struct Way {
+    const char* name;
+    RenderQuality quality;
+    Rasteriser rasteriser;
+};
+
+void PrintTo(const Way& way, std::ostream* out) {
+    *out << way.name;
+}
+
+class GlassTest : public GlTest, public testing::WithParamInterface<Way> {
   protected:
     /// A block of clear glass.
     static Scene block(float size = 1) {
@@ -19,12 +29,16 @@ class GlassTest : public GlTest, public testing::WithParamInterface<RenderQualit
         scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = size});
         scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
         scene.view = wholeBlock().view;
-        scene.view.quality = GetParam();
+        choose(scene);
         scene.view.width = 240;
         scene.view.height = 136;
         scene.view.look.refraction_index = 1.5f;
         scene.view.look.frost = 0;
         return scene;
+    }
+    static void choose(Scene& scene) {
+        scene.view.quality = GetParam().quality;
+        scene.view.rasteriser = GetParam().rasteriser;
     }
     static Image picture(const Scene& scene) { return drawPicture(renderer(), scene); }
 };
@@ -101,7 +115,7 @@ TEST_P(GlassTest, IsHiddenByWhatStandsBefore) {
 
 TEST_P(GlassTest, NeedsNoOrderOfItsTriangles) {
     Scene scene = brokenBlock();
-    scene.view.quality = GetParam();
+    choose(scene);
     scene.view.look.refraction_index = 1.5f;
     const Image one = picture(scene);
     for (const StreamId id : {StreamId::kExteriorIndices, StreamId::kInteriorIndices}) {
@@ -156,7 +170,7 @@ TEST_P(GlassTest, HasAlphaBetweenNothingAndAll) {
 
 TEST_P(GlassTest, FrostScatters) {
     Scene scene = brokenBlock();
-    scene.view.quality = GetParam();
+    choose(scene);
     scene.view.look.refraction_index = 1.3f;
     scene.view.look.frost = 0;
     const Image clear = picture(scene);
@@ -164,10 +178,25 @@ TEST_P(GlassTest, FrostScatters) {
     EXPECT_GT(differingPixels(picture(scene), clear, 12), 2000u);
 }
 
-INSTANTIATE_TEST_SUITE_P(Qualities, GlassTest, testing::Values(RenderQuality::kFull, RenderQuality::kDraft),
-                         [](const auto& param) {
-                             return param.param == RenderQuality::kFull ? "Full" : "Draft";
-                         });
+/// A face that lies in the floor neither flickers nor lets the sky through.
+TEST_P(GlassTest, StandsOnTheFloorAsJustAboveIt) {
+    Scene scene = block();
+    scene.view.look.absorption[0] = 1;
+    const Image standing = picture(scene);
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; },
+        [](uint32_t) {
+            return Motion{.translation = {0, 0.002f, 0}};
+        },
+        [](uint32_t, uint32_t) { return false; });
+    EXPECT_LT(differingPixels(standing, picture(scene), 10), 200u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, GlassTest,
+                         testing::Values(Way{"Computed", RenderQuality::kFull, Rasteriser::kCompute},
+                                         Way{"Drawn", RenderQuality::kFull, Rasteriser::kDraw},
+                                         Way{"Draft", RenderQuality::kDraft, Rasteriser::kDraw}),
+                         [](const auto& param) { return param.param.name; });
 
 }  // namespace
 }  // namespace demolish::engine::test

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where few multiprocessors draw, four layers of two million triangles took 7 ms.
+#include "engine/passes/glass_raster.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace demolish::engine {
+namespace {
+
+constexpr GLuint kOpaqueUnit = 7;  // shaders/common/put_face.glsl
+constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
+constexpr std::array kMiddle = {glm::vec2(0.5f)};
+
+}  // namespace
+
+GlassRaster::GlassRaster(const std::filesystem::path& shaders, size_t task_room)
+    : triangles_(shaders, task_room) {}
+
+/// Depth and name.
+size_t GlassRaster::words(const RenderTargets& targets, int across) {
+    const auto rays = static_cast<size_t>(across) * static_cast<size_t>(across);
+    return 2 * kKept * rays * static_cast<size_t>(targets.width) * static_cast<size_t>(targets.height);
+}
+
+bool GlassRaster::suits(const FractureMesh& mesh, const RenderTargets& targets, int across) {
+    GLint bindings = 0, blocks = 0;
+    GLint64 bytes = 0;
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+    glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    const size_t largest =
+        std::max(sizeof(uint32_t) * words(targets, across), TriangleRaster::foundBytes(mesh, 0));
+    return bindings >= kBindings && blocks >= kBindings && static_cast<size_t>(bytes) >= largest;
+}
+
+std::string GlassRaster::defines(int across) {
+    return "#define FACES\n#define KEPT " + std::to_string(kKept) + "\n#define ACROSS " +
+           std::to_string(across) + "\n";
+}
+
+void GlassRaster::prepare(const RenderTargets& targets, int across) {
+    TriangleRaster::Programs& programs = programs_[{targets.samples, across}];
+    if (programs.large.id() != 0) return;
+    programs = triangles_.make(
+        defines(across) + "#define PICTURE_SAMPLES " + std::to_string(targets.samples) + "\n", kMiddle);
+}
+
+void GlassRaster::bind(const FractureMesh& mesh) const {
+    triangles_.bind(mesh);
+    bindStorage(StorageBinding::kVisible, faces_);
+    bindStorage(StorageBinding::kComputedCellLooks, mesh.cellLooks());
+}
+
+void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, int across,
+                       uint32_t hidden_looks) {
+    prepare(targets, across);
+    TriangleRaster::Programs& programs = programs_[{targets.samples, across}];
+    const size_t bytes = sizeof(uint32_t) * (words(targets, across) + 3) / 4 * 4;
+    const bool anew = faces_.size() != bytes;
+    if (anew) {
+        faces_ = {};  // both at once might not fit into a small GPU
+        faces_ = gl::Buffer::immutable(bytes);
+    }
+    triangles_.makeRoom(mesh, 0);
+    bind(mesh);
+    triangles_.clear(anew ? bytes / 16 : 0, 0);
+    targets.depth.bind(kOpaqueUnit);
+    for (gl::Program* program : {&programs.triangles, &programs.large})
+        program->set(kHiddenLooks, hidden_looks);
+    for (const bool naming : {false, true}) {
+        TriangleRaster::runSmall(programs, naming);
+        TriangleRaster::runLarge(programs, naming);
+    }
+}
+
+}  // namespace demolish::engine

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The k-th face of transparent bodies along a ray, as it was drawn (layers) or found by computing (FOUND_FACES). `at`: in a
+// picture ACROSS times as wide.
+#include "common/glass_layer.glsl"
+#ifdef FOUND_FACES
+#include "common/body_triangle.glsl"
+#include "common/corner_weights.glsl"
+#include "common/faces.glsl"
+#define GLASS_NOISE 20
+#include "common/glass_relief.glsl"
+
+const int kFaces = KEPT;
+
+float faceDepth(ivec2 at, int k) { return uintBitsToFloat(faces[facePlace(at) + uint(k)]); }
+
+// `ray`: of the sample, as rayThrough().
+GlassLayer faceOf(ivec2 at, int k, vec3 ray) {
+    uint place = facePlace(at) + uint(k), name = faces[faceNames() + place];
+    BodyVertex v[3];
+    fetchTriangle(name, v);
+    FragmentTransform t = motionOf(v[0]);  // all corners are of one fragment
+    Corners corners = cornersIn(v, t);
+    vec2 w = weightsAt(corners, ray), step_size = 2.0 / float(ACROSS) * frame.viewport.zw;
+    vec3 weights = nearestInside(w), normal = vec3(0.0), rest = vec3(0.0), even = cross(corners.to_1, corners.to_2);
+    for (int c = 0; c < 3; ++c) {
+        normal += weights[c] * decodeOctahedral(unpackSnorm2x16(v[c].normal));
+        rest += weights[c] * v[c].rest;
+    }
+    GlassLayer layer = GlassLayer(uintBitsToFloat(faces[place]), normalize(rotate(t.rotation, normal)),
+                                  dot(even, frame.eye.xyz - corners.first) > 0.0, isInterior(name));
+    if (!layer.broken) return layer;
+    mat2x3 edges = mat2x3(v[1].rest - v[0].rest, v[2].rest - v[0].rest);
+    noise_footprint = max(length(edges * (weightsAt(corners, ray + step_size.x * frame.ray_right.xyz) - w)),
+                          length(edges * (weightsAt(corners, ray + step_size.y * frame.ray_up.xyz) - w)));
+    layer.normal = brokenNormal(layer.normal, even, rest, t.rotation);
+    return layer;
+}
+
+// The next frame finds the ray as empty as it was.
+void forgetFaces(ivec2 at) {
+    uint first = facePlace(at);
+    for (uint k = first; k < first + uint(KEPT) && faces[k] != 0u; ++k) {
+        faces[k] = 0u;
+        faces[faceNames() + k] = 0u;
+    }
+}
+#else
+layout(binding = 3) uniform usampler2D layers[LAYERS];
+
+const int kFaces = LAYERS;
+
+float faceDepth(ivec2 at, int k) { return uintBitsToFloat(texelFetch(layers[k], at, 0).r); }
+
+GlassLayer faceOf(ivec2 at, int k, vec3 ray) { return unpackLayer(texelFetch(layers[k], at, 0).rg); }
+
+void forgetFaces(ivec2 at) {}
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// The nearest triangle of each sample of the picture.
+#include "common/visible.glsl"
+
+vec2 cameraSize() { return frame.viewport.xy; }
+
+bool isShown(uint name) { return true; }
+
+// Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
+bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
+    uint place = sampleIndex(pixel, SAMPLES, 0), held[SAMPLES];
+    for (int i = 0; i < SAMPLES; ++i) held[i] = visible[place + uint(i)];  // all are fetched before one is waited for
+    bool shows = false;
+    for (int i = 0; i < SAMPLES; ++i) {
+        float depth = depthAt(f, kGrid * pixel + sample_at[i]);
+        uint bits = floatBitsToUint(depth), own = place + uint(i);
+        if ((covered >> i & 1u) == 0u || depth <= 0.0 || depth > 1.0 || bits < held[i]) continue;
+        shows = true;
+        if (naming == 0) atomicMax(visible[own], bits);
+        else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
+    }
+    return shows;
+}
