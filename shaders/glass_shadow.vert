@@ -9,12 +9,12 @@ layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
 layout(location = 2) in uint cell;
 out vec3 normal;
-out float along;  // m, the way of the light
+out vec3 position;  // m
 
 void main() {
     FragmentTransform t = transforms[particle_fragment[cell]];
     vec3 world = moved(t, rest_position);
     normal = rotate(t.rotation, decodeOctahedral(rest_normal));
-    along = -dot(world - frame.scene.xyz, frame.to_sun.xyz);
+    position = world;
     gl_Position = unlessHidden(vec4(2.0 * (frame.light_matrix[0] * vec4(world, 1.0)).xy - 1.0, 0.5, 1.0), cell);
 }

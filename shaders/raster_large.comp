@@ -13,7 +13,7 @@ void fillAll(Flat f, uint name, int view) {
 
 void fillCamera(vec3 p[3], uint name) {
     vec4 clip[3], left[4];
-    for (int k = 0; k < 3; ++k) clip[k] = frame.view_projection * vec4(p[k], 1.0);
+    for (int k = 0; k < 3; ++k) clip[k] = clipOf(p[k]);
     int count = cutByNearPlane(clip, left);
     for (int k = 2; k < count; ++k) {
         Flat f = cameraFlat(left[0], left[k - 1], left[k]);

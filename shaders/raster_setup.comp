@@ -10,7 +10,7 @@ shared uint task_here, task_base;
 Flat flatOf(vec3 p[3], int view, int part) {
     if (view != kCamera) return shadowFlat(p, view - 1);
     vec4 clip[3], left[4];
-    for (int k = 0; k < 3; ++k) clip[k] = frame.view_projection * vec4(p[k], 1.0);
+    for (int k = 0; k < 3; ++k) clip[k] = clipOf(p[k]);
     if (!isCut(clip)) return cameraFlat(clip[0], clip[1], clip[2]);
     int count = cutByNearPlane(clip, left);
     Flat f = part == 0 ? cameraFlat(left[0], left[1], left[2]) : cameraFlat(left[0], left[2], left[3]);

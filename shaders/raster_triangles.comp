@@ -13,7 +13,7 @@ const int kDone = 0, kDoneMayShow = 1, kLarge = 2;
 
 int lookFromCamera(vec3 p[3], uint name, out bool is_cut) {
     vec4 clip[3];
-    for (int k = 0; k < 3; ++k) clip[k] = frame.view_projection * vec4(p[k], 1.0);
+    for (int k = 0; k < 3; ++k) clip[k] = clipOf(p[k]);
     is_cut = isCut(clip);
     if (is_cut) return all(greaterThan(vec3(clip[0].z, clip[1].z, clip[2].z), vec3(clip[0].w, clip[1].w, clip[2].w))) ? kDone : kLarge;
     Flat f = cameraFlat(clip[0], clip[1], clip[2]);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kWalkNoise = 20, kScattered = 0;
 constexpr GLuint kLayerUnit = 3, kOpaqueUnit = 7, kShadowUnit = 14, kSceneUnit = 15;
-constexpr int kShadowTexels = 1024, kShadowLevels = 5;
+constexpr int kShadowLevels = 5;
 
 int acrossFor(const RenderTargets& targets) {
     return targets.samples >= 4 ? 2 : 1;
@@ -39,35 +39,44 @@ bool GlassPass::readyToFind(const FractureMesh& mesh, const RenderTargets& targe
 }
 
 void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
-                           const FrameView& view) {
-    const std::vector<SurfaceLook> looks = looksOf(view);
-    const float frost = glassOf(view).frost;
+                           const FrameView& view, bool finds) {
     if (!shadow_sums_) {
-        shadow_ = gl::Program(shaders_, {"glass_shadow.vert", "glass_shadow.frag"});
-        shadow_sums_ = gl::Texture::make2d(GL_RG32F, kShadowTexels, kShadowTexels, kShadowLevels);
+        shadow_sums_ =
+            gl::Texture::make2d(GL_RG32F, GlassRaster::kSumTexels, GlassRaster::kSumTexels, kShadowLevels);
         shadow_sums_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
         shadow_target_ = gl::Framebuffer({&shadow_sums_}, nullptr);
     }
     shadow_sums_.bind(kShadowUnit);
+    const float frost = glassOf(view).frost;
     const ShadowKey key{mesh.version(), light_matrix, frost};
     if (key == shadow_key_) return;
     shadow_key_ = key;
+    const uint32_t hidden = hiddenUnless(true, looksOf(view));
+    const float scattered = -std::log(1 - 0.9f * frost);
+    if (finds)
+        raster_->castSums(mesh, hidden, scattered, shadow_sums_);
+    else
+        drawShadow(body, mesh, hidden, scattered);
+    glGenerateTextureMipmap(shadow_sums_.id());
+}
+
+void GlassPass::drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered) {
+    if (shadow_.id() == 0) shadow_ = gl::Program(shaders_, {"glass_shadow.vert", "glass_shadow.frag"});
     constexpr std::array<float, 4> kNothing{};
     glClearNamedFramebufferfv(shadow_target_.id(), GL_COLOR, 0, kNothing.data());
     shadow_target_.bind();
-    glViewport(0, 0, kShadowTexels, kShadowTexels);
+    glViewport(0, 0, GlassRaster::kSumTexels, GlassRaster::kSumTexels);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
     shadow_.use();
-    shadow_.set(kHiddenLooks, hiddenUnless(true, looks));
+    shadow_.set(kHiddenLooks, hidden);
     shadow_.set(kScattered, 0.0f);
     body.drawExterior(mesh);
-    shadow_.set(kScattered, -std::log(1 - 0.9f * frost));
+    shadow_.set(kScattered, scattered);
     body.drawInterior(mesh);
     glDisable(GL_BLEND);
-    glGenerateTextureMipmap(shadow_sums_.id());
 }
 
 GLuint GlassPass::scene(const RenderTargets& targets) {

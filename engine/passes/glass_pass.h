@@ -28,9 +28,9 @@ class GlassPass {
     /// it.
     bool readyToFind(const FractureMesh& mesh, const RenderTargets& targets);
     /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
-    /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region.
+    /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region. `finds`: readyToFind().
     void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
-                    const FrameView& view);
+                    const FrameView& view, bool finds);
     /// Into which the light of all that is opaque goes, RGBA16F of the targets' size.
     GLuint scene(const RenderTargets& targets);
     /// Depth of what is opaque is the targets'. The depth range is 0..1, reversed, and stays so.
@@ -63,6 +63,7 @@ class GlassPass {
     };
     /// How the walk runs, and on what.
     enum class Walk { kDrawn, kComputed, kOverFound };
+    void drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered);
     void fit(const RenderTargets& targets);
     void fitLayers(const RenderTargets& targets);
     void clearLayers();

@@ -6,17 +6,25 @@
 #include <array>
 #include <utility>
 
+#include "engine/gl/framebuffer.h"
+
 namespace demolish::engine {
 namespace {
 
 constexpr GLuint kOpaqueUnit = 7;  // shaders/common/put_face.glsl
+constexpr GLint kScattered = 12;   // shaders/common/put_sums.glsl
+constexpr size_t kSumBytes = 8;
 constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
 constexpr std::array kMiddle = {glm::vec2(0.5f)};
+
+void hide(TriangleRaster::Programs& programs, uint32_t looks) {
+    for (gl::Program* program : {&programs.triangles, &programs.large}) program->set(kHiddenLooks, looks);
+}
 
 }  // namespace
 
 GlassRaster::GlassRaster(const std::filesystem::path& shaders, size_t task_room)
-    : triangles_(shaders, task_room) {}
+    : shaders_(shaders), triangles_(shaders, task_room) {}
 
 /// Depth and name.
 size_t GlassRaster::words(const RenderTargets& targets, int across) {
@@ -42,6 +50,10 @@ std::string GlassRaster::defines(int across) {
 
 void GlassRaster::prepare(const RenderTargets& targets, int across) {
     TriangleRaster::Programs& programs = programs_[{targets.samples, across}];
+    if (casting_.large.id() == 0) {
+        casting_ = triangles_.make("#define FACES\n#define SUMS\n", kMiddle);
+        show_sums_ = gl::Program(shaders_, {"glass_sums.comp"});
+    }
     if (programs.large.id() != 0) return;
     programs = triangles_.make(
         defines(across) + "#define PICTURE_SAMPLES " + std::to_string(targets.samples) + "\n", kMiddle);
@@ -73,6 +85,27 @@ void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, i
         TriangleRaster::runSmall(programs, naming);
         TriangleRaster::runLarge(programs, naming);
     }
+}
+
+void GlassRaster::castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered,
+                           const gl::Texture& sums) {
+    const bool anew = !sums_;
+    if (anew) sums_ = gl::Buffer::immutable(kSumBytes * kSumTexels * kSumTexels);
+    triangles_.makeRoom(mesh, 0);
+    triangles_.bind(mesh);
+    bindStorage(StorageBinding::kVisible, sums_);
+    bindStorage(StorageBinding::kComputedCellLooks, mesh.cellLooks());
+    triangles_.clear(anew ? sums_.size() / 16 : 0, 0);
+    hide(casting_, hidden_looks);
+    for (gl::Program* program : {&casting_.triangles, &casting_.squares, &casting_.large})
+        program->set(kScattered, scattered);
+    TriangleRaster::runSmall(casting_, false);
+    TriangleRaster::runLarge(casting_, false);
+    glBindImageTexture(0, sums.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    show_sums_.use();
+    glDispatchCompute(gl::tilesAlong(kSumTexels), gl::tilesAlong(kSumTexels), 1);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |
+                    GL_FRAMEBUFFER_BARRIER_BIT);
 }
 
 }  // namespace demolish::engine

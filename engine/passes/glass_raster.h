@@ -15,6 +15,8 @@ class GlassRaster {
   public:
     /// Faces that a ray keeps: one more than are walked through, since two may lie in one.
     static constexpr int kKept = 5;
+    /// Of the sun's view, along.
+    static constexpr int kSumTexels = 1024;
 
     /// `task_room`: as TriangleRaster's. Throws GlError.
     GlassRaster(const std::filesystem::path& shaders, size_t task_room);
@@ -28,15 +30,21 @@ class GlassRaster {
 
     /// Faces before the depth of `targets`; `hidden_looks`: kHiddenLooks.
     void find(const FractureMesh& mesh, const RenderTargets& targets, int across, uint32_t hidden_looks);
+    /// Adds up what these bodies take from the sun (shaders/common/glass_tint.glsl) into RG32F `sums`,
+    /// kSumTexels along. `scattered`: by a broken face, minus the logarithm of what is left.
+    void castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered, const gl::Texture& sums);
     /// For a pass that reads the faces. It leaves them empty (forgetFaces()).
     void bind(const FractureMesh& mesh) const;
 
   private:
     static size_t words(const RenderTargets& targets, int across);
 
+    std::filesystem::path shaders_;
     TriangleRaster triangles_;
     std::map<std::pair<int, int>, TriangleRaster::Programs> programs_;  ///< by samples, and rays across
-    gl::Buffer faces_;
+    TriangleRaster::Programs casting_;  ///< these and the next: made by prepare()
+    gl::Program show_sums_;
+    gl::Buffer faces_, sums_;
 };
 
 }  // namespace demolish::engine

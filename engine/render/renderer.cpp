@@ -282,12 +282,12 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
-    if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view);
+    const bool finds = kind.glass && findsFaces(*mesh, view);
+    if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view, finds);
     clock.mark("glass shadow");
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawMaterials(mesh, view);
-    const bool finds = kind.glass && findsFaces(*mesh, view);
     if (finds)
         glass.find(*mesh, view, *targets);
     else if (kind.glass)

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The nearest faces of transparent bodies before what is opaque. SAMPLES is 1: of a picture ACROSS times as wide.
 #include "common/faces.glsl"
-#define CELL_LOOKS 10
-#include "common/cell_look.glsl"
 #if PICTURE_SAMPLES > 1
 layout(binding = 7) uniform sampler2DMS opaque_depth;
 #else
@@ -11,12 +9,7 @@ layout(binding = 7) uniform sampler2D opaque_depth;
 
 vec2 cameraSize() { return float(ACROSS) * frame.viewport.xy; }
 
-bool isShown(uint name) {
-    if (hidden_looks == 0u) return true;
-    BodyVertex v[3];
-    fetchTriangle(name, v);
-    return !isHidden(v[0].cell);
-}
+vec4 clipOf(vec3 p) { return frame.view_projection * vec4(p, 1.0); }
 
 // Each place keeps the nearest that comes by and hands the other on, so that in the end they hold the nearest in order,
 // whatever order they came in. Has it found a place?

@@ -4,6 +4,8 @@
 
 vec2 cameraSize() { return frame.viewport.xy; }
 
+vec4 clipOf(vec3 p) { return frame.view_projection * vec4(p, 1.0); }
+
 bool isShown(uint name) { return true; }
 
 // Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first; then, of the
-// triangles that have this depth, the one drawn last gives its name. FACES: those of transparent bodies, both sides of them.
+// triangles that have this depth, the one drawn last gives its name. FACES: those of transparent bodies, both sides of them; SUMS: what these take from the sun's light, whose
+// view stands in the place of the camera's.
 #include "common/frame.glsl"
 #include "common/body_triangle.glsl"
 #include "common/coverage.glsl"
@@ -36,6 +37,11 @@ layout(location = 11) uniform uint large_room;
 const int kCamera = 0;  // views; 1 and 2 are the regions
 
 #ifdef FACES
+#include "common/shown_triangle.glsl"
+#endif
+#if defined(SUMS)
+#include "common/put_sums.glsl"
+#elif defined(FACES)
 #include "common/put_face.glsl"
 #else
 #include "common/put_visible.glsl"

@@ -145,6 +145,7 @@ vec4 walked(ivec2 at, ivec2 pixel) {
         inside = layer.enters;
     }
     if (last == 0.0) return behind;
+    if (inside && end < kNoFloor) w.left *= exp(-frame.glass.rgb * max(end - last, 0.0) * length(ray));  // it goes on below
     vec4 seen = sceneSeen(w.at, w.way, end < kNoFloor ? (end - last) * length(ray) : frame.scene.w, vec2(pixel));
     vec3 light = w.light + w.left * seen.rgb;
     float mean_left = dot(w.left, vec3(1.0 / 3.0));
