@@ -98,7 +98,8 @@ struct Renderer::Passes {
     /// Software renderers fill memory faster than they look through it.
     static bool erasesTiles(const FrameView& view) { return view.quality == RenderQuality::kFull; }
     bool computes(const FractureMesh* mesh, const FrameView& view);
-    bool readyToCompute();
+    template <class Prepare>
+    bool unlessRefused(Prepare prepare);
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const {
         return shadowSceneOf(mesh, view, sphere_draws, frame);
     }
@@ -107,7 +108,6 @@ struct Renderer::Passes {
     void drawShadowMap(const FractureMesh* mesh, const FrameView& view);
     void drawMaterials(const FractureMesh* mesh, const FrameView& view);
     void computeLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer, bool found);
-    bool findsFaces(const FractureMesh& mesh, const FrameView& view);
     void drawGlass(const FractureMesh* found, const FrameView& view, GLuint framebuffer);
     void drawLight(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     void castDustShadows(const FractureMesh* mesh, const FrameView& view);
@@ -153,32 +153,33 @@ struct Renderer::Passes {
     std::optional<RenderTargets> targets;
 };
 
-/// Software renderers compute as slowly as they draw; computed pictures know one look and no colliders of
-/// triangles.
+/// Computed pictures know one look and no colliders of triangles.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
-    if (!showsSolid(mesh, view) || !view.more_looks.empty() || colliders.hasTriangles() ||
-        view.quality != RenderQuality::kFull)
+    if (!mayCompute(view, in_software) || !showsSolid(mesh, view) || !view.more_looks.empty() ||
+        colliders.hasTriangles())
         return false;
     if (showsModelLooks(mesh, view) && mesh->looks()->isMasked()) return false;  // names know no holes
-    if (view.rasteriser == Rasteriser::kDraw || (view.rasteriser == Rasteriser::kAuto && in_software))
-        return false;
-    return ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples) &&
-           readyToCompute();
-}
-
-/// A driver may refuse a shader that others take: then everything is drawn.
-bool Renderer::Passes::readyToCompute() {
-    if (!refusal.empty()) return false;
-    try {
+    return unlessRefused([&] {
+        if (!ComputedRaster::suits(*mesh, targets->width, targets->height, targets->samples)) return false;
         if (!computed) computed.emplace(shader_folder, raster_tasks);
         computed->prepare(*targets, colliders.count() > 0);
         occlusion.prepareFound(*targets);
         light.prepareFound(*targets);
+        return true;
+    });
+}
+
+/// A driver may refuse a shader that others take: then everything is drawn.
+template <class Prepare>
+bool Renderer::Passes::unlessRefused(Prepare prepare) {
+    if (!refusal.empty()) return false;
+    try {
+        return prepare();
     } catch (const gl::GlError& problem) {
         computed.reset();
         refusal = problem.what();
+        return false;
     }
-    return refusal.empty();
 }
 
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
@@ -196,19 +197,6 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     }
     shadow.finish(erasesTiles(view));
     clock.mark("shadow");
-}
-
-/// Of transparent bodies, by computing.
-bool Renderer::Passes::findsFaces(const FractureMesh& mesh, const FrameView& view) {
-    if (view.quality != RenderQuality::kFull || !refusal.empty() || view.rasteriser == Rasteriser::kDraw ||
-        (view.rasteriser == Rasteriser::kAuto && in_software))
-        return false;
-    try {
-        return glass.readyToFind(mesh, *targets);
-    } catch (const gl::GlError& problem) {
-        refusal = problem.what();
-        return false;
-    }
 }
 
 void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& view) {
@@ -282,16 +270,15 @@ void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLu
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawShadowMap(mesh, view);
-    const bool finds = kind.glass && findsFaces(*mesh, view);
+    const auto ready = [&] { return glass.readyToFind(*mesh, *targets); };
+    const bool finds = kind.glass && mayCompute(view, in_software) && unlessRefused(ready);
     if (kind.glass) glass.castShadow(body, *mesh, frame.light_matrix[0], view, finds);
     clock.mark("glass shadow");
     glEnable(GL_DEPTH_TEST);
     glEnable(GL_CULL_FACE);
     drawMaterials(mesh, view);
-    if (finds)
-        glass.find(*mesh, view, *targets);
-    else if (kind.glass)
-        glass.peel(body, *mesh, view, *targets);
+    if (finds) glass.find(*mesh, view, *targets);
+    if (kind.glass && !finds) glass.peel(body, *mesh, view, *targets);
     clock.mark("glass");
     glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
@@ -320,8 +307,7 @@ void Renderer::Passes::drawGlass(const FractureMesh* found, const FrameView& vie
 }
 
 void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView& view) {
-    const bool any = showsDust(mesh, view) && view.quality == RenderQuality::kFull;
-    dust.castShadows(any ? mesh : nullptr);
+    dust.castShadows(showsDust(mesh, view) && view.quality == RenderQuality::kFull ? mesh : nullptr);
 }
 
 void Renderer::Passes::addUpDust(const FractureMesh* mesh, const FrameView& view) {

@@ -53,6 +53,13 @@ inline bool showsSolid(const FractureMesh* mesh, const FrameView& view) {
     return showsAny(false, mesh, view);
 }
 
+/// Whether passes compute what others draw. Software renderers compute as slowly as they draw.
+inline bool mayCompute(const FrameView& view, bool in_software) {
+    const bool chosen =
+        view.rasteriser == Rasteriser::kAuto ? !in_software : view.rasteriser == Rasteriser::kCompute;
+    return chosen && view.quality == RenderQuality::kFull;
+}
+
 /// Of all transparent bodies: the optics of the first transparent look.
 inline SurfaceLook glassOf(const FrameView& view) {
     for (const SurfaceLook& look : looksOf(view))
