@@ -57,17 +57,20 @@ Vec3<double> outOf(const ColliderSet<double>& colliders, Vec3<double> at, double
 
 Projectile placedFree(const Projectile& shot, const std::vector<Ball>& others,
                       const std::vector<Collider>& colliders) {
-    constexpr int kRounds = 4;  // out of a collider may lead into a body once more
-    const Vec3<double> velocity{shot.velocity.x, shot.velocity.y, shot.velocity.z};
+    // Out of a collider may lead into a body once more: along a floor it takes a step for each particle
+    // there.
+    constexpr int kRounds = 80, kRoundsBack = 64;
+    const Vec3<double> velocity{shot.velocity.x, shot.velocity.y, shot.velocity.z}, up{0, 1, 0};
     const double speed = length(velocity);
-    const Vec3<double> back = speed > 0 ? (-1 / speed) * velocity : Vec3<double>{0, 1, 0};
+    const Vec3<double> back = speed > 0 ? (-1 / speed) * velocity : up;
     const auto set = makeColliderSet<double>(colliders);
     Vec3<double> at{shot.position.x, shot.position.y, shot.position.z};
     for (int round = 0; round < kRounds; ++round) {
         at = outOf(set, at, shot.radius);
-        const double way = wayBack(others, at, shot.radius, back);
-        if (!(way > 0)) break;
-        at = axpy(way, back, at);
+        const Vec3<double>& way = round < kRoundsBack ? back : up;
+        const double far = wayBack(others, at, shot.radius, way);
+        if (!(far > 0)) break;
+        at = axpy(far, way, at);
     }
     Projectile placed = shot;
     placed.position = {at.x, at.y, at.z};

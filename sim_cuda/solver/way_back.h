@@ -15,7 +15,8 @@ struct Ball {
 };
 
 /// The projectile farther back on its straight way, where it overlaps none of the others, and out of the
-/// colliders along their normals; one that rests goes up. As it is where it touches nothing.
+/// colliders along their normals; one that rests, or whose way back has no end, goes up. As it is where it
+/// touches nothing.
 Projectile placedFree(const Projectile& shot, const std::vector<Ball>& others,
                       const std::vector<Collider>& colliders);
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace demolish::tests {
 namespace {
 
@@ -49,6 +51,25 @@ TEST(WayBack, LeadsOutOfTheFloorAndThenOutOfWhatLiesThere) {
     const Projectile placed = placedFree(flying({0, 0.1, 0}, {4, 0, 0}), {{{0, 0.5, 0}, 0.5}}, {Plane{}});
     EXPECT_NEAR(placed.position.y, 0.5, 1e-3);
     EXPECT_NEAR(placed.position.x, -1, 1e-3);
+}
+
+/// A slow ball is aimed upwards: its way back leads into the floor, and along it out of what stands there.
+TEST(WayBack, LeadsAlongTheFloorOutOfAWideBody) {
+    std::vector<Ball> body;
+    for (int k = 0; k < 30; ++k) body.push_back({{-0.4 * k, 0.5, 0}, 0.5});
+    const auto overlaps = [&](const Projectile& ball) {
+        return std::any_of(body.begin(), body.end(), [&](const Ball& other) {
+            const Vec3<double> at{ball.position.x, ball.position.y, ball.position.z};
+            return length(other.centre - at) < other.radius + ball.radius;
+        });
+    };
+    const Projectile placed = placedFree(flying({0, 1, 0}, {1, 3, 0}), body, {Plane{}});
+    EXPECT_FALSE(overlaps(placed)) << placed.position.x;
+    EXPECT_NEAR(placed.position.y, 0.5, 1e-3);
+    EXPECT_LT(placed.position.x, -12);
+    const Projectile straight_up = placedFree(flying({-6, 1, 0}, {0, 3, 0}), body, {Plane{}});
+    EXPECT_FALSE(overlaps(straight_up));
+    EXPECT_GT(straight_up.position.y, 1);
 }
 
 }  // namespace
