@@ -31,11 +31,11 @@ class SetParser {
 
   private:
     SetCamera camera() {
-        SetCamera camera{point(), point(), number(), {}};
+        SetCamera camera{point(), point(), point(), number(), {}};
         camera.path.resize(whole(kMostCameraKeys));
         double before = 0;
         for (SetCameraKey& key : camera.path) {
-            key = {number(), point(), point()};
+            key = {number(), point(), point(), point()};
             if (!(key.time > before)) throw BrokenStream("keys of a camera are not in order");
             before = key.time;
         }
@@ -77,8 +77,10 @@ class SetParser {
 };
 
 void writeCamera(const SetCamera& camera, std::ostream& out) {
-    out << camera.eye << camera.target << camera.field_of_view << ' ' << camera.path.size() << '\n';
-    for (const SetCameraKey& key : camera.path) out << key.time << ' ' << key.eye << key.target << '\n';
+    out << camera.eye << camera.target << camera.up << camera.field_of_view << ' ' << camera.path.size()
+        << '\n';
+    for (const SetCameraKey& key : camera.path)
+        out << key.time << ' ' << key.eye << key.target << key.up << '\n';
 }
 
 }  // namespace

@@ -138,21 +138,45 @@ std::string anchorsText(const ModelSet& set, const SetFile& file, double lift) {
     return text;
 }
 
-/// The target is 1 m from the eye, in whatever unit the file is.
-std::string lookText(const Double3& eye, const Double3& target, const SetFile& file, double lift,
-                     const char* between) {
-    const glm::dvec3 from = upright(eye, file) + glm::dvec3(0, lift, 0);
-    const glm::dvec3 way = glm::normalize(upright(target, file) - upright(eye, file));
-    return "eye_m = " + vectorText(from) + between + "target_m = " + vectorText(from + way);
+/// Where a camera is at a time, m.
+struct Looking {
+    glm::dvec3 eye, way, up;
+
+    Looking(const Double3& from, const Double3& target, const Double3& up_there, const SetFile& file)
+        : eye(upright(from, file)),
+          way(glm::normalize(upright(target, file) - eye)),
+          up(glm::normalize(upright(up_there, file))) {}
+    /// As cameras stand that nobody has rolled.
+    bool isLevel() const {
+        constexpr double kRoll = 1e-3;  // rad
+        const glm::dvec3 right = glm::cross(way, glm::dvec3(0, 1, 0));
+        return up.y > 0 && std::abs(glm::dot(right, up)) <= kRoll * glm::length(right);
+    }
+};
+
+bool isLevel(const SetCamera& camera, const SetFile& file) {
+    return Looking(camera.eye, camera.target, camera.up, file).isLevel() &&
+           std::all_of(camera.path.begin(), camera.path.end(), [&](const SetCameraKey& key) {
+               return Looking(key.eye, key.target, key.up, file).isLevel();
+           });
 }
 
-std::string pathText(const SetCamera& camera, const SetFile& file, double lift) {
+/// The target is 1 m from the eye, in whatever unit the file is.
+std::string lookText(const Looking& look, bool with_up, double lift, const char* between) {
+    const glm::dvec3 from = look.eye + glm::dvec3(0, lift, 0);
+    std::string text = "eye_m = " + vectorText(from) + between + "target_m = " + vectorText(from + look.way);
+    if (with_up) text += between + ("up = " + vectorText(look.up));
+    return text;
+}
+
+std::string pathText(const SetCamera& camera, bool with_up, const SetFile& file, double lift) {
     if (camera.path.empty()) return "";
     std::string text = "path = [\n";
     for (const SetCameraKey& key : camera.path) {
         char time[48];
         std::snprintf(time, sizeof time, "  { at_s = %.9g, ", key.time);
-        text += time + lookText(key.eye, key.target, file, lift, ", ") + " },\n";
+        const Looking look(key.eye, key.target, key.up, file);
+        text += time + lookText(look, with_up, lift, ", ") + " },\n";
     }
     return text + "]\n";
 }
@@ -161,8 +185,10 @@ std::string cameraText(const SetCamera& camera, const SetFile& file, double lift
     char angle[64];
     std::snprintf(angle, sizeof angle, "field_of_view_deg = %.6g\n",
                   std::clamp(camera.field_of_view / kDegree, 5.0, 120.0));
-    return "\n[camera]\n" + lookText(camera.eye, camera.target, file, lift, "\n") + "\n" + angle +
-           pathText(camera, file, lift);
+    const bool with_up = !isLevel(camera, file);
+    const Looking look(camera.eye, camera.target, camera.up, file);
+    return "\n[camera]\n" + lookText(look, with_up, lift, "\n") + "\n" + angle +
+           pathText(camera, with_up, file, lift);
 }
 
 /// What a white surface that faces the sun shines with. Of light that is as strong as a day's in lux, 683 are

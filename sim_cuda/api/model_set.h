@@ -23,11 +23,12 @@ inline constexpr const char *kColliderPrefix = "collider_", *kAnchorPrefix = "an
 struct SetCameraKey {
     double time = 0;      ///< s
     Double3 eye, target;  ///< lengths of the file; the target is a length of 1 from the eye
+    Double3 up;           ///< what points up in the picture, unit, across the way that it looks
 };
 inline constexpr size_t kMostCameraKeys = 4800;
 
 struct SetCamera {
-    Double3 eye, target;       ///< as SetCameraKey's, at 0 s
+    Double3 eye, target, up;   ///< as SetCameraKey's, at 0 s
     double field_of_view = 1;  ///< rad, of the picture's height
     std::vector<SetCameraKey>
         path;  ///< by ascending time, above 0 s; straight lines between; none: it stands
