@@ -50,6 +50,13 @@ class SetParser {
         in_.get();  // the blank
         in_.read(thing.node.data(), static_cast<std::streamsize>(thing.node.size()));
         requireGood();
+        thing.motion.resize(whole(kMostPoses));
+        double before = -1;
+        for (SetPose& pose : thing.motion) {
+            pose = {number(), point(), {number(), number(), number(), number()}};
+            if (!(pose.time > before)) throw BrokenStream("poses of a thing are not in order");
+            before = pose.time;
+        }
         return thing;
     }
     Double3 point() {
@@ -93,7 +100,11 @@ std::string setText(const ModelSet& set) {
     for (size_t i = 0; i < count; ++i) {
         const SetThing& thing = set.things[i];
         const std::string name = thing.node.substr(0, kMostText);
-        out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << '\n';
+        out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << ' '
+            << thing.motion.size() << '\n';
+        for (const SetPose& pose : thing.motion)
+            out << pose.time << ' ' << pose.middle << pose.turn.x << ' ' << pose.turn.y << ' ' << pose.turn.z
+                << ' ' << pose.turn.w << '\n';
     }
     out << (set.camera ? 1 : 0) << '\n';
     if (set.camera) writeCamera(*set.camera, out);
