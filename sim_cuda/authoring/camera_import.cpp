@@ -57,8 +57,8 @@ std::vector<SetCameraKey> thinned(const std::vector<SetCameraKey>& keys) {
     std::vector<std::vector<Double3>> vectors;
     for (const SetCameraKey& key : keys) {
         times.push_back(key.time);
-        vectors.push_back({key.eye * (1 / most_way), (key.target - key.eye) * (1 / kTurnError),
-                           key.up * (1 / kTurnError)});
+        vectors.push_back(
+            {key.eye * (1 / most_way), (key.target - key.eye) * (1 / kTurnError), key.up * (1 / kTurnError)});
     }
     std::vector<SetCameraKey> kept;
     for (const size_t k : neededMoments(times, vectors)) kept.push_back(keys[k]);
