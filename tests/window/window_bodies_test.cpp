@@ -213,8 +213,9 @@ TEST_F(WindowProgram, PaintedColoursAreChosenAndWeaken) {
         return "click particles.painted\nclick particles.painted." + channel +
                "\nwait 2\nuntil rebuilt\nwait 2\n";
     };
-    run("wait 2\nkey space\ntype shot.model " + file + "\nwait 3\nuntil rebuilt\nwait 3\n" + shot("plain") +
-            choose("red") + shot("red") + choose("green") + shot("green"),
+    run("wait 2\nkey space\nclick transport.real_time\ntype shot.model " + file +
+            "\nwait 3\nuntil rebuilt\nwait 3\n" + shot("plain") + choose("red") + shot("red") +
+            choose("green") + shot("green"),
         {}, 200);
     if (HasFatalFailure()) return;
     EXPECT_EQ(read("plain")["painted"], "");
