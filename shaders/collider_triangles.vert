@@ -5,8 +5,9 @@
 #include "common/rotate.glsl"
 layout(location = 0) in vec3 own_position;
 layout(location = 1) in vec3 own_normal;
-layout(location = 1) uniform vec4 place;  // xyz: m; w: how much larger
-layout(location = 2) uniform vec4 turn;   // quaternion
+layout(location = 1) uniform vec4 place;    // xyz: m; w: 1 of steel
+layout(location = 2) uniform vec4 turn;     // quaternion
+layout(location = 3) uniform vec4 stretch;  // xyz: how much larger along each axis
 #ifdef SHADOW
 layout(location = 0) uniform int region;
 #endif
@@ -14,8 +15,8 @@ out vec3 world_position;
 out vec3 world_normal;
 
 void main() {
-    world_position = place.xyz + rotate(turn, place.w * own_position);
-    world_normal = rotate(turn, own_normal);
+    world_position = place.xyz + rotate(turn, stretch.xyz * own_position);
+    world_normal = rotate(turn, own_normal / stretch.xyz);
 #ifdef SHADOW
     vec3 p = (frame.light_matrix[region] * vec4(world_position, 1.0)).xyz;
     gl_Position = vec4(p.xy * 2.0 - 1.0, p.z, 1.0);

@@ -11,6 +11,7 @@ in vec3 world_position;
 in vec3 world_normal;
 in vec3 rest;
 flat in vec4 rotation;
+flat in float tone;
 #ifdef INTERIOR
 in vec2 relief;  // x: 0 at the outside .. 1 deep; y: -1 pit .. 1 ridge
 #endif
@@ -34,6 +35,7 @@ void main() {
 #else
     outsideMaterial(s, rest);
 #endif
+    s.albedo *= tone;
 #ifdef LOOKS
     Looked look = drawnLook();
     Laid laid = drawnLaid(world_position);

@@ -24,6 +24,8 @@ out vec3 world_position;
 out vec3 world_normal;
 out vec3 rest;
 flat out vec4 rotation;
+flat out float tone;  // of the body
+layout(location = 4) uniform vec4 texture_shape;  // as common/body_material.glsl has it
 
 void main() {
     FragmentTransform t = transforms[particle_fragment[cell]];
@@ -31,6 +33,7 @@ void main() {
     world_normal = rotate(t.rotation, decodeOctahedral(rest_normal));
     rest = rest_position;
     rotation = t.rotation;
+    tone = paleness(texture_shape.w, cell);
 #ifdef INTERIOR
     relief = relief_in;
 #endif

@@ -102,7 +102,9 @@ BenchStage::BenchStage(bool on_gpu, const BuiltShot& built, const ShotOptions& o
 
 void BenchStage::draw(const Session& session) {
     const BuiltShot& built = session.built();
-    view_.camera = shotCamera(built.shot, built.cells.of_body, session.status().stats.time);
+    const double time = session.status().stats.time;
+    view_.camera = shotCamera(built.shot, built.cells.of_body, time);
+    hangCables(built.shot, time, view_);
     draw(session.mesh(), session.spheres());
 }
 

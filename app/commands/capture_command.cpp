@@ -80,12 +80,14 @@ engine::FrameView viewFor(const Capture& capture, const BuiltShot& built, bool s
     return view;
 }
 
-/// The shot's at that time, turned.
-engine::Camera cameraFor(const Capture& capture, const BuiltShot& built, double yaw, double time) {
-    engine::Camera camera = shotCamera(built.shot, built.cells.of_body, time);
-    camera.orbit(static_cast<float>(glm::radians(yaw)),
-                 static_cast<float>(glm::radians(capture.options.camera_pitch)));
-    return camera;
+/// With the shot's camera at that time, turned, and with what hangs where it is then.
+engine::FrameView viewAt(engine::FrameView view, const Capture& capture, const BuiltShot& built, double yaw,
+                         double time) {
+    view.camera = shotCamera(built.shot, built.cells.of_body, time);
+    view.camera.orbit(static_cast<float>(glm::radians(yaw)),
+                      static_cast<float>(glm::radians(capture.options.camera_pitch)));
+    hangCables(built.shot, time, view);
+    return view;
 }
 
 /// Draws and simulates all frames; stops at the first bad status, or when asked to, with what was drawn so
@@ -113,9 +115,9 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
         if (frame == capture.moments[drawn]) {
             const double time = session.status().stats.time;
             for (size_t k = 0; k < yaws.size(); ++k) {
-                view.camera = cameraFor(capture, session.built(), yaws[k], time);
-                exposure.draw(session, view, cameraFor(capture, session.built(), yaws[k], time_before), lens,
-                              target.framebuffer());
+                const engine::FrameView before = viewAt(view, capture, session.built(), yaws[k], time_before);
+                view = viewAt(view, capture, session.built(), yaws[k], time);
+                exposure.draw(session, view, before, lens, target.framebuffer());
                 tellRefusal(stage.renderer());
                 target.submit(k * capture.moments.size() + drawn);
             }

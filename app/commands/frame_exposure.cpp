@@ -10,6 +10,22 @@ namespace {
 /// Each picture is of another part of a pixel: that is what samples are for.
 constexpr uint32_t kEnoughForEdges = 8;
 
+/// `moment`: 0 before, 1 after.
+engine::FrameView viewBetween(const engine::FrameView& before, const engine::FrameView& after, float moment) {
+    engine::FrameView view = after;
+    view.camera.eye = glm::mix(before.camera.eye, after.camera.eye, moment);
+    view.camera.target = glm::mix(before.camera.target, after.camera.target, moment);
+    view.camera.up = glm::mix(before.camera.up, after.camera.up, moment);
+    for (size_t i = 0; i < view.colliders.size() && i < before.colliders.size(); ++i) {
+        const engine::ColliderDraw& from = before.colliders[i];
+        engine::ColliderDraw& to = view.colliders[i];
+        to.position = glm::mix(from.position, to.position, moment);
+        to.half_size = glm::mix(from.half_size, to.half_size, moment);
+        to.rotation = glm::slerp(from.rotation, to.rotation, moment);
+    }
+    return view;
+}
+
 }  // namespace
 
 void addPicture(engine::Film& film, engine::Renderer& renderer, const engine::FractureMesh* mesh,
@@ -35,7 +51,7 @@ std::vector<engine::SphereDraw> FrameExposure::spheresAt(const Session& session,
     return spheres;
 }
 
-void FrameExposure::draw(Session& session, const engine::FrameView& view, const engine::Camera& camera_before,
+void FrameExposure::draw(Session& session, const engine::FrameView& view, const engine::FrameView& before,
                          const engine::Lens& lens, unsigned framebuffer) {
     const uint32_t pictures = engine::picturesOf(lens);
     if (pictures == 1 && lens.aperture <= 0 && lens.shutter <= 0 && !view.transparent)
@@ -44,10 +60,7 @@ void FrameExposure::draw(Session& session, const engine::FrameView& view, const 
     film_->begin(view.width, view.height);
     for (uint32_t i = 0; i < pictures; ++i) {
         const float moment = engine::pictureMoment(lens, i, pictures);
-        engine::FrameView shown = view;
-        shown.camera.eye = camera_before.eye + moment * (view.camera.eye - camera_before.eye);
-        shown.camera.target = camera_before.target + moment * (view.camera.target - camera_before.target);
-        engine::FrameView picture = engine::pictureView(shown, lens, i, pictures);
+        engine::FrameView picture = engine::pictureView(viewBetween(before, view, moment), lens, i, pictures);
         if (pictures >= kEnoughForEdges) picture.samples = 1;
         if (motion_ && session.mesh() != nullptr) motion_->place(*session.mesh(), moment);
         addPicture(*film_, renderer_, session.mesh(),

@@ -17,9 +17,9 @@ class FrameExposure {
     explicit FrameExposure(engine::Renderer& renderer) : renderer_(renderer) {}
     /// Call before a frame that is drawn with an open shutter is simulated.
     void remember(const Session& session, const engine::Lens& lens);
-    /// Draws the present frame, while whose exposure the camera comes from `camera_before`, where it was at
-    /// the frame before; the session's bodies stay where they are.
-    void draw(Session& session, const engine::FrameView& view, const engine::Camera& camera_before,
+    /// Draws the present frame, while whose exposure camera and colliders come from where `before`, the same
+    /// view at the frame before, has them; the session's bodies stay where they are.
+    void draw(Session& session, const engine::FrameView& view, const engine::FrameView& before,
               const engine::Lens& lens, unsigned framebuffer);
 
   private:

@@ -6,6 +6,7 @@
 
 #include "app/commands/threshold_json.h"
 #include "app/session/json_text.h"
+#include "app/session/paint_names.h"
 #include "app/session/shot_bodies.h"
 
 namespace demolish {
@@ -38,6 +39,8 @@ std::string sessionJson(const Session& session) {
     json["material"] = session.shot().material_name;
     json["inner_material"] = session.shot().inner_material;
     json["repair"] = repairModeName(session.shot().repair.mode);
+    const auto& painted = session.shot().painted;
+    json["painted"] = painted ? paintChannelNames()[static_cast<size_t>(painted->channel)] : "";
     json["body_size"] = status.body_size;
     json["size_remark"] = status.size_remark;
     json["bodies"] = bodiesJson(session.shot());

@@ -173,6 +173,7 @@ engine::FrameView ViewDesk::frameView(const Session& session) const {
     shot.lens = session.shot().lens;
     engine::FrameView frame =
         makeFrameView(shot, session.built().cells.of_body, picture.width, picture.height, view.quality);
+    hangCables(shot, session.status().stats.time, frame);
     frame.camera = camera;
     frame.mode = view.mode;
     frame.colour_map = view.colour_map;

@@ -18,6 +18,7 @@ void lookAlong(engine::Camera& camera, const CameraHome& home, glm::vec3 directi
     const float distance = glm::length(camera.eye - camera.target);
     camera.target = home.centre;
     camera.eye = home.centre - distance * glm::normalize(direction);
+    camera.up = {0, 1, 0};
 }
 
 void handleViews(engine::Camera& camera, const CameraHome& home) {

@@ -31,11 +31,11 @@ class SetParser {
 
   private:
     SetCamera camera() {
-        SetCamera camera{point(), point(), number(), {}};
+        SetCamera camera{point(), point(), point(), number(), {}};
         camera.path.resize(whole(kMostCameraKeys));
         double before = 0;
         for (SetCameraKey& key : camera.path) {
-            key = {number(), point(), point()};
+            key = {number(), point(), point(), point()};
             if (!(key.time > before)) throw BrokenStream("keys of a camera are not in order");
             before = key.time;
         }
@@ -50,6 +50,13 @@ class SetParser {
         in_.get();  // the blank
         in_.read(thing.node.data(), static_cast<std::streamsize>(thing.node.size()));
         requireGood();
+        thing.motion.resize(whole(kMostPoses));
+        double before = -1;
+        for (SetPose& pose : thing.motion) {
+            pose = {number(), point(), {number(), number(), number(), number()}};
+            if (!(pose.time > before)) throw BrokenStream("poses of a thing are not in order");
+            before = pose.time;
+        }
         return thing;
     }
     Double3 point() {
@@ -77,8 +84,10 @@ class SetParser {
 };
 
 void writeCamera(const SetCamera& camera, std::ostream& out) {
-    out << camera.eye << camera.target << camera.field_of_view << ' ' << camera.path.size() << '\n';
-    for (const SetCameraKey& key : camera.path) out << key.time << ' ' << key.eye << key.target << '\n';
+    out << camera.eye << camera.target << camera.up << camera.field_of_view << ' ' << camera.path.size()
+        << '\n';
+    for (const SetCameraKey& key : camera.path)
+        out << key.time << ' ' << key.eye << key.target << key.up << '\n';
 }
 
 }  // namespace
@@ -91,7 +100,11 @@ std::string setText(const ModelSet& set) {
     for (size_t i = 0; i < count; ++i) {
         const SetThing& thing = set.things[i];
         const std::string name = thing.node.substr(0, kMostText);
-        out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << '\n';
+        out << thing.low << thing.high << thing.triangles << ' ' << name.size() << ' ' << name << ' '
+            << thing.motion.size() << '\n';
+        for (const SetPose& pose : thing.motion)
+            out << pose.time << ' ' << pose.middle << pose.turn.x << ' ' << pose.turn.y << ' ' << pose.turn.z
+                << ' ' << pose.turn.w << '\n';
     }
     out << (set.camera ? 1 : 0) << '\n';
     if (set.camera) writeCamera(*set.camera, out);

@@ -8,13 +8,15 @@ namespace demolish {
 engine::Camera cameraAt(const engine::Camera& start, const std::vector<CameraKey>& path, double time) {
     const auto next = std::upper_bound(path.begin(), path.end(), time,
                                        [](double t, const CameraKey& key) { return t < key.time; });
-    const CameraKey before = next == path.begin() ? CameraKey{0, start.eye, start.target} : *(next - 1);
+    const CameraKey before =
+        next == path.begin() ? CameraKey{0, start.eye, start.target, start.up} : *(next - 1);
     const CameraKey& after = next == path.end() ? before : *next;
     const double length = after.time - before.time;
     const auto share = static_cast<float>(length > 0 ? std::max(0.0, time - before.time) / length : 0);
     engine::Camera camera = start;
     camera.eye = glm::mix(before.eye, after.eye, share);
     camera.target = glm::mix(before.target, after.target, share);
+    camera.up = glm::mix(before.up, after.up, share);
     return camera;
 }
 

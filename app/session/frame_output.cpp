@@ -2,6 +2,8 @@
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
+#include <random>
+
 #include "app/session/scene_looks.h"
 #include "app/session/shot_bodies.h"
 #include "engine/render/fracture_mesh.h"
@@ -10,12 +12,17 @@ namespace demolish {
 
 namespace {
 
-/// Of each particle; empty where all have the shot's own.
+/// Of each particle; empty where there is nothing to tell apart.
 std::vector<uint32_t> looksOfCells(const BuiltShot& built) {
     const ShotLooks list = looksOf(built.shot);
     std::vector<uint32_t> looks;
-    for (size_t b = 0; list.areSeveral() && b < list.of_body.size(); ++b)
-        looks.insert(looks.end(), built.cells.of_body[b]->particles.size(), list.of_body[b]);
+    if (!list.areSeveral() && list.of_body.size() == 1) return looks;
+    std::mt19937 random;  // the same for each run
+    for (size_t b = 0; b < list.of_body.size(); ++b) {
+        const float paleness = 2 * static_cast<float>(random() / 4294967296.0) - 1;
+        looks.insert(looks.end(), built.cells.of_body[b]->particles.size(),
+                     engine::cellLook(list.of_body[b], paleness));
+    }
     return looks;
 }
 

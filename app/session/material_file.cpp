@@ -69,6 +69,7 @@ void readLook(TomlReader& reader, const std::string& prefix, engine::SurfaceLook
     readFloat(reader, prefix + "texture_size_m", look.texture_size, {1e-4, 100});
     reader.readColour(prefix + "texture_colour", look.texture_colour);
     readFloat(reader, prefix + "texture_outside", look.texture_outside, {0, 1});
+    readFloat(reader, prefix + "variation", look.variation, {0, 0.9});
     readFloat(reader, prefix + "coat_m", look.coat, {0, 0.1});
     readFloat(reader, prefix + "refraction_index", look.refraction_index, {1, 2.5});
     Double3 absorption{look.absorption[0], look.absorption[1], look.absorption[2]};

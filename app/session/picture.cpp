@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/session/cables.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_setup.h"
@@ -21,6 +22,7 @@ std::vector<engine::SurfaceLook> sizedLooks(const Shot& shot, const BodyList& bo
         const BreakableBody& body = *bodies.at(list.example[k]);
         if (!traitsOf(shot.method).smooth_cracks) look.noise_strength = 0;
         look.noise_scale = static_cast<float>(0.2 * body.spacing);
+        if (list.of_body.size() == 1) look.variation = 0;  // there is nothing that it could differ from
         if (look.crack_width <= 0)
             look.crack_width = static_cast<float>(0.003 * (body.bounds_max.y - body.bounds_min.y));
     }
@@ -60,7 +62,13 @@ engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int wi
     view.scene_centre[2] = static_cast<float>(0.5 * (box.low.z + box.high.z));
     const float(&centre)[3] = view.scene_centre;
     view.colliders = drawnColliders(shot, {{centre[0], centre[1], centre[2]}, view.scene_radius});
+    hangCables(shot, 0, view);
     return view;
+}
+
+void hangCables(const Shot& shot, double time, engine::FrameView& view) {
+    std::erase_if(view.colliders, [](const engine::ColliderDraw& draw) { return draw.is_steel; });
+    for (engine::ColliderDraw& cable : drawnCables(shot, time)) view.colliders.push_back(std::move(cable));
 }
 
 std::string colourNote(const Shot& shot, bool transparent) {

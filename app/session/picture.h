@@ -16,6 +16,9 @@ engine::Camera shotCamera(const Shot& shot, const BodyList& bodies, double time)
 engine::FrameView makeFrameView(const Shot& shot, const BodyList& bodies, int width, int height,
                                 engine::RenderQuality quality);
 
+/// Puts the shot's cables where they are after `time` s, as makeFrameView() has them at the start.
+void hangCables(const Shot& shot, double time, engine::FrameView& view);
+
 /// How light became colour in its pictures, for the files.
 std::string colourNote(const Shot& shot, bool transparent);
 

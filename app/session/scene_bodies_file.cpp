@@ -8,6 +8,7 @@
 #include "app/session/scene_anchors.h"
 #include "app/session/scene_assets.h"
 #include "app/session/scene_parts_file.h"
+#include "app/session/scene_shapes.h"
 #include "app/session/shot_bodies.h"
 #include "app/session/shot_geometry.h"
 
@@ -98,6 +99,18 @@ void readHold(TomlReader& reader, const std::string& at, const Shot& shot, Scene
         if (reader.has(at + key)) reader.fail(at + key, "and path exclude each other");
 }
 
+void readCable(TomlReader& reader, const std::string& at, double height, SceneBody& body) {
+    if (!reader.has(at + "cable")) return;
+    if (body.path.keys.empty()) reader.fail(at + "cable", "needs a path: it hangs on what is led along one");
+    requireKey(reader, at + "cable.to_m");
+    Double3 from, to;
+    double radius = 0.01;
+    reader.read(at + "cable.at_m", from, kPlaceRange);
+    reader.read(at + "cable.to_m", to, kPlaceRange);
+    reader.read(at + "cable.radius_m", radius, {1e-4, 10});
+    body.cable = Cable{fromGlm(toGlm(from) / height), fromGlm(toGlm(to) / height), radius / height};
+}
+
 bool moves(const SceneBody& body) {
     return body.velocity != Double3{} || body.spin != Double3{};
 }
@@ -131,6 +144,7 @@ std::vector<SceneBody> readBodies(TomlReader& reader, const Shot& shot) {
         reader.read(at + "variant", bodies[i].variant, {0, static_cast<double>(bodies.size() - 1)});
         readOwn(reader, at, shot, bodies[i]);
         readHold(reader, at, shot, bodies[i]);
+        readCable(reader, at, shot.height, bodies[i]);
         if (moves(bodies[i]) && shot.settle_time > 0)
             reader.fail(at + (bodies[i].velocity != Double3{} ? "velocity_mps" : "spin_radps"),
                         "needs solver.settle_s = 0: a body that moves would fall while the others settle");

@@ -16,27 +16,34 @@ constexpr double kLeastLength = 1e-3;   ///< of a direction; m between eye and t
 constexpr Range kColourRange{0, 1000};  // linear; the sun's is above 1
 constexpr Range kTimeRange{0, 3600};    // s
 
-/// Eye and target of the table that `at` names.
-void requireApart(TomlReader& reader, const std::string& at, const glm::vec3& eye, const glm::vec3& target) {
-    if (glm::distance(eye, target) < kLeastLength)
+/// What the table that `at` names says about where a camera is and looks; `look`: a Camera or one of its
+/// keys.
+template <class Look>
+void readLooking(TomlReader& reader, const std::string& at, Look& look) {
+    reader.readVector(at + "eye_m", look.eye, kPlaceRange);
+    reader.readVector(at + "target_m", look.target, kPlaceRange);
+    reader.readVector(at + "up", look.up, kDirectionRange);
+    if (glm::distance(look.eye, look.target) < kLeastLength)
         reader.fail(at + "eye_m", "must be apart from " + at + "target_m, or it looks nowhere");
+    if (!reader.has(at + "up")) return;
+    const glm::vec3 across = glm::cross(glm::normalize(look.target - look.eye), look.up);
+    if (!(glm::length(across) > kLeastLength * glm::length(look.up)))
+        reader.fail(at + "up", "must have a length, and not lie along the way from eye to target");
 }
 
-/// Of a key that says one of the two, the other is as before.
+/// What a key leaves out is as before.
 std::vector<CameraKey> readCameraPath(TomlReader& reader, const engine::Camera& start) {
     std::vector<CameraKey> path(reader.count("camera.path", kMostCameraKeys));
-    CameraKey before{0, start.eye, start.target};
+    CameraKey before{0, start.eye, start.target, start.up};
     for (size_t k = 0; k < path.size(); ++k) {
         const std::string at = "camera.path[" + std::to_string(k) + "].";
         if (!reader.has(at + "at_s")) reader.fail(at + "at_s", "is missing");
         path[k] = before;
         reader.read(at + "at_s", path[k].time, kTimeRange);
-        reader.readVector(at + "eye_m", path[k].eye, kPlaceRange);
-        reader.readVector(at + "target_m", path[k].target, kPlaceRange);
+        readLooking(reader, at, path[k]);
         if (!(path[k].time > before.time))
             reader.fail(at + "at_s", k == 0 ? "must be above 0: at 0 s the camera is at camera.eye_m"
                                             : "must be later than that of the key before it");
-        requireApart(reader, at, path[k].eye, path[k].target);
         before = path[k];
     }
     return path;
@@ -44,9 +51,7 @@ std::vector<CameraKey> readCameraPath(TomlReader& reader, const engine::Camera& 
 
 engine::Camera readCamera(TomlReader& reader) {
     engine::Camera camera;
-    reader.readVector("camera.eye_m", camera.eye, kPlaceRange);
-    reader.readVector("camera.target_m", camera.target, kPlaceRange);
-    requireApart(reader, "camera.", camera.eye, camera.target);
+    readLooking(reader, "camera.", camera);
     double degrees = camera.field_of_view / kDegree;
     reader.read("camera.field_of_view_deg", degrees, {5, 120});
     camera.field_of_view = static_cast<float>(degrees * kDegree);

@@ -33,6 +33,14 @@ struct OwnSize {
     bool operator==(const OwnSize&) const = default;
 };
 
+/// A rope or rod from a fixed place to a body, seen and not felt.
+struct Cable {
+    Double3 at;            ///< in the body's own frame, heights of the shot
+    Double3 to;            ///< in the world, heights of the shot
+    double radius = 0.01;  ///< heights of the shot
+    bool operator==(const Cable&) const = default;
+};
+
 /// One body of the scene: where it stands, how it moves at the start, and what it has of its own. All else is
 /// as the shot has it.
 struct SceneBody {
@@ -45,6 +53,7 @@ struct SceneBody {
     Double3 spin;          ///< rad/s, about its centre of mass
     std::vector<Anchor> anchors;  ///< that hold parts of it, in its own frame and in heights of the shot
     MotionPath path;              ///< of all of it, about its origin, in heights of the shot
+    std::optional<Cable> cable;   ///< of a body on a path
 
     std::optional<std::filesystem::path> model;
     std::optional<ModelPart> part;  ///< none: all of `model`, or what the shot takes of its own

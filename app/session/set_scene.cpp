@@ -13,6 +13,7 @@
 #include "app/session/json_text.h"
 #include "app/session/model_shot.h"
 #include "app/session/scene_file.h"
+#include "app/session/set_motion.h"
 #include "app/session/shot_geometry.h"
 #include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/errors.h"
@@ -62,6 +63,45 @@ std::string vectorText(const glm::dvec3& v) {
     return text;
 }
 
+/// Its bodies. Where all of them move, none does: something has to break.
+struct SetBodies {
+    std::vector<const SetThing*> things;
+    std::vector<Extent> extents;
+    bool any_stands = false;
+
+    SetBodies(const ModelSet& set, const SetFile& file) {
+        for (const SetThing& thing : set.things) {
+            if (!isBody(thing)) continue;
+            things.push_back(&thing);
+            extents.push_back(extentOf(thing, file));
+            any_stands = any_stands || thing.motion.size() < 2;
+        }
+    }
+    bool moves(size_t b) const { return any_stands && things[b]->motion.size() > 1; }
+    size_t moving() const {
+        size_t count = 0;
+        for (size_t b = 0; b < things.size(); ++b) count += moves(b);
+        return count;
+    }
+};
+
+/// The point that position_m names: the middle of its foot as the file has it.
+glm::dvec3 footOf(const Extent& extent) {
+    return {extent.middle().x, extent.low.y, extent.middle().z};
+}
+
+std::vector<BodyPose> posesOf(const SetThing& thing, const Extent& extent, const SetFile& file) {
+    std::vector<BodyPose> poses;
+    for (const SetPose& pose : thing.motion) {
+        glm::dvec3 axis(pose.turn.x, pose.turn.y, pose.turn.z);
+        if (file.up == UpAxis::kZ) axis = {axis.x, axis.z, -axis.y};
+        const glm::dquat turn(pose.turn.w, axis.x, axis.y, axis.z);
+        poses.push_back(
+            {pose.time, upright(pose.middle, file) + turn * (footOf(extent) - extent.middle()), turn});
+    }
+    return poses;
+}
+
 /// Round all bodies.
 Extent extentOfBodies(const ModelSet& set, const SetFile& file) {
     Extent all{glm::dvec3(1e300), glm::dvec3(-1e300)};
@@ -73,17 +113,21 @@ Extent extentOfBodies(const ModelSet& set, const SetFile& file) {
     return all;
 }
 
-/// The body in the middle of the camera's picture; without a camera the largest.
-size_t bodyToHit(const std::vector<Extent>& bodies, const ModelSet& set, const SetFile& file) {
+/// Where a ball hits a standing body: the one in the middle of the camera's picture; without a camera the
+/// largest.
+size_t bodyToHit(const SetBodies& set_bodies, const ModelSet& set, const SetFile& file) {
+    const std::vector<Extent>& bodies = set_bodies.extents;
     const auto merit = [&](const Extent& body) {
         const glm::dvec3 size = body.high - body.low;
         if (!set.camera) return size.x * size.y * size.z;
         const glm::dvec3 eye = upright(set.camera->eye, file), target = upright(set.camera->target, file);
         return glm::dot(glm::normalize(body.middle() - eye), glm::normalize(target - eye));
     };
-    const auto best = std::max_element(bodies.begin(), bodies.end(),
-                                       [&](const Extent& a, const Extent& b) { return merit(a) < merit(b); });
-    return static_cast<size_t>(best - bodies.begin());
+    size_t best = bodies.size();
+    for (size_t b = 0; b < bodies.size(); ++b)
+        if (!set_bodies.moves(b) && (best == bodies.size() || merit(bodies[b]) > merit(bodies[best])))
+            best = b;
+    return best;
 }
 
 std::string scaleText(const SetFile& file) {
@@ -93,13 +137,16 @@ std::string scaleText(const SetFile& file) {
     return text;
 }
 
-std::string bodiesText(const std::vector<const SetThing*>& bodies, const SetFile& file, double lift) {
+std::string bodiesText(const SetBodies& bodies, const SetFile& file, double lift) {
     std::string text = "body = [\n";
-    for (const SetThing* body : bodies) {
-        const Extent extent = extentOf(*body, file);
-        const glm::dvec3 middle = extent.middle();
-        text += "  { name = " + quoted(body->node) + ", node = " + quoted(body->node) +
-                ", position_m = " + vectorText({middle.x, extent.low.y + lift, middle.z}) + " },\n";
+    for (size_t b = 0; b < bodies.things.size(); ++b) {
+        const SetThing& thing = *bodies.things[b];
+        std::vector<BodyPose> poses = posesOf(thing, bodies.extents[b], file);
+        if (poses.size() > 1 && !bodies.moves(b)) poses.clear();
+        glm::dvec3 place = poses.empty() ? footOf(bodies.extents[b]) : poses.front().place;
+        place.y += lift;
+        text += "  { name = " + quoted(thing.node) + ", node = " + quoted(thing.node) +
+                ", position_m = " + vectorText(place) + (poses.empty() ? "" : motionText(poses)) + " },\n";
     }
     return text + "]\n";
 }
@@ -138,21 +185,45 @@ std::string anchorsText(const ModelSet& set, const SetFile& file, double lift) {
     return text;
 }
 
-/// The target is 1 m from the eye, in whatever unit the file is.
-std::string lookText(const Double3& eye, const Double3& target, const SetFile& file, double lift,
-                     const char* between) {
-    const glm::dvec3 from = upright(eye, file) + glm::dvec3(0, lift, 0);
-    const glm::dvec3 way = glm::normalize(upright(target, file) - upright(eye, file));
-    return "eye_m = " + vectorText(from) + between + "target_m = " + vectorText(from + way);
+/// Where a camera is at a time, m.
+struct Looking {
+    glm::dvec3 eye, way, up;
+
+    Looking(const Double3& from, const Double3& target, const Double3& up_there, const SetFile& file)
+        : eye(upright(from, file)),
+          way(glm::normalize(upright(target, file) - eye)),
+          up(glm::normalize(upright(up_there, file))) {}
+    /// As cameras stand that nobody has rolled.
+    bool isLevel() const {
+        constexpr double kRoll = 1e-3;  // rad
+        const glm::dvec3 right = glm::cross(way, glm::dvec3(0, 1, 0));
+        return up.y > 0 && std::abs(glm::dot(right, up)) <= kRoll * glm::length(right);
+    }
+};
+
+bool isLevel(const SetCamera& camera, const SetFile& file) {
+    return Looking(camera.eye, camera.target, camera.up, file).isLevel() &&
+           std::all_of(camera.path.begin(), camera.path.end(), [&](const SetCameraKey& key) {
+               return Looking(key.eye, key.target, key.up, file).isLevel();
+           });
 }
 
-std::string pathText(const SetCamera& camera, const SetFile& file, double lift) {
+/// The target is 1 m from the eye, in whatever unit the file is.
+std::string lookText(const Looking& look, bool with_up, double lift, const char* between) {
+    const glm::dvec3 from = look.eye + glm::dvec3(0, lift, 0);
+    std::string text = "eye_m = " + vectorText(from) + between + "target_m = " + vectorText(from + look.way);
+    if (with_up) text += between + ("up = " + vectorText(look.up));
+    return text;
+}
+
+std::string pathText(const SetCamera& camera, bool with_up, const SetFile& file, double lift) {
     if (camera.path.empty()) return "";
     std::string text = "path = [\n";
     for (const SetCameraKey& key : camera.path) {
         char time[48];
         std::snprintf(time, sizeof time, "  { at_s = %.9g, ", key.time);
-        text += time + lookText(key.eye, key.target, file, lift, ", ") + " },\n";
+        const Looking look(key.eye, key.target, key.up, file);
+        text += time + lookText(look, with_up, lift, ", ") + " },\n";
     }
     return text + "]\n";
 }
@@ -161,8 +232,10 @@ std::string cameraText(const SetCamera& camera, const SetFile& file, double lift
     char angle[64];
     std::snprintf(angle, sizeof angle, "field_of_view_deg = %.6g\n",
                   std::clamp(camera.field_of_view / kDegree, 5.0, 120.0));
-    return "\n[camera]\n" + lookText(camera.eye, camera.target, file, lift, "\n") + "\n" + angle +
-           pathText(camera, file, lift);
+    const bool with_up = !isLevel(camera, file);
+    const Looking look(camera.eye, camera.target, camera.up, file);
+    return "\n[camera]\n" + lookText(look, with_up, lift, "\n") + "\n" + angle +
+           pathText(camera, with_up, file, lift);
 }
 
 /// What a white surface that faces the sun shines with. Of light that is as strong as a day's in lux, 683 are
@@ -181,9 +254,11 @@ std::string lightText(const SetSun& sun, UpAxis up) {
            "\nsun_colour = " + vectorText(shineOf(sun)) + "\n";
 }
 
-std::string impactText(const std::vector<Extent>& bodies, const ModelSet& set, const SetFile& file) {
-    std::string text = "\n[impact]\ntimes_threshold = " + plainNumber(kModelTimesThreshold) +
-                       "\nbody = " + std::to_string(bodyToHit(bodies, set, file)) + "\n";
+/// What moves takes the ball's place.
+std::string impactText(const SetBodies& bodies, const ModelSet& set, const SetFile& file) {
+    const std::string body = "\nbody = " + std::to_string(bodyToHit(bodies, set, file)) + "\n";
+    if (bodies.moving() > 0) return "\n[impact]\nvelocity_mps = 0" + body;
+    std::string text = "\n[impact]\ntimes_threshold = " + plainNumber(kModelTimesThreshold) + body;
     if (!set.camera) return text;
     glm::dvec3 way = upright(set.camera->target, file) - upright(set.camera->eye, file);
     way.y = 0;  // level, as balls fly
@@ -211,22 +286,20 @@ void requireScale(double scale, double height) {
 }  // namespace
 
 std::string sceneTextOf(const ModelSet& set, const SetFile& file) {
-    std::vector<const SetThing*> bodies;
-    std::vector<Extent> extents;
-    for (const SetThing& thing : set.things) {
-        if (!isBody(thing)) continue;
-        bodies.push_back(&thing);
-        extents.push_back(extentOf(thing, file));
-    }
-    if (bodies.empty())
+    const SetBodies bodies(set, file);
+    if (bodies.things.empty())
         throw UsageError("the set holds colliders and anchors only, and nothing that could break");
+    if (bodies.moving() > kMaxPaths)
+        throw UsageError("the set has " + std::to_string(bodies.moving()) +
+                         " nodes that its animations move; at most " + std::to_string(kMaxPaths) +
+                         " are possible: join them, or export it without animations");
     const double lift = std::max(0.0, -extentOfBodies(set, file).low.y);
     std::string text =
         "# A scene of Demolish; keys: docs/file_keys.md\nversion = 1\nmodel = " + quoted(file.model) + "\n";
     if (file.up == UpAxis::kZ) text += "up = \"z\"\n";
     if (!file.unit.empty()) text += "unit = " + quoted(file.unit) + "\n";
     text += scaleText(file) + "material_preset = \"ceramic\"\n" + bodiesText(bodies, file, lift) +
-            impactText(extents, set, file) + particlesText(bodies.size());
+            impactText(bodies, set, file) + particlesText(bodies.things.size());
     if (set.camera) text += cameraText(*set.camera, file, lift);
     if (set.sun) text += lightText(*set.sun, file.up);
     return text + collidersText(set, file, lift) + anchorsText(set, file, lift);

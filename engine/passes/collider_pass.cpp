@@ -11,7 +11,7 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLuint kBlock = 1;
-constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2;
+constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2, kStretch = 3;
 constexpr GLsizei kBoxStrip = 14;
 constexpr size_t kCornerFloats = 6;
 
@@ -56,8 +56,8 @@ void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
     for (const ColliderDraw& from : colliders) {
         if (from.triangles != nullptr) {
             const glm::quat& q = from.rotation;
-            placed.push_back({uploaded(from.triangles), glm::vec4(from.position, from.half_size.x),
-                              glm::vec4(q.x, q.y, q.z, q.w)});
+            placed.push_back({uploaded(from.triangles), glm::vec4(from.position, from.is_steel ? 1 : 0),
+                              glm::vec4(q.x, q.y, q.z, q.w), glm::vec4(from.half_size, 0)});
         } else if (count_ < kMostColliders) {
             Block::Collider& to = block.colliders[count_++];
             const glm::mat3 axes = glm::mat3_cast(from.rotation);
@@ -76,6 +76,7 @@ void ColliderPass::drawTriangles(gl::Program& program) {
     for (const Placed& placed : triangles_) {
         program.set(kPlace, placed.place);
         program.set(kTurn, placed.turn);
+        program.set(kStretch, placed.stretch);
         placed.triangles->layout.bind();
         glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(placed.triangles->from->size() / kCornerFloats));
     }

@@ -35,7 +35,7 @@ class ColliderPass {
     };
     struct Placed {
         std::shared_ptr<const Triangles> triangles;
-        glm::vec4 place, turn;  ///< m, and how much larger; quaternion
+        glm::vec4 place, turn, stretch;  ///< m, and 1 of steel; quaternion; how much larger along each axis
     };
     std::shared_ptr<const Triangles> uploaded(
         const std::shared_ptr<const ColliderTriangles>& triangles) const;

@@ -81,7 +81,8 @@ void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& lo
     program.set(location + 2, glm::vec2(look.noise_scale, look.noise_strength));
     const auto& other = look.texture_colour;
     program.set(location + 3, glm::vec4(other[0], other[1], other[2], shareOf(look.texture)));
-    program.set(location + 4, glm::vec4(1 / look.texture_size, look.texture_outside, look.coat, 0));
+    program.set(location + 4,
+                glm::vec4(1 / look.texture_size, look.texture_outside, look.coat, look.variation));
 }
 
 }  // namespace demolish::engine

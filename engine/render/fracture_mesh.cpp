@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 
 namespace demolish::engine {
 namespace {
@@ -62,6 +63,11 @@ bool isReadUnwritten(StreamId id) {
 }
 
 }  // namespace
+
+uint32_t cellLook(uint32_t look, float paleness) {
+    const auto steps = static_cast<int16_t>(std::lround(32767 * std::clamp(paleness, -1.0f, 1.0f)));
+    return look | static_cast<uint32_t>(static_cast<uint16_t>(steps)) << 16;
+}
 
 uint64_t FractureMesh::nextVersion() {
     static std::atomic<uint64_t> last{0};

@@ -19,15 +19,19 @@ struct FractureMeshData {
     std::span<const uint32_t>
         exterior_indices;  ///< 3 per triangle; what is drawn until the stream says otherwise
     std::span<const std::byte> crack_edges;  ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
-    std::span<const uint32_t> cell_looks;    ///< one a cell, or none: all have look 0
-    size_t particle_count = 0;               ///< cells, without projectiles
-    size_t particle_capacity = 0;            ///< instances incl. projectiles
+    /// One a cell, as cellLook() makes them; or none: all have look 0 and no SurfaceLook::variation.
+    std::span<const uint32_t> cell_looks;
+    size_t particle_count = 0;     ///< cells, without projectiles
+    size_t particle_capacity = 0;  ///< instances incl. projectiles
     size_t interior_vertex_capacity = 0;
     size_t interior_index_capacity = 0;
     size_t crack_capacity = 0;
     size_t grain_capacity = 0, puff_capacity = 0;
     const BodyLooks* looks = nullptr;  ///< null: no model has its own
 };
+
+/// `paleness`: -1..1, of the cell's body among those of its look.
+uint32_t cellLook(uint32_t look, float paleness);
 
 class FractureMesh {
   public:

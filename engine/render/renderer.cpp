@@ -153,10 +153,10 @@ struct Renderer::Passes {
     std::optional<RenderTargets> targets;
 };
 
-/// Computed pictures know one look and no colliders of triangles.
+/// Computed pictures know one look, the same for all bodies, and no colliders of triangles.
 bool Renderer::Passes::computes(const FractureMesh* mesh, const FrameView& view) {
     if (!mayCompute(view, in_software) || !showsSolid(mesh, view) || !view.more_looks.empty() ||
-        colliders.hasTriangles())
+        view.look.variation > 0 || colliders.hasTriangles())
         return false;
     if (showsModelLooks(mesh, view) && mesh->looks()->isMasked()) return false;  // names know no holes
     return unlessRefused([&] {

@@ -11,7 +11,6 @@
 namespace demolish::engine {
 namespace {
 
-constexpr glm::vec3 kUp{0, 1, 0};
 constexpr float kSteepest =
     1.55f;  // rad; short of the pole, where the view direction would be parallel to "up"
 constexpr float kNearestDistance = 1e-3f;                // m
@@ -34,8 +33,9 @@ glm::vec3 Camera::direction() const {
 
 glm::mat4 Camera::view() const {
     const glm::vec3 forward = direction();
-    const bool vertical = glm::length(glm::cross(forward, kUp)) < kParallel;
-    return glm::lookAt(eye, eye + forward, vertical ? glm::vec3(0, 0, -1) : kUp);
+    const float steep = glm::length(glm::cross(forward, up));
+    const bool along_up = !(steep >= kParallel * glm::length(up)) || !(steep > 0);
+    return glm::lookAt(eye, eye + forward, along_up ? glm::vec3(0, 0, -1) : up);
 }
 
 glm::mat4 Camera::projection(float aspect) const {
@@ -62,14 +62,15 @@ void Camera::orbit(float yaw, float pitch) {
     const float new_pitch = std::clamp(old_pitch + pitch, -kSteepest, kSteepest);
     eye = target + distance * glm::vec3(std::cos(new_pitch) * std::sin(new_yaw), std::sin(new_pitch),
                                         std::cos(new_pitch) * std::cos(new_yaw));
+    up = {up.x * std::cos(yaw) + up.z * std::sin(yaw), up.y, up.z * std::cos(yaw) - up.x * std::sin(yaw)};
 }
 
-void Camera::pan(float right, float up) {
+void Camera::pan(float to_right, float upwards) {
     const glm::mat4 v = view();
     const glm::vec3 right_axis(v[0][0], v[1][0], v[2][0]);
     const glm::vec3 up_axis(v[0][1], v[1][1], v[2][1]);
     const float side = 2.0f * glm::length(target - eye) * std::tan(0.5f * drawnAngle(field_of_view));
-    const glm::vec3 move = side * (right * right_axis + up * up_axis);
+    const glm::vec3 move = side * (to_right * right_axis + upwards * up_axis);
     eye += move;
     target += move;
 }

@@ -25,8 +25,9 @@ struct ColliderDraw {
     glm::vec3 position{0};           ///< m, of the centre
     glm::quat rotation{1, 0, 0, 0};  ///< from its own frame to the world
     glm::vec3 half_size{0.5f};       ///< m, along the axes of its own frame
-    /// What is drawn in place of a shape, made half_size.x times as large; null: the shape.
+    /// What is drawn in place of a shape, made half_size times as large along each axis; null: the shape.
     std::shared_ptr<const ColliderTriangles> triangles;
+    bool is_steel = false;  ///< of triangles: of iron, as projectiles are, in place of the floor's material
     bool operator==(const ColliderDraw&) const = default;
 };
 

@@ -22,7 +22,8 @@ struct SurfaceLook {
     float texture_size = 0.05f;                    ///< m, > 0: of its pattern
     float texture_colour[3] = {0.5f, 0.5f, 0.5f};  ///< of its second colour: veins, stones, joints
     float texture_outside = 1;                     ///< 0..1: how much of it the outside shows
-    float coat = 0;  ///< m, >= 0: so deep goes the outside's colour, as glaze does
+    float variation = 0;  ///< 0..0.9: by so much a body is paler or darker than others of its kind, at most
+    float coat = 0;       ///< m, >= 0: so deep goes the outside's colour, as glaze does
 
     float refraction_index = 1;       ///< 1: opaque; up to 2.5: transparent
     float absorption[3] = {0, 0, 0};  ///< 1/m, >= 0: of light in a transparent body

@@ -4,7 +4,7 @@ layout(location = BODY_MATERIAL) uniform vec4 outside;      // rgb albedo, a rou
 layout(location = BODY_MATERIAL + 1) uniform vec4 inside;
 layout(location = BODY_MATERIAL + 2) uniform vec2 noise_shape;  // first wavelength m, strength
 layout(location = BODY_MATERIAL + 3) uniform vec4 texture_colour;  // rgb, a: its share of the solid
-layout(location = BODY_MATERIAL + 4) uniform vec4 texture_shape;  // 1/m of the pattern, its share on the outside, coat m
+layout(location = BODY_MATERIAL + 4) uniform vec4 texture_shape;  // 1/m of the pattern, its share on the outside, coat m, variation
 #include "common/solid_texture.glsl"
 
 // The model's own outside.

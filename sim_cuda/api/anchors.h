@@ -27,6 +27,9 @@ struct MotionPath {
     bool smooth = false;
     bool operator==(const MotionPath&) const = default;
 };
+/// Where a point of what is led about `pivot` is after `time` s, m; `at`: at the start.
+Double3 placeOnPath(const MotionPath& path, const Double3& pivot, const Double3& at, double time);
+
 /// Paths of a scene at most; any number of anchors stand still.
 inline constexpr uint32_t kMaxPaths = 16;
 

@@ -11,6 +11,7 @@
 #include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/node_transform.h"
 #include "sim_cuda/authoring/scene_reading.h"
+#include "sim_cuda/authoring/thing_motion.h"
 
 namespace demolish {
 namespace {
@@ -70,7 +71,9 @@ std::vector<SetThing> thingsOf(const aiScene& scene, const std::filesystem::path
         if (is_group) group = named.node;
         Box box;
         addNode(scene, *named.node, is_group, file, box);
-        if (box.triangles > 0) things.push_back({named.name, box.low, box.high, box.triangles});
+        if (box.triangles == 0) continue;
+        things.push_back({named.name, box.low, box.high, box.triangles, {}});
+        if (!hasRoleByName(named.name)) things.back().motion = motionOf(scene, *named.node, things.back());
     }
     return things;
 }

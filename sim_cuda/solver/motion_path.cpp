@@ -66,6 +66,13 @@ PathPose poseAt(const MotionPath& path, double time) {
     return {{at[0], at[1], at[2]}, turned};
 }
 
+Double3 placeOnPath(const MotionPath& path, const Double3& pivot, const Double3& at, double time) {
+    const PathPose pose = poseAt(path, time);
+    const Vec3<double> middle{pivot.x, pivot.y, pivot.z}, from{at.x, at.y, at.z};
+    const Vec3<double> to = middle + pose.way + rotate(pose.turned, from - middle);
+    return {to.x, to.y, to.z};
+}
+
 bool movesBetween(const MotionPath& path, double from, double to) {
     for (size_t k = 0; k < path.keys.size(); ++k) {
         const PathKey before = keyOf(path, static_cast<int64_t>(k) - 1), &at = path.keys[k];

@@ -77,6 +77,47 @@ TEST_F(RoundColliders, FillTheirSilhouettesAndNothingElse) {
     }
 }
 
+/// Twelve triangles, one unit to each side of the origin.
+std::shared_ptr<const ColliderTriangles> unitCube() {
+    auto triangles = std::make_shared<ColliderTriangles>();
+    for (int axis = 0; axis < 3; ++axis)
+        for (const float side : {-1.0f, 1.0f})
+            for (const auto& [u, v] : {std::pair(-1, -1), {1, -1}, {1, 1}, {-1, -1}, {1, 1}, {-1, 1}}) {
+                glm::vec3 p, n(0);
+                n[axis] = p[axis] = side;
+                p[(axis + 1) % 3] = static_cast<float>(u) * side;
+                p[(axis + 2) % 3] = static_cast<float>(v);
+                for (const glm::vec3& of : {p, n}) triangles->insert(triangles->end(), {of.x, of.y, of.z});
+            }
+    return triangles;
+}
+
+/// As cables are: the same place on the picture as the box of those sides, of another material.
+TEST_F(RoundColliders, TrianglesAreStretchedAlongTheirAxesAndMayBeOfSteel) {
+    ColliderDraw box = rod();
+    box.shape = ColliderShape::kBox;
+    box.half_size = {0.08f, 0.2f, 0.6f};
+    ColliderDraw stretched = box;
+    stretched.triangles = unitCube();
+    const std::vector<uint32_t> of_box = idsOf(sceneOf(box)), of_triangles = idsOf(sceneOf(stretched));
+    size_t seen = 0, unlike = 0;
+    for (size_t p = 0; p < of_box.size(); ++p) {
+        seen += of_box[p] == kColliderId;
+        unlike += of_box[p] != of_triangles[p];
+    }
+    EXPECT_GT(seen, 500u);
+    EXPECT_LT(unlike, seen / 50) << "but for pixels on its edges";
+    EXPECT_LT(differingPixels(drawPicture(renderer(), sceneOf(box)),
+                              drawPicture(renderer(), sceneOf(stretched)), 12),
+              seen / 5)
+        << "lit as the box is";
+    ColliderDraw steel = stretched;
+    steel.is_steel = true;
+    EXPECT_GT(differingPixels(drawPicture(renderer(), sceneOf(steel)),
+                              drawPicture(renderer(), sceneOf(stretched)), 12),
+              seen / 2);
+}
+
 /// Floor that the solid hides from the sun is darker, the rest as it was; the side towards the sun shows no
 /// stripes of its own shadow.
 TEST_F(RoundColliders, ShadeTheFloorAndNotThemselves) {

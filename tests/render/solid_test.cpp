@@ -178,5 +178,33 @@ TEST_F(LooksTest, EachCellHasItsOwn) {
     EXPECT_LT(count(1, 0), greens / 20);
 }
 
+/// Of one look, the left half a pale body's, the right half a dark one's.
+TEST_F(LooksTest, BodiesOfOneLookDifferByItsVariation) {
+    Scene scene = makeScene("whole_block");
+    std::vector<uint32_t> looks;
+    for (uint32_t cell = 0; cell < scene.body->cellCount(); ++cell)
+        looks.push_back(cellLook(0, scene.body->cellCentre(cell).x > 0 ? -1.0f : 1.0f));
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
+        [](uint32_t, uint32_t) { return false; });
+    putIntoFurnace(scene.view, glm::vec3(0.5f));
+    const Image even = drawPicture(renderer(), scene);
+    scene.view.look.variation = 0.3f;
+    const Image varied = drawPicture(renderer(), scene);
+    size_t paler = 0, darker = 0, others = 0;
+    for (size_t p = 0; p < even.pixels.size(); p += 4) {
+        if (even.pixels[p] == varied.pixels[p]) continue;
+        // Of diffuse light 1.3 and 0.7 times as much; what the surface mirrors is the same.
+        const float ratio = decoded(varied.pixels[p]) / decoded(even.pixels[p]);
+        paler += ratio > 1.1f && ratio < 1.32f;
+        darker += ratio > 0.68f && ratio < 0.9f;
+        others += ratio <= 0.68f || ratio >= 1.32f;
+    }
+    EXPECT_GT(paler, 500u);
+    EXPECT_GT(darker, 500u);
+    EXPECT_LT(others, (paler + darker) / 50);
+}
+
 }  // namespace
 }  // namespace demolish::engine::test

@@ -197,5 +197,38 @@ state remeshed
     EXPECT_EQ(read("remeshed")["message"], "");
 }
 
+/// A block of vertex colours without red, with as much green as there may be: painted by red it is weak, by
+/// green as strong as it is unpainted.
+TEST_F(WindowProgram, PaintedColoursAreChosenAndWeaken) {
+    const std::string red_is_dark =
+        "v 0 0 0 0 1 0.5\nv 0 0 1 0 1 0.5\nv 1 0 1 0 1 0.5\nv 1 0 0 0 1 0.5\n"
+        "v 0 1 0 0 1 0.5\nv 0 1 1 0 1 0.5\nv 1 1 1 0 1 0.5\nv 1 1 0 0 1 0.5\n"
+        "f 4 3 2 1\nf 5 6 7 8\nf 2 6 5 1\nf 3 7 6 2\nf 4 8 7 3\nf 1 5 8 4\n";
+    const std::string file = folder_.write("painted.obj", red_is_dark).string();
+    const auto shot = [](const std::string& name) {
+        return "key r\nwait 2\nkey space\nwait 40\nkey space\nwait 2\nstate " + name + "\nscreenshot 32_" +
+               name + "\n";
+    };
+    const auto choose = [](const std::string& channel) {
+        return "click particles.painted\nclick particles.painted." + channel +
+               "\nwait 2\nuntil rebuilt\nwait 2\n";
+    };
+    run("wait 2\nkey space\nclick transport.real_time\ntype shot.model " + file +
+            "\nwait 3\nuntil rebuilt\nwait 3\n" + shot("plain") + choose("red") + shot("red") +
+            choose("green") + shot("green"),
+        {}, 200);
+    if (HasFatalFailure()) return;
+    EXPECT_EQ(read("plain")["painted"], "");
+    EXPECT_EQ(read("red")["painted"], "red");
+    EXPECT_EQ(read("green")["painted"], "green");
+    const auto broken = [&](const std::string& name) { return read(name)["bonds_broken"].get<int>(); };
+    EXPECT_EQ(broken("green"), broken("plain")) << "as strong as it is where the colour is full";
+    EXPECT_GT(broken("red"), broken("plain")) << "a tenth as strong where it is dark";
+    for (const char* name : {"plain", "red", "green"}) {
+        EXPECT_EQ(read(name)["message"], "") << name;
+        EXPECT_EQ(read(name)["particles"], read("plain")["particles"]) << name;
+    }
+}
+
 }  // namespace
 }  // namespace demolish::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Anchors, paths and mortar in scene files: what is read, where it stands in the world, what is refused.
+// Anchors, paths, cables and mortar in scene files: what is read, where it stands in the world, what is
+// refused.
 #include "app/session/scene_anchors.h"
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@
 
 #include <cmath>
 
+#include "app/session/cables.h"
 #include "app/session/scene_file.h"
 #include "tests/unit/app/scene_texts.h"
 #include "tests/unit/app/temporary_folder.h"
@@ -154,6 +156,41 @@ TEST(SceneAnchors, WhatIsWrongIsRefusedWithItsKey) {
                 HasSubstr("body[0].velocity_mps and path exclude each other"));
     EXPECT_THAT(complaintAbout(body("anchor = [{ shape = \"sphere\", radius_m = 1, body = 0 }]")),
                 HasSubstr("there is no setting 'body[0].anchor[0].body'"));
+}
+
+/// From a hook 3 m up to the upper side of what swings below it, both in a scene of half a metre's height.
+TEST(SceneCables, AreStretchedFromTheirPlaceToTheBodyWhereverItsPathIs) {
+    const TemporaryFolder folder;
+    const auto body = [](const std::string& keys) {
+        return kHead + "height_m = 0.5\nbody = [{ position_m = [0, 1, 0], " + keys + " }]\n";
+    };
+    const std::string path =
+        "breaks = false, path = [{ at_s = 2, position_m = [2, 0, 0], rotation_deg = [0, 0, 180] }]";
+    const Shot shot = loadSceneFile(folder.write(
+        "cable.toml", body(path + ", cable = { at_m = [0, 0.5, 0], to_m = [0, 3, 0], radius_m = 0.02 }")));
+    const auto end = [](const engine::ColliderDraw& rod, float side) {
+        return rod.position + rod.rotation * glm::vec3(0, 0, side * rod.half_size.z);
+    };
+    for (const auto& [time, x, y] : {std::tuple(0.0, 0.0f, 1.5f), {1.0, 0.5f, 1.0f}, {9.0, 2.0f, 0.5f}}) {
+        const auto drawn = drawnCables(shot, time);
+        ASSERT_EQ(drawn.size(), 1u);
+        EXPECT_NEAR(drawn[0].half_size.x, 0.02f, 1e-6f);
+        const bool first_is_hook = end(drawn[0], -1).y > 2.5f;
+        const glm::vec3 hook = end(drawn[0], first_is_hook ? -1.0f : 1.0f),
+                        eye = end(drawn[0], first_is_hook ? 1.0f : -1.0f);
+        EXPECT_NEAR(glm::distance(hook, glm::vec3(0, 3, 0)), 0, 1e-5f) << time;
+        EXPECT_NEAR(glm::distance(eye, glm::vec3(x, y, 0)), 0, 1e-5f) << time;
+    }
+    EXPECT_EQ(drawnCables(shot, 1), drawnCables(shot, 1)) << "a still picture stays the same";
+    Shot hidden = shot;
+    hidden.bodies[0].hidden = true;
+    EXPECT_TRUE(drawnCables(hidden, 0).empty());
+    EXPECT_THAT(complaintAbout(body("cable = { to_m = [0, 3, 0] }")),
+                HasSubstr("body[0].cable needs a path"));
+    EXPECT_THAT(complaintAbout(body(path + ", cable = { at_m = [0, 3, 0] }")),
+                HasSubstr("body[0].cable.to_m is missing"));
+    EXPECT_THAT(complaintAbout(body(path + ", cable = { to_m = [0, 3, 0], radius_m = 0 }")),
+                HasSubstr("body[0].cable.radius_m must be"));
 }
 
 TEST(SceneMortar, IsReadAndRefusedWithItsKey) {

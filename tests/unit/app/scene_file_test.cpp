@@ -182,6 +182,10 @@ TEST(SceneFile, RefusesCameraAndLightThatShowNothing) {
                 HasSubstr("scene.toml:4: light.sun_direction must have a length"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [1, 2, 3]\ntarget_m = [1, 2, 3]\n"),
                 HasSubstr("scene.toml:4: camera.eye_m must be apart from camera.target_m"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\neye_m = [0, 0, 3]\ntarget_m = [0, 0, 0]\nup = [0, 0, 1]\n"),
+                HasSubstr("camera.up must have a length, and not lie along"));
+    EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ at_s = 1, up = [0, 0, 0] }]\n"),
+                HasSubstr("camera.path[0].up must have a length"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\nfield_of_view_deg = 0\n"), HasSubstr("between 5 and 120"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ eye_m = [1, 2, 3] }]\n"),
                 HasSubstr("scene.toml:4: camera.path[0].at_s is missing"));

@@ -21,7 +21,8 @@ TEST(SceneLook, ReadsWhatRunsThroughTheSolid) {
         loadSceneFile(
             folder.write("a.toml",
                          kHead + "[look]\ntexture = \"bricks\"\ntexture_size_m = 0.3\n"
-                                 "texture_colour = [0.1, 0.2, 0.3]\ntexture_outside = 0.5\ncoat_m = 0.01\n"
+                                 "texture_colour = [0.1, 0.2, 0.3]\ntexture_outside = 0.5\ncoat_m = "
+                                 "0.01\nvariation = 0.2\n"
                                  "refraction_index = 1.4\nabsorption_per_m = [1, 20, 300]\nfrost = 0.7\n"))
             .look;
     EXPECT_EQ(look.texture, engine::SolidTexture::kBricks);
@@ -29,11 +30,13 @@ TEST(SceneLook, ReadsWhatRunsThroughTheSolid) {
     EXPECT_FLOAT_EQ(look.texture_colour[2], 0.3f);
     EXPECT_FLOAT_EQ(look.texture_outside, 0.5f);
     EXPECT_FLOAT_EQ(look.coat, 0.01f);
+    EXPECT_FLOAT_EQ(look.variation, 0.2f);
     EXPECT_TRUE(look.isTransparent());
     EXPECT_FLOAT_EQ(look.absorption[2], 300);
     EXPECT_FLOAT_EQ(look.frost, 0.7f);
     EXPECT_THAT(complaintAbout(kHead + "[look]\ntexture = \"fur\"\n"), HasSubstr("none, veins, layers"));
     EXPECT_THAT(complaintAbout(kHead + "[look]\ntexture_size_m = 0\n"), HasSubstr("texture_size_m"));
+    EXPECT_THAT(complaintAbout(kHead + "[look]\nvariation = 1\n"), HasSubstr("look.variation must be"));
     EXPECT_THAT(complaintAbout(kHead + "[look]\nrefraction_index = 0.5\n"), HasSubstr("refraction_index"));
     EXPECT_THAT(complaintAbout(kHead + "[look]\nabsorption_per_m = [1, -2, 3]\n"),
                 HasSubstr("absorption_per_m"));

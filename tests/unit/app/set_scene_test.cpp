@@ -20,6 +20,7 @@ namespace demolish {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// A table of 2 x 1 x 1 m on the floor, a cup of 0.2 m on it, a wall, a group of two posts, and below the
 /// cup a node without a mesh; a camera before it all and a sun from above.
@@ -172,6 +173,30 @@ TEST_F(SetScene, AMovingCameraIsAPathThatTheShotFollows) {
     EXPECT_NEAR(at(9).eye.y, 3.5, 1e-4) << "and stays";
     EXPECT_LT(shot.camera_path.size(), 40u) << "as few keys as tell it";
     EXPECT_TRUE(split(set()).camera_path.empty()) << "one that stands has none";
+}
+
+/// It rolls by a quarter in a second, to the left as seen from behind it.
+TEST_F(SetScene, ARollingCameraTakesItsUpAlong) {
+    const float half = std::sqrt(0.5f);
+    const auto file =
+        set(R"([{"name":"box","mesh":0},{"name":"eye","camera":0,"translation":[0,1,4]}])", "[0,1]",
+            R"(,"cameras":[{"type":"perspective","perspective":{"yfov":0.7,"znear":0.1}}],
+"animations":[{"channels":[{"sampler":0,"target":{"node":1,"path":"rotation"}}],
+"samplers":[{"input":2,"output":3}]}])",
+            {{"SCALAR", {0, 1}}, {"VEC4", {0, 0, 0, 1, 0, 0, half, half}}});
+    const Shot shot = split(file);
+    const auto at = [&shot](double time) { return cameraAt(*shot.camera, shot.camera_path, time); };
+    for (const double time : {0.0, 0.3, 0.5, 1.0}) {
+        const double angle = time * M_PI / 2;
+        const glm::vec3 up = glm::normalize(at(time).up);
+        EXPECT_NEAR(up.x, -std::sin(angle), 0.003) << time;
+        EXPECT_NEAR(up.y, std::cos(angle), 0.003) << time;
+        EXPECT_NEAR(at(time).direction().z, -1, 1e-5) << time;
+    }
+    EXPECT_LT(shot.camera_path.size(), 30u);
+    EXPECT_THAT(sceneTextOf(file, {}, folder_.path() / "a.toml"), HasSubstr("up = [0, 1, 0]"));
+    EXPECT_THAT(sceneTextOf(set(), {}, folder_.path() / "a.toml"), Not(HasSubstr("up = ")))
+        << "one that stands upright says nothing";
 }
 
 TEST_F(SetScene, AHeightScalesAllOfTheSet) {

@@ -158,6 +158,27 @@ TEST(Camera, LooksStraightDownOnWhatIsBelow) {
     EXPECT_GT(seen.w, 0);
 }
 
+TEST(Camera, ItsUpTurnsThePictureAndGoesRoundWithIt) {
+    Camera camera;
+    camera.eye = {0, 0, 5};
+    camera.target = {0, 0, 0};
+    camera.up = {1, 0, 0};
+    const auto on_screen = [&camera](glm::vec3 point) {
+        const glm::vec4 clip = camera.projection(1) * camera.view() * glm::vec4(point, 1);
+        return glm::vec2(clip.x, clip.y) / clip.w;
+    };
+    EXPECT_GT(on_screen({1, 0, 0}).y, 0.1f) << "what lies at +x is above";
+    EXPECT_NEAR(on_screen({1, 0, 0}).x, 0, 1e-6f);
+    EXPECT_LT(on_screen({0, 1, 0}).x, -0.1f);
+    camera.orbit(static_cast<float>(M_PI / 2), 0);
+    EXPECT_NEAR(glm::length(camera.up - glm::vec3(0, 0, -1)), 0, 1e-6f);
+    EXPECT_GT(on_screen({0, 0, -1}).y, 0.1f);
+    camera.up = camera.direction();
+    EXPECT_TRUE(std::isfinite(camera.view()[0][0])) << "along the view it is of no use, and no harm";
+    camera.up = glm::vec3(0);
+    EXPECT_TRUE(std::isfinite(camera.view()[0][0]));
+}
+
 TEST(FrameUniforms, ASunWithoutADirectionStandsInTheZenith) {
     FrameView view;
     view.width = 64;

@@ -117,23 +117,38 @@ TEST(MeshStream, LooksThatWouldCrashTheirUserAreRefused) {
 
 TEST(MeshStream, WhatStandsInASetKeepsItsNumbersAndIsChecked) {
     ModelSet set;
-    set.things = {{"cup \"1\"", {-0.1, 0, 0.3}, {1.0 / 3, 2, 3}, 12}};
-    set.camera = SetCamera{{1, 2, 3}, {0, 0, 0}, 0.7, {{0.1, {1, 2, 4}, {0, 0, 1}}, {2, {}, {0, 1, 0}}}};
+    set.things = {{"cup \"1\"",
+                   {-0.1, 0, 0.3},
+                   {1.0 / 3, 2, 3},
+                   12,
+                   {{0, {1, 2, 3}, {}}, {0.5, {4, 5, 6}, {0.6, 0, 0, 0.8}}}}};
+    set.camera = SetCamera{{1, 2, 3},
+                           {0, 0, 0},
+                           {0, 1, 0},
+                           0.7,
+                           {{0.1, {1, 2, 4}, {0, 0, 1}, {0, 1, 0}}, {2, {}, {0, 1, 0}, {0.6, 0, 0.8}}}};
     set.sun = SetSun{{0, -1, 0}, {3, 2, 0.1}};
     const auto text = std::get<ModelSetText>(answerIn(bytesOf(ModelSetText{setText(set)}))).text;
     const ModelSet got = setOfText(text);
     ASSERT_EQ(got.things.size(), 1u);
     EXPECT_EQ(got.things[0].node, set.things[0].node);
     EXPECT_EQ(got.things[0].high, set.things[0].high);
+    ASSERT_EQ(got.things[0].motion.size(), 2u);
+    EXPECT_EQ(got.things[0].motion[1].middle, set.things[0].motion[1].middle);
+    EXPECT_EQ(got.things[0].motion[1].turn, set.things[0].motion[1].turn);
+    EXPECT_EQ(got.things[0].motion[1].time, 0.5);
     EXPECT_EQ(got.camera.value().eye, set.camera->eye);
     ASSERT_EQ(got.camera->path.size(), 2u);
     EXPECT_EQ(got.camera->path[0].time, 0.1);
     EXPECT_EQ(got.camera->path[1].target, set.camera->path[1].target);
+    EXPECT_EQ(got.camera->path[1].up, set.camera->path[1].up);
     EXPECT_EQ(got.sun.value().direction, set.sun->direction);
     EXPECT_EQ(got.sun->colour, set.sun->colour);
-    for (const char* bad : {"", "-7", "9999999", "1\n0 0 0 1 1 1 12 9 cup\n0\n0\n", "0\n2\n",
-                            "0\n0\n1\n1 2 nan 1 1 1\n", "0\n0\n1\n1 2\n", "0\n1\n1 2 3 0 0 0 1 9999999\n0\n",
-                            "0\n1\n1 2 3 0 0 0 1 2\n2 1 1 1 2 2 2\n1 1 1 1 2 2 2\n0\n"})
+    for (const char* bad :
+         {"", "-7", "9999999", "1\n0 0 0 1 1 1 12 9 cup\n0\n0\n", "1\n0 0 0 1 1 1 12 3 cup 9999\n0\n0\n",
+          "1\n0 0 0 1 1 1 12 3 cup 2\n1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1\n0\n0\n", "0\n2\n",
+          "0\n0\n1\n1 2 nan 1 1 1\n", "0\n0\n1\n1 2\n", "0\n1\n1 2 3 0 0 0 0 1 0 1 9999999\n0\n",
+          "0\n1\n1 2 3 0 0 0 0 1 0 1 2\n2 1 1 1 2 2 2 0 1 0\n1 1 1 1 2 2 2 0 1 0\n0\n"})
         EXPECT_THROW(setOfText(bad), BrokenStream) << bad;
 }
 

@@ -46,6 +46,16 @@ TEST(MotionPath, ASmoothOneHasNoJumpOfSpeedAndOvershootsNoKey) {
     EXPECT_NEAR((poseAt(path, 1 + kStep).way.x - poseAt(path, 1 - kStep).way.x) / (2 * kStep), 4.0 / 3, 1e-3);
 }
 
+TEST(MotionPath, TakesPointsAlongAboutItsPivot) {
+    const MotionPath path{{{2, {4, 0, 0}, {0, 0, M_PI}}}, false};
+    const Double3 start = placeOnPath(path, {1, 1, 0}, {1, 2, 3}, 0),
+                  half = placeOnPath(path, {1, 1, 0}, {1, 2, 3}, 1);
+    EXPECT_EQ(start, (Double3{1, 2, 3}));
+    EXPECT_NEAR(half.x, 1 + 2 - 1, 1e-12) << "2 m on, a quarter turned";
+    EXPECT_NEAR(half.y, 1, 1e-12);
+    EXPECT_NEAR(half.z, 3, 1e-12);
+}
+
 TEST(MotionPath, KnowsWhenItMoves) {
     const MotionPath path = thereAndOn(true);
     EXPECT_TRUE(movesBetween(path, 0.9, 1.1));
