@@ -16,13 +16,14 @@ layout(std430, binding = 5) readonly buffer ExteriorVertices { uint exterior_wor
 layout(location = 0) uniform float width;  // m, at most, of lines between fragments
 
 const float kLeastPixels = 1.3;               // drawn so wide at least: what is thinner fades
+const float kWidest = 2.5;                    // in widths, inside of a fragment: what gapes is no line
 const float kFullUpTo = 0.5, kGoneAt = 3.0;  // opening gap, in widths
 
 // m, at an end.
 float widthAt(CrackLine line, int end, bool apart) {
     vec2 widths = unpackHalf2x16(line.widths);
     float wide = end == 0 ? widths.x : widths.y;
-    return apart ? min(wide, width) : wide;
+    return min(wide, apart ? width : kWidest * width);
 }
 
 vec3 restPosition(uint vertex) {

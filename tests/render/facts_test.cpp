@@ -268,6 +268,7 @@ float pixelsHidden(Renderer& renderer, float opening) {
         [&](uint32_t a, uint32_t b) { return isLeft(a) != isLeft(b); });
     putIntoFurnace(scene.view, glm::vec3(0.8f));
     scene.view.look.noise_strength = 0;
+    scene.view.look.crack_width = 0.05f;  // of the widest
     std::ranges::fill(scene.view.look.exterior_colour, 0.8f);
     scene.view.look.exterior_roughness = 1;
     scene.view.width = scene.view.height = 200;
