@@ -10,16 +10,15 @@
 out float across;            // px from the middle
 out float half_width;        // px
 out float strength;
-out vec3 rest;
 
 void main() {
-    uint word = crack_list[gl_InstanceID + (gl_VertexID >> 2)];  // four vertices a line
+    CrackLine line = crack_list[gl_InstanceID + (gl_VertexID >> 2)];  // four vertices a line
     int corner = gl_VertexID & 3, end = corner >> 1;
-    CrackEdge edge = crack_edges[crackEdgeOf(word)];
+    CrackEdge edge = crack_edges[line.edge];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     vec3 p[2] = vec3[](moved(t, restPosition(edge.vertex_0)), moved(t, restPosition(edge.vertex_1)));
-    rest = restPosition(end == 0 ? edge.vertex_0 : edge.vertex_1);
+    vec3 rest = restPosition(end == 0 ? edge.vertex_0 : edge.vertex_1);
     float opening = openingAt(rest, t, fragment, other);
     vec3 normal = rotate(t.rotation, restNormal(end == 0 ? edge.vertex_0 : edge.vertex_1));
     vec3 to_eye = normalize(frame.eye.xyz - p[end]);
@@ -30,9 +29,9 @@ void main() {
     vec2 along = screen_1 - screen_0;
     along = length(along) > 1e-4 ? normalize(along) : vec2(1.0, 0.0);
 
-    float taper = taperOf(word, end), wanted = taper * widthOnScreen(clip[end].w);
+    float wanted = onScreen(widthAt(line, end, fragment != other), clip[end].w);
     half_width = 0.5 * max(wanted, kLeastPixels);
-    strength = strengthOf(wanted, taper, dot(normal, to_eye), opening);
+    strength = strengthOf(wanted, dot(normal, to_eye), opening);
     across = (half_width + 1.0) * float(2 * (corner & 1) - 1);
     vec2 offset = vec2(-along.y, along.x) * across + along * (end == 0 ? -0.5 : 0.5) * half_width;
     gl_Position = clip[end];

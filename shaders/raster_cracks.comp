@@ -5,7 +5,6 @@
 layout(local_size_x = 128) in;
 #include "common/frame.glsl"
 #include "common/gbuffer.glsl"
-#include "common/noise.glsl"
 #include "common/body.glsl"
 #include "common/commands.glsl"
 #include "common/visible.glsl"
@@ -16,22 +15,20 @@ const uint kLanes = 4u;
 
 // One end of the ribbon.
 struct End {
-    vec3 rest;
     vec4 clip;
     vec2 window;  // px
     float half_width, strength;
 };
 
-End endOf(uint vertex, float taper, FragmentTransform t, uint fragment, uint other) {
+End endOf(uint vertex, float wide, FragmentTransform t, uint fragment, uint other) {
     End end;
-    end.rest = restPosition(vertex);
-    vec3 p = moved(t, end.rest), normal = rotate(t.rotation, restNormal(vertex));
+    vec3 rest = restPosition(vertex), p = moved(t, rest), normal = rotate(t.rotation, restNormal(vertex));
     vec3 to_eye = normalize(frame.eye.xyz - p);
     end.clip = frame.view_projection * vec4(lifted(p, normal, to_eye), 1.0);
     end.window = (end.clip.xy / max(end.clip.w, 1e-4) * 0.5 + 0.5) * frame.viewport.xy;
-    float wanted = taper * widthOnScreen(end.clip.w);
+    float wanted = onScreen(wide, end.clip.w);
     end.half_width = 0.5 * max(wanted, kLeastPixels);
-    end.strength = strengthOf(wanted, taper, dot(normal, to_eye), openingAt(end.rest, t, fragment, other));
+    end.strength = strengthOf(wanted, dot(normal, to_eye), openingAt(rest, t, fragment, other));
     return end;
 }
 
@@ -69,9 +66,7 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     // As far along the edge itself.
     float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
     t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
-    noise_footprint = distance(r.ends[0].rest, r.ends[1].rest) / r.extent;
-    float left = 1.0 - crackCover(mix(r.ends[0].rest, r.ends[1].rest, t), width, place.y,
-                                  mix(r.ends[0].half_width, r.ends[1].half_width, t),
+    float left = 1.0 - crackCover(place.y, mix(r.ends[0].half_width, r.ends[1].half_width, t),
                                   mix(r.ends[0].strength, r.ends[1].strength, t));
     uint steps = uint(-log2(max(left, 0.02)) * kCrackSteps + 0.5);
     if (steps == 0u) return;
@@ -96,13 +91,14 @@ void paint(Ribbon r, uint lane) {
     }
 }
 
-void drawEdge(uint word, uint lane) {
-    CrackEdge edge = crack_edges[crackEdgeOf(word)];
+void drawLine(CrackLine line, uint lane) {
+    CrackEdge edge = crack_edges[line.edge];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
     FragmentTransform t = transforms[fragment];
     Ribbon r;
-    r.ends[0] = endOf(edge.vertex_0, taperOf(word, 0), t, fragment, other);
-    r.ends[1] = endOf(edge.vertex_1, taperOf(word, 1), t, fragment, other);
+    bool apart = fragment != other;
+    r.ends[0] = endOf(edge.vertex_0, widthAt(line, 0, apart), t, fragment, other);
+    r.ends[1] = endOf(edge.vertex_1, widthAt(line, 1, apart), t, fragment, other);
     if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
     if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
     vec2 way = r.ends[1].window - r.ends[0].window;
@@ -115,5 +111,5 @@ void drawEdge(uint word, uint lane) {
 void main() {
     uint count = commands[kCrackCommand].instance_count, edges = gl_NumWorkGroups.x * gl_WorkGroupSize.x / kLanes;
     for (uint k = gl_GlobalInvocationID.x / kLanes; k < count; k += edges)
-        drawEdge(crack_list[k], gl_GlobalInvocationID.x % kLanes);
+        drawLine(crack_list[k], gl_GlobalInvocationID.x % kLanes);
 }

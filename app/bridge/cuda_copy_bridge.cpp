@@ -79,17 +79,18 @@ void CudaCopyBridge::transfer(Solver& solver, const FrameRequest& request) {
 
 void CudaCopyBridge::bringStreams(FrameChange change) {
     const size_t count = mesh_.particleCount();
-    for (const StreamId id : kMotionStreams) bring(id, count);
+    if (change == FrameChange::kAll) bring(StreamId::kCommands, 1);
+    const auto& commands = *static_cast<const DrawCommands*>(
+        memory_->pinned[static_cast<size_t>(StreamId::kCommands)].atLeast(sizeof(DrawCommands)));
+    for (const StreamId id : kMotionStreams) bring(id, motionElements(id, count, commands));
     if (change == FrameChange::kMotion) return;
     bring(StreamId::kParticleFragment, count);
-    const auto& commands = *reinterpret_cast<const DrawCommands*>(bring(StreamId::kCommands, 1));
     const auto* indices =
         reinterpret_cast<const uint32_t*>(bring(StreamId::kInteriorIndices, commands.interior.count));
     const DrawListUse use =
         drawListUse(commands, {indices, indices == nullptr ? 0 : commands.interior.count});
     bring(StreamId::kInteriorVertices, use.interior_vertices);
     bring(StreamId::kExteriorIndices, use.exterior_indices);
-    bring(StreamId::kCrackEdges, use.crack_edges);
     const size_t vertices =
         memory_->bytes[static_cast<size_t>(StreamId::kExteriorVertices)] / sizeof(SurfaceVertex);
     const size_t chunks = exteriorChunks(vertices);

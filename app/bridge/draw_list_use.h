@@ -11,7 +11,7 @@
 namespace demolish {
 
 struct DrawListUse {
-    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0, crack_edges = 0;  ///< elements
+    size_t interior_indices = 0, interior_vertices = 0, exterior_indices = 0;  ///< elements
 };
 /// Of the outside, from the first that was written to the last.
 struct WrittenVertices {
@@ -34,7 +34,6 @@ inline DrawListUse drawListUse(const DrawCommands& commands, std::span<const uin
     const auto used = interior_indices.first(use.interior_indices);
     if (!used.empty()) use.interior_vertices = *std::max_element(used.begin(), used.end()) + size_t{1};
     use.exterior_indices = commands.exterior.count;
-    use.crack_edges = commands.cracks.instance_count;
     return use;
 }
 

@@ -44,15 +44,18 @@ void HostBridge::upload(StreamId id, size_t elements, size_t first) {
 
 void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change) {
     const size_t count = mesh_.particleCount();
-    for (const StreamId id : kMotionStreams) upload(id, count);
+    // As they were written last, which need not be now.
+    const auto& commands =
+        *reinterpret_cast<const DrawCommands*>(memory_[static_cast<size_t>(StreamId::kCommands)].get());
+    for (const StreamId id : kMotionStreams) upload(id, motionElements(id, count, commands));
     if (const EffectCommands* effects = streams.effect_commands.data) {
         upload(StreamId::kGrains, effects->grains.instance_count);
         upload(StreamId::kPuffs, effects->puffs.instance_count);
         upload(StreamId::kEffectCommands, 1);
     }
     if (change == FrameChange::kMotion) return;
-    const DrawListUse use = drawListUse(*streams.commands.data,
-                                        {streams.interior_indices.data, streams.interior_indices.capacity});
+    const DrawListUse use =
+        drawListUse(commands, {streams.interior_indices.data, streams.interior_indices.capacity});
     upload(StreamId::kParticleFragment, count);
     upload(StreamId::kInteriorIndices, use.interior_indices);
     upload(StreamId::kInteriorVertices, use.interior_vertices);
@@ -61,7 +64,6 @@ void HostBridge::uploadStreams(const RenderStreams& streams, FrameChange change)
         writtenVertices({streams.exterior_chunks.data, exteriorChunks(streams.exterior_vertices.capacity)},
                         streams.exterior_vertices.capacity);
     upload(StreamId::kExteriorVertices, outside.count, outside.first);
-    upload(StreamId::kCrackEdges, use.crack_edges);
     upload(StreamId::kCommands, 1);
 }
 

@@ -88,7 +88,7 @@ class FrameReader {
         bring(streams_.interior_vertices, use.interior_vertices, frame.interior_vertices);
         bring(streams_.exterior_vertices, frame.exterior_vertices);
         bring(streams_.exterior_indices, use.exterior_indices, frame.exterior_indices);
-        bring(streams_.crack_edges, use.crack_edges, frame.crack_edges);
+        bring(streams_.crack_edges, frame.commands.cracks.instance_count, frame.crack_edges);
     }
 
     Solver& solver_;

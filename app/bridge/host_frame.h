@@ -34,7 +34,8 @@ struct HostFrame {
     std::vector<uint32_t> particle_fragment;
     std::vector<FragmentTransform> transforms;  ///< one a particle; those of slots in use mean something
     std::vector<SurfaceVertex> interior_vertices;
-    std::vector<uint32_t> interior_indices, exterior_indices, crack_edges;
+    std::vector<uint32_t> interior_indices, exterior_indices;
+    std::vector<CrackLine> crack_edges;
     std::vector<SurfaceVertex> exterior_vertices;
     DrawCommands commands{};
     std::vector<uint8_t> damage, stress, speed;  ///< as ColourStreams

@@ -41,7 +41,7 @@ RenderStreams streamsAt(const std::array<void*, kStreamCount>& data,
     streams.interior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kInteriorVertices);
     streams.interior_indices = streamOf<uint32_t>(data, bytes, StreamId::kInteriorIndices);
     streams.exterior_indices = streamOf<uint32_t>(data, bytes, StreamId::kExteriorIndices);
-    streams.crack_edges = streamOf<uint32_t>(data, bytes, StreamId::kCrackEdges);
+    streams.crack_edges = streamOf<CrackLine>(data, bytes, StreamId::kCrackEdges);
     streams.exterior_vertices = streamOf<SurfaceVertex>(data, bytes, StreamId::kExteriorVertices);
     streams.exterior_chunks = streamOf<uint32_t>(data, bytes, StreamId::kExteriorChunks);
     streams.commands = streamOf<DrawCommands>(data, bytes, StreamId::kCommands);

@@ -16,13 +16,17 @@ inline constexpr size_t kStreamCount = static_cast<size_t>(engine::StreamId::kCo
 
 inline constexpr std::array<size_t, kStreamCount> kStreamElementBytes = {
     sizeof(ParticleInstance), sizeof(uint32_t),     sizeof(FragmentTransform), sizeof(SurfaceVertex),
-    sizeof(uint32_t),         sizeof(uint32_t),     sizeof(uint32_t),          sizeof(SurfaceVertex),
+    sizeof(uint32_t),         sizeof(uint32_t),     sizeof(CrackLine),         sizeof(SurfaceVertex),
     sizeof(uint32_t),         sizeof(DrawCommands), sizeof(GrainInstance),     sizeof(PuffInstance),
     sizeof(EffectCommands)};
 
 /// Streams that change while nothing breaks; the solver's others are draw lists.
-inline constexpr std::array<engine::StreamId, 2> kMotionStreams = {engine::StreamId::kParticles,
-                                                                   engine::StreamId::kTransforms};
+inline constexpr std::array<engine::StreamId, 3> kMotionStreams = {
+    engine::StreamId::kParticles, engine::StreamId::kTransforms, engine::StreamId::kCrackEdges};
+/// How much of one of these is in use.
+constexpr size_t motionElements(engine::StreamId id, size_t particles, const DrawCommands& last) {
+    return id == engine::StreamId::kCrackEdges ? last.cracks.instance_count : particles;
+}
 
 /// Streams of grit and dust, which travel with either while there is any.
 inline constexpr std::array<engine::StreamId, 3> kEffectStreams = {

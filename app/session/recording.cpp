@@ -85,15 +85,14 @@ std::vector<uint32_t> slotsOf(std::span<const uint32_t> particle_fragment) {
 /// What draws the surface, where the bridge has it.
 struct SurfaceSpans {
     std::span<const SurfaceVertex> vertices;
-    std::span<const uint32_t> indices, crack_edges;
+    std::span<const uint32_t> indices;
 
     SurfaceSpans(const ReadStream& read, const DrawCommands& commands)
-        : indices(seen<uint32_t>(read, StreamId::kInteriorIndices, commands.interior.count)),
-          crack_edges(seen<uint32_t>(read, StreamId::kCrackEdges, commands.cracks.instance_count)) {
+        : indices(seen<uint32_t>(read, StreamId::kInteriorIndices, commands.interior.count)) {
         vertices = seen<SurfaceVertex>(read, StreamId::kInteriorVertices,
                                        drawListUse(commands, indices).interior_vertices);
     }
-    size_t bytes() const { return vertices.size_bytes() + indices.size_bytes() + crack_edges.size_bytes(); }
+    size_t bytes() const { return vertices.size_bytes() + indices.size_bytes(); }
 };
 
 }  // namespace
@@ -108,8 +107,9 @@ void Recording::clear() {
 void Recording::add(RecordedFrame frame) {
     if (full()) return;
     const bool changed = frames_.empty() || frames_.back().draw_list != frame.draw_list;
-    bytes_ += sizeof(frame) + frame.stress.size() + frame.speed.size() +
-              frame.transforms.size() * sizeof(FragmentTransform) +
+    const bool opened = frames_.empty() || frames_.back().crack_lines != frame.crack_lines;
+    bytes_ += (opened ? frame.crack_lines->size() * sizeof(CrackLine) : 0) + sizeof(frame) +
+              frame.stress.size() + frame.speed.size() + frame.transforms.size() * sizeof(FragmentTransform) +
               frame.projectiles.size() * sizeof(ParticleInstance) + (changed ? frame.draw_list->bytes : 0) +
               (frame.effects ? frame.effects->bytes() : 0);
     frames_.push_back(std::move(frame));
@@ -132,7 +132,6 @@ std::shared_ptr<const RecordedDrawList> Recording::readDrawList(const ReadStream
     copying_ = std::async(std::launch::async, [list, surface] {
         list->interior_vertices = RecordedArray(surface.vertices);
         list->interior_indices = RecordedArray(surface.indices);
-        list->crack_edges = RecordedArray(surface.crack_edges);
     });
     return list;
 }
@@ -145,6 +144,7 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
         const RecordedFrame& before = frames_.back();
         frame.draw_list = before.draw_list;
         frame.transforms = before.transforms;
+        frame.crack_lines = before.crack_lines;
         frame.stress = before.stress;
         frame.speed = before.speed;
         frame.effects = effects_.recordSame();
@@ -153,6 +153,7 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
     const size_t particles = colours.stress.size();
     frame.draw_list =
         breaksWith(stats) ? readDrawList(stream, colours.damage, outside_vertices) : frames_.back().draw_list;
+    frame.crack_lines = readCracks(stream, frame.draw_list->commands);
     frame.stress = copied(colours.stress);
     frame.speed = copied(colours.speed);
     const auto all = seen<FragmentTransform>(stream, StreamId::kTransforms, particles);
@@ -160,6 +161,14 @@ RecordedFrame Recording::read(FrameChange change, const ReadStream& stream, cons
     for (const uint32_t slot : frame.draw_list->slots) frame.transforms.push_back(all[slot]);
     frame.effects = readEffects(stream, stats);
     return frame;
+}
+
+std::shared_ptr<const std::vector<CrackLine>> Recording::readCracks(const ReadStream& read,
+                                                                    const DrawCommands& commands) const {
+    const auto lines = seen<CrackLine>(read, StreamId::kCrackEdges, commands.cracks.instance_count);
+    if (!frames_.empty() && std::ranges::equal(*frames_.back().crack_lines, lines))
+        return frames_.back().crack_lines;
+    return std::make_shared<const std::vector<CrackLine>>(copied(lines));
 }
 
 std::shared_ptr<const RecordedEffects> Recording::readEffects(const ReadStream& read,
@@ -202,7 +211,7 @@ void Recording::replay(size_t index, engine::FractureMesh& mesh, const SceneSetu
     upload(mesh, StreamId::kInteriorIndices, list.interior_indices.span());
     list.outside.upload(mesh);
     upload(mesh, StreamId::kExteriorIndices, drawnExterior(setup, list.particle_fragment));
-    upload(mesh, StreamId::kCrackEdges, list.crack_edges.span());
+    upload(mesh, StreamId::kCrackEdges, *frame.crack_lines);
     upload(mesh, StreamId::kCommands, std::vector<DrawCommands>{list.commands});
     replayEffects(index, mesh);
 }

@@ -20,7 +20,7 @@ struct RecordedDrawList {
     std::vector<uint32_t> particle_fragment;
     std::vector<uint8_t> damage;  ///< as ColourStreams
     RecordedArray<SurfaceVertex> interior_vertices;
-    RecordedArray<uint32_t> interior_indices, crack_edges;
+    RecordedArray<uint32_t> interior_indices;
     RecordedOutside outside;
     DrawCommands commands{};
     std::vector<uint32_t> slots;  ///< slots in use, ascending
@@ -30,6 +30,8 @@ struct RecordedDrawList {
 struct RecordedFrame {
     std::shared_ptr<const RecordedDrawList> draw_list;
     std::vector<FragmentTransform> transforms;  ///< of draw_list->slots
+    /// Frames in which no crack has opened or closed share them.
+    std::shared_ptr<const std::vector<CrackLine>> crack_lines;
     std::vector<ParticleInstance> projectiles;
     std::vector<uint8_t> stress, speed;              ///< as ColourStreams
     std::shared_ptr<const RecordedEffects> effects;  ///< null: there are none
@@ -68,6 +70,8 @@ class Recording {
     std::shared_ptr<const RecordedDrawList> readDrawList(const ReadStream& read,
                                                          std::span<const uint8_t> damage,
                                                          size_t outside_vertices);
+    std::shared_ptr<const std::vector<CrackLine>> readCracks(const ReadStream& read,
+                                                             const DrawCommands& commands) const;
     std::shared_ptr<const RecordedEffects> readEffects(const ReadStream& read, const FrameStats& stats);
     void replayEffects(size_t frame, engine::FractureMesh& mesh) const;
     /// Did something break since the frame recorded last?

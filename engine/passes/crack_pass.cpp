@@ -22,7 +22,7 @@ CrackPass::CrackPass(const std::filesystem::path& shaders)
 
 void CrackPass::drawLines(const FractureMesh& mesh, const SeenCracks* seen) {
     bindStorage(StorageBinding::kCrackList,
-                seen != nullptr ? seen->words() : mesh.stream(StreamId::kCrackEdges));
+                seen != nullptr ? seen->lines() : mesh.stream(StreamId::kCrackEdges));
     layout_.setIndices(seen != nullptr ? seen->indices() : corners_);
     layout_.bind();
     if (seen == nullptr) return mesh.drawCommanded(kCrackCommand);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kChunk = 64;  // vertices
 constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kGrainBytes = 32,
-                 kPuffBytes = 32;
+                 kCrackLineBytes = 8, kPuffBytes = 32;
 
 /// Of the kind that can be read where it lies.
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {
@@ -37,7 +37,7 @@ size_t streamBytes(StreamId id, const FractureMeshData& data) {
         case StreamId::kExteriorIndices:
             return data.exterior_indices.size_bytes();
         case StreamId::kCrackEdges:
-            return data.crack_capacity * sizeof(uint32_t);
+            return data.crack_capacity * kCrackLineBytes;
         case StreamId::kExteriorVertices:
             return data.exterior_vertices.size();
         case StreamId::kExteriorChunks:

@@ -11,8 +11,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr float kGoneAt = 3.01f;  // opening, in widths; a little more than the shader's
-constexpr uint32_t kEdgeBits = 26;
+constexpr float kGoneAt = 3.01f;   // opening, in widths; a little more than the shader's
 constexpr size_t kStretch = 4096;  // lines
 constexpr uint32_t kLeastLines = 64;
 
@@ -39,30 +38,30 @@ bool mayShow(const Edge& edge, std::span<const MeshVertex> vertices, const MeshM
 void SeenCracks::find(const FractureMesh& mesh, float width) {
     const MeshMotion motion(mesh);
     const gl::BufferReading edge_bytes(mesh.crackEdges()), vertex_bytes(mesh.exteriorVertices()),
-        word_bytes(mesh.stream(StreamId::kCrackEdges));
+        line_bytes(mesh.stream(StreamId::kCrackEdges));
     const auto edges = edge_bytes.as<Edge>();
     const auto vertices = vertex_bytes.as<MeshVertex>();
-    const auto all = word_bytes.as<uint32_t>();
-    const auto words = all.first(std::min<size_t>(commandOf(mesh, kCrackCommand).instances, all.size()));
-    std::vector<uint8_t> shows(words.size());
-    tbb::parallel_for(size_t{0}, (words.size() + kStretch - 1) / kStretch, [&](size_t stretch) {
-        const size_t end = std::min(words.size(), (stretch + 1) * kStretch);
+    const auto all = line_bytes.as<Line>();
+    const auto lines = all.first(std::min<size_t>(commandOf(mesh, kCrackCommand).instances, all.size()));
+    std::vector<uint8_t> shows(lines.size());
+    tbb::parallel_for(size_t{0}, (lines.size() + kStretch - 1) / kStretch, [&](size_t stretch) {
+        const size_t end = std::min(lines.size(), (stretch + 1) * kStretch);
         for (size_t i = stretch * kStretch; i < end; ++i) {
-            const Edge& edge = edges[words[i] & ((1u << kEdgeBits) - 1)];
-            shows[i] = mayShow(edge, vertices, motion, kGoneAt * width) ? 1 : 0;
+            const bool open = lines[i].widths != 0;
+            shows[i] = open && mayShow(edges[lines[i].edge], vertices, motion, kGoneAt * width) ? 1 : 0;
         }
     });
     found_.clear();
-    for (size_t i = 0; i < words.size(); ++i)
-        if (shows[i] != 0) found_.push_back(words[i]);
+    for (size_t i = 0; i < lines.size(); ++i)
+        if (shows[i] != 0) found_.push_back(lines[i]);
     upload();
 }
 
 void SeenCracks::upload() {
     const auto lines = std::max(kLeastLines, static_cast<uint32_t>(found_.size()));
-    if (!words_) words_ = gl::Buffer::resizable(sizeof(uint32_t), GL_STREAM_DRAW);
-    words_.resize(lines * sizeof(uint32_t));
-    words_.upload(std::as_bytes(std::span(found_)));
+    if (!lines_) lines_ = gl::Buffer::resizable(sizeof(Line), GL_STREAM_DRAW);
+    lines_.resize(lines * sizeof(Line));
+    lines_.upload(std::as_bytes(std::span(found_)));
     if (indexed_ >= lines) return;
     indexed_ = 2 * lines;
     std::vector<uint32_t> corners;

@@ -12,19 +12,22 @@ namespace demolish::engine {
 
 class SeenCracks {
   public:
-    /// `width`: of a line, m. Lines whose ends have both come apart by more than what CrackPass fades over
-    /// are left out.
+    /// `width`: of the widest line between two fragments, m. Lines of no width are left out, and those whose
+    /// ends have both come apart by more than what CrackPass fades over.
     void find(const FractureMesh& mesh, float width);
     /// As StreamId::kCrackEdges.
-    const gl::Buffer& words() const { return words_; }
+    const gl::Buffer& lines() const { return lines_; }
     /// Of vertices 4 k + 0..3 of line k: two triangles each.
     const gl::Buffer& indices() const { return indices_; }
     uint32_t indexCount() const { return 6 * static_cast<uint32_t>(found_.size()); }
 
   private:
+    struct Line {
+        uint32_t edge, widths;
+    };
     void upload();
-    std::vector<uint32_t> found_;
-    gl::Buffer words_, indices_;
+    std::vector<Line> found_;
+    gl::Buffer lines_, indices_;
     uint32_t indexed_ = 0;  ///< lines that `indices_` has
 };
 

@@ -14,7 +14,7 @@ enum class StreamId : uint32_t {
     kInteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, depth and bend 2 x half, cell u32
     kInteriorIndices,   ///< u32
     kExteriorIndices,   ///< u32, into the exterior vertices
-    kCrackEdges,        ///< u32
+    kCrackEdges,        ///< 8 B: crack edge u32, widths at its ends in m 2 x half
     kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, triangle of its looks u32, cell u32
     kExteriorChunks,    ///< u32 per 64 exterior vertices: which were written last; nothing here reads it
     kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior

@@ -14,7 +14,7 @@ void outsideMaterial(inout Surface s, vec3 rest) {
     vec3 colour = outside.rgb;
 #if TEXTURE != TEXTURE_NONE
     Solid solid = solidAt(rest);
-    colour = mix(colour, texture_colour.rgb, texture_shape.y * solid.other) * mix(1.0, solid.tone, texture_shape.y);
+    colour = mix(colour, texture_colour.rgb, texture_shape.y * solid.other) * mix(solid.skin, solid.tone, texture_shape.y);
 #endif
     s.albedo = colour * (1.0 + 0.05 * coarse + 0.03 * speck);
     s.roughness = clamp(outside.a * (1.0 + 0.18 * coarse), 0.05, 1.0);

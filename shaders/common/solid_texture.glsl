@@ -16,6 +16,7 @@
 struct Solid {
     float other;   // share of the second colour, 0..1
     float tone;    // factor of either colour, about 1
+    float skin;    // factor of the colour of an outside that hides the solid, about 1
     float smoothed;  // share by which the roughness of a broken face is taken off, 0..1
 };
 
@@ -55,17 +56,21 @@ float sheet(vec4 n, float wide, float pixel) {
 
 Solid solidAt(vec3 rest) {
     float scale = texture_shape.x, pixel = pixelAt(rest) * scale;
-    vec4 bend = noise(kTurn1 * rest, 0.32 * scale), shiver = noise(kTurn2 * rest, 1.7 * scale);
-    vec3 p = rest + (0.42 * bend.xyz + 0.06 * shiver.xyz) / scale;
-    // Sheets: much longer along them than across, as in rock that was pressed; a few finer ones across.
-    vec4 broad = noise(kTurn1 * p * vec3(1.0, 0.25, 0.25), 0.85 * scale), fine = noise(kTurn2 * p * vec3(0.3, 1.0, 0.3), 1.3 * scale);
-    vec4 cloud = noise(kTurn2 * rest, 0.3 * scale);
-    float strength = smoothstep(-0.5, 0.5, cloud.w + 0.2 * shiver.w);
+    vec4 bend = noise(kTurn1 * rest, 0.45 * scale), shiver = noise(kTurn2 * rest, 2.1 * scale);
+    vec3 p = rest + (0.34 * bend.xyz + 0.05 * shiver.xyz) / scale;
+    // Sheets of three sizes, longer along them than across, as in rock that was pressed: few wide ones, a net of fine ones.
+    vec4 broad = noise(kTurn1 * p * vec3(1.0, 0.45, 0.45), 0.8 * scale), fine = noise(kTurn2 * p * vec3(0.5, 1.0, 0.5), 1.7 * scale);
+    vec4 hair = noise(p * vec3(0.6, 0.6, 1.0), 3.6 * scale), cloud = noise(kTurn2 * rest, 0.33 * scale);
+    // Veins gather where the rock is grey, and leave other parts white.
+    float grey = smoothstep(-0.45, 0.5, cloud.w + 0.25 * shiver.w), apart = smoothstep(-0.3, 0.4, bend.w);
     Solid s;
-    s.other = (0.45 + 0.55 * strength) * sheet(broad, 0.015 + 0.075 * strength * strength, 0.85 * pixel);
-    s.other = max(s.other, 0.5 * smoothstep(-0.3, 0.5, bend.w) * sheet(fine, 0.03, 1.3 * pixel));
-    s.other = max(s.other, (0.06 + 0.34 * strength) * (1.0 - smoothstep(0.0, 0.40, abs(broad.w + 0.1 * shiver.w))));
-    s.tone = 1.0 + 0.06 * cloud.w + 0.03 * fine.w;
+    s.other = (0.32 + 0.60 * grey) * sheet(broad, 0.03 + 0.07 * grey * grey, 0.85 * pixel);
+    s.other = max(s.other, 0.42 * apart * sheet(fine, 0.05, 1.7 * pixel));
+    s.other = max(s.other, 0.26 * grey * (1.0 - apart) * sheet(hair, 0.08, 3.6 * pixel));
+    s.other = max(s.other, (0.04 + 0.22 * grey) * (1.0 - smoothstep(0.0, 0.5, abs(broad.w + 0.2 * shiver.w))));
+    s.other = max(s.other, 0.16 * grey * smoothstep(-0.4, 0.6, hair.w + fine.w));
+    s.tone = 1.0 + 0.04 * cloud.w + 0.03 * hair.w;
+    s.skin = 1.0;
     s.smoothed = 0.3;
     return s;
 }
@@ -78,6 +83,7 @@ Solid solidAt(vec3 rest) {
     Solid s;
     s.other = smoothstep(-0.5, 0.6, broad + 0.5 * thin);
     s.tone = 1.0 + 0.10 * thin + 0.10 * sand.w;
+    s.skin = 1.0;
     s.smoothed = 0.0;
     return s;
 }
@@ -92,6 +98,7 @@ Solid solidAt(vec3 rest) {
     Solid s;
     s.other = max(flake, 0.8 * smoothstep(0.90, 0.93, coarse.a));
     s.tone = 0.66 + 0.62 * coarse.a + 0.16 * (fine.a - 0.5) - 0.10 * edge + 0.06 * cloud.w;
+    s.skin = 1.0;
     s.smoothed = 0.35 * coarse.a;
     return s;
 }
@@ -108,6 +115,11 @@ Solid solidAt(vec3 rest) {
     Solid s;
     s.other = stone;
     s.tone = mix(0.93 + 0.18 * (sand.a - 0.4) - 0.14 * cling, 0.62 + 0.62 * tone, stone);
+    // What a mould leaves: stains, and pores where air was caught.
+    vec4 stain = noise(kTurn1 * rest, 0.35 * scale), spot = noise(rest, 1.1 * scale);
+    vec4 air = cells(kTurn1 * rest, 4.3 * scale);
+    float pore = (1.0 - smoothstep(-4.3 * blur, 4.3 * blur, air.r - 0.22)) * step(0.72, air.g);
+    s.skin = (1.0 + 0.10 * stain.w + 0.07 * spot.w + 0.10 * (sand.a - 0.5)) * (1.0 - 0.5 * pore);
     s.smoothed = 0.75 * stone;
     return s;
 }
@@ -128,11 +140,12 @@ Solid solidAt(vec3 rest) {
     vec3 to_edge = 0.5 * kBrick - in_brick;
     float away = min(to_edge.x, min(to_edge.y, to_edge.z)) - 0.5 * kJoint;
     float blur = max(0.006, 0.6 * pixel);
-    vec4 clay = noise(rest, 5.0 * scale), grit = cells(kTurn1 * rest, 22.0 * scale);
+    vec4 clay = noise(rest, 5.0 * scale), grit = cells(kTurn1 * rest, 60.0 * scale);
     Solid s;
     s.other = 1.0 - smoothstep(-blur, blur, away);
     float fired = 0.78 + 0.42 * draw(brick), speck = smoothstep(0.78, 0.9, grit.a);
     s.tone = mix(fired * (1.0 + 0.10 * clay.w) * (1.0 - 0.25 * speck), 0.95 + 0.10 * (grit.a - 0.5), s.other);
+    s.skin = 1.0;
     s.smoothed = 0.0;
     return s;
 }
@@ -147,6 +160,7 @@ Solid solidAt(vec3 rest) {
     Solid s;
     s.other = grain;
     s.tone = (1.0 + 0.07 * cloud.w + 0.10 * (fine.a - 0.5)) * (1.0 - 0.35 * pore * (1.0 - grain));
+    s.skin = 1.0;
     s.smoothed = 0.0;
     return s;
 }

@@ -29,6 +29,8 @@ layout(location = 1) uniform float frost;        // share that a broken face sca
 const float kSmooth = 0.05, kBroken = 0.22;  // roughness
 const float kBrightest = 12.0;               // of the sun in a face
 const float kTouches = 1e-4;                 // of the way from the eye: a face that lies in the floor is before it
+const float kDetour = 2.5;                   // of light that is mirrored inside, in chords
+const float kShadedHeight = 4.0;             // chords
 
 // Of unpolarised light; `eta`: index behind the face over that before it.
 float mirrors(float cosine, float eta) {
@@ -97,13 +99,21 @@ void enter(inout Walk w, vec3 n, bool broken) {
     w.way = refract(w.way, n, 1.0 / frame.glass.w);
 }
 
-void leave(inout Walk w, vec3 n, bool broken, vec3 straight) {
+// A body shades the floor below it, the more the thicker it is: share of the floor's light that meets a ray going down in it.
+float openBelow(vec3 at, vec3 way, float chord) {
+    float near = 1.0 - smoothstep(0.0, kShadedHeight, at.y / max(chord, 1e-6));
+    return 1.0 - frame.floor_colour.w * 0.85 * smoothstep(-0.1, 0.5, -way.y) * near;
+}
+
+// `chord`: m inside, up to here.
+void leave(inout Walk w, vec3 n, bool broken, vec3 straight, float chord) {
     vec3 out_of = refract(w.way, n, frame.glass.w);
     bool total = dot(out_of, out_of) < 0.5;
     float f = min(mirrors(max(-dot(n, w.way), 0.02), 1.0 / frame.glass.w), 0.92);
-    // What is mirrored inside comes out somewhere else, after some way.
-    vec3 inside = exp(-0.06 * frame.scene.w * frame.glass.rgb), turned = reflect(w.way, n);
-    w.light += w.left * f * inside * reflectedRadiance(turned, broken ? kBroken : kSmooth, ambientRadiance(turned));
+    // What is mirrored inside is mirrored again before it comes out somewhere else: it has a longer way than the ray had.
+    vec3 inside = exp(-kDetour * chord * frame.glass.rgb), turned = reflect(w.way, n);
+    vec3 met = reflectedRadiance(turned, broken ? kBroken : kSmooth, ambientRadiance(turned));
+    w.light += w.left * f * inside * openBelow(w.at, turned, chord) * met;
     float scattered = broken ? frost : 0.0;
     w.light += w.left * scattered * (ambientRadiance(-n) + 0.5 * frame.sun_colour.rgb * max(-dot(n, frame.to_sun.xyz), 0.0));
     w.left *= (1.0 - f) * (1.0 - scattered);
@@ -134,14 +144,15 @@ vec4 walked(ivec2 at, ivec2 pixel) {
         GlassLayer layer = faceOf(at, k, ray);
         nearer = depth;
         ++met;
-        if (inside) w.left *= exp(-frame.glass.rgb * (along - last) * length(ray));
+        float chord = inside ? (along - last) * length(ray) : 0.0;
+        w.left *= exp(-frame.glass.rgb * chord);
         last = along;
         w.at = frame.eye.xyz + ray * along;
         vec3 n = layer.enters ? layer.normal : -layer.normal;  // against the ray
         float away = dot(n, w.way);
         if (away > -0.02) n = normalize(n - (away + 0.02) * w.way);
         if (layer.enters) enter(w, n, layer.broken);
-        else leave(w, n, layer.broken, straight);
+        else leave(w, n, layer.broken, straight, chord);
         inside = layer.enters;
     }
     if (last == 0.0) return behind;

@@ -39,19 +39,15 @@ struct DrawElementsCommand {
     uint32_t base_instance;
 };
 
-/// One line shown of RenderStreams::crack_edges: the crack edge, and how many of kTaperSteps of its width it
-/// lacks at vertex_0 and at vertex_1 (shaders/common/crack.glsl knows it, too).
-inline constexpr uint32_t kCrackEdgeBits = 26, kTaperBits = 3, kTaperSteps = 7;
-constexpr uint32_t crackWord(uint32_t edge, uint32_t lacking_0, uint32_t lacking_1) {
-    return edge | lacking_0 << kCrackEdgeBits | lacking_1 << (kCrackEdgeBits + kTaperBits);
-}
-constexpr uint32_t crackEdgeOf(uint32_t word) {
-    return word & ((1u << kCrackEdgeBits) - 1);
-}
-/// `end`: 0 or 1.
-constexpr uint32_t taperOf(uint32_t word, uint32_t end) {
-    return word >> (kCrackEdgeBits + end * kTaperBits) & kTaperSteps;
-}
+/// A crack edge that shows, and how wide the crack is there, 8 bytes (shaders/common/crack.glsl knows it,
+/// too).
+struct CrackLine {
+    uint32_t edge;    ///< of FractureGeometry::crack_edges
+    uint32_t widths;  ///< m, >= 0, at vertex_0 and vertex_1, 2 x float16, the former in the low half
+
+    bool operator==(const CrackLine&) const = default;
+};
+static_assert(sizeof(CrackLine) == 8);
 
 /// Counts written by the device, read by indirect draws.
 struct DrawCommands {
@@ -125,8 +121,9 @@ struct RenderStreams {
     Stream<SurfaceVertex> interior_vertices;  ///< exposed faces, rest positions after relaxation
     Stream<uint32_t> interior_indices;
     Stream<uint32_t>
-        exterior_indices;          ///< into the exterior vertices: mesh triangles, cut where they are cracked
-    Stream<uint32_t> crack_edges;  ///< crackWord() of each line shown
+        exterior_indices;  ///< into the exterior vertices: mesh triangles, cut where they are cracked
+    Stream<CrackLine> crack_edges;  ///< those that show, in ascending order; which of them changes only with
+                                    ///< `commands`, their widths with every motion
     /// The outside, which slides where it cracks; written in whole chunks of kExteriorChunk vertices: all of
     /// them into fresh streams, else those of which one has moved since the last export into streams that
     /// were not fresh.

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// The crack edges that show, in ascending order, and how far hairlines have tapered at their ends.
+// The crack edges that show, in ascending order, and how wide their cracks are at both ends.
 #pragma once
 #include "sim_cuda/api/render_streams.h"
 #include "sim_cuda/data/outside_mesh.h"
+#include "sim_cuda/physics/vertex_packing.h"
 
 namespace demolish {
 
@@ -11,9 +12,14 @@ struct WriteCrackList {
     OutsideMesh mesh;
     Span<const ExteriorHome> home;
     Span<const RimLink> link;
-    Span<const Float3> position;  ///< of the outside's points
-    Span<uint32_t> out;           ///< crackWord()s
+    Span<const Float3> position;    ///< of the outside's points
+    Span<const uint32_t> fragment;  ///< slot of each particle
+    Span<const float> opening;      ///< m, of each bond: MeasureOpenings
+    Span<CrackLine> out;
 
+    /// Broken faces do not fit again: they stay so many spacings h apart, about as rough as they are
+    /// (RoughenPoolVertices).
+    static constexpr float kUnfit = 0.06f;
     /// A hairline widens from nothing over so many spacings h.
     static constexpr float kTaper = 2;
     /// Edges that are looked at: many short ones in a row are a line that goes on.
@@ -22,21 +28,37 @@ struct WriteCrackList {
     DEM_FN void operator()(uint32_t k) const {
         if (place[k + 1] == place[k] || place[k] >= out.size()) return;
         const uint32_t a = home[mesh.edges[k].vertex_0].point, b = home[mesh.edges[k].vertex_1].point;
-        out[place[k]] = crackWord(k, lackingAt(a), lackingAt(b));
+        const bool apart = isApart(k);
+        out[place[k]] = {k, packHalf2(widthAt(a, apart), widthAt(b, apart))};
     }
 
   private:
-    /// Of kTaperSteps.
-    DEM_FN uint32_t lackingAt(uint32_t point) const {
+    DEM_FN bool isApart(uint32_t edge) const {
+        return fragment[mesh.edges[edge].cell_a] != fragment[mesh.edges[edge].cell_b];
+    }
+    /// m, the same for all hairlines that meet at a point, and for all borders of fragments: the mean of the
+    /// bonds that have opened there.
+    DEM_FN float widthAt(uint32_t point, bool apart) const {
+        float sum = 0, open = 0;
+        for (uint32_t c = mesh.crack_start[point]; c < mesh.crack_start[point + 1]; ++c) {
+            const uint32_t edge = mesh.cracks[c].edge, bond = mesh.edges[edge].bond;
+            if (place[edge + 1] == place[edge] || bond == kNoBond || isApart(edge) != apart) continue;
+            sum += opening[bond];
+            open += 1;
+        }
+        return open > 0 ? taperAt(point) * (sum / open + kUnfit * mesh.points[point].spacing) : 0;
+    }
+    /// Share of the whole width.
+    DEM_FN float taperAt(uint32_t point) const {
         const RimLink at = link[point];
-        if (at.kind != RimKind::kHairline || at.degree > 2) return 0;
+        if (at.kind != RimKind::kHairline || at.degree > 2) return 1;
         const float whole = kTaper * mesh.points[point].spacing;
         float way = at.degree == 1 ? 0 : whole;
         for (uint32_t side = 0; side < at.degree && way > 0; ++side) {
             const float other = wayToEnd(point, at.next[side], whole);
             way = other < way ? other : way;
         }
-        return static_cast<uint32_t>(static_cast<float>(kTaperSteps) * (1 - way / whole) + 0.5f);
+        return way / whole;
     }
     /// m, along the line from `before` over `here`; `whole` where the end is farther, or there is none.
     DEM_FN float wayToEnd(uint32_t before, uint32_t here, float whole) const {

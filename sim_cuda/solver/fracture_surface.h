@@ -48,11 +48,13 @@ class FractureSurface {
     /// Marks what shows now and bends the faces that did not show at the last update.
     void update(const Fracture& fracture);
 
-    /// Fills the vertices, indices, crack_edges and commands, each unless its stream is empty, as of the last
-    /// update; `fragment` and `size` are those of that update. What would not fit is left out: streamSizes()
-    /// always fits.
+    /// Fills the vertices, indices and commands, each unless its stream is empty, as of the last update;
+    /// `fragment` and `size` are those of that update. What would not fit is left out: streamSizes() always
+    /// fits.
     void write(const RenderStreams& streams, Span<const uint32_t> fragment, Span<const uint32_t> size,
                bool streams_fresh);
+    /// Fills crack_edges unless that stream is empty; `fragment` as write() has it; opening: m, of each bond.
+    void writeCracks(const RenderStreams& streams, Span<const uint32_t> fragment, Span<const float> opening);
     /// Instead of write(), where nothing has changed.
     void tellUnchanged(const RenderStreams& streams) { outside_.tellUnchanged(streams); }
 
@@ -264,8 +266,7 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
     outside_.write(streams, streams_fresh);
     const auto span = [](const auto& stream) { return Span(stream.data, stream.data ? stream.capacity : 0); };
     const Span<SurfaceVertex> vertices = span(streams.interior_vertices);
-    const Span<uint32_t> indices = span(streams.interior_indices), cracks = span(streams.crack_edges);
-    const Span<uint32_t> outside = span(streams.exterior_indices);
+    const Span<uint32_t> indices = span(streams.interior_indices), outside = span(streams.exterior_indices);
     const Span<DrawCommands> commands = span(streams.commands);
     if (!vertices.empty())
         backend_.forEach(face_vertices_.size(),
@@ -281,12 +282,20 @@ void FractureSurface<Backend>::write(const RenderStreams& streams, Span<const ui
                                  first_vertex_.view(), first_index_.view(), vertices.size(), indices},
             "write interior indices");
     if (!outside.empty()) writeExterior(outside);
-    if (!cracks.empty()) outside_.writeCracks(crack_place_.view(), cracks);
     if (!commands.empty())
-        backend_.forEach(1,
-                         WriteDrawCommands{first_index_.view(), crack_place_.view(), first_exterior_.view(),
-                                           indices.size(), cracks.size(), outside.size(), commands},
-                         "write draw commands");
+        backend_.forEach(
+            1,
+            WriteDrawCommands{first_index_.view(), crack_place_.view(), first_exterior_.view(),
+                              indices.size(), streams.crack_edges.capacity, outside.size(), commands},
+            "write draw commands");
+}
+
+template <class Backend>
+void FractureSurface<Backend>::writeCracks(const RenderStreams& streams, Span<const uint32_t> fragment,
+                                           Span<const float> opening) {
+    const Stream<CrackLine>& lines = streams.crack_edges;
+    if (lines.data != nullptr)
+        outside_.writeCracks(crack_place_.view(), fragment, opening, Span(lines.data, lines.capacity));
 }
 
 template <class Backend>

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sim_cuda/api/particle_colour.h"
+#include "sim_cuda/kernels/measure_openings.h"
 #include "sim_cuda/kernels/write_colours.h"
 #include "sim_cuda/kernels/write_particles.h"
 #include "sim_cuda/solver/byte_stream.h"
@@ -38,6 +39,7 @@ class FrameExporter {
     FrameExporter(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
         : surface_(backend, concatenateGeometry(setup.bodies), setup.params.smooth_cracks),
           broken_bonds_(backend.template allocate<uint8_t>(tables.slot_of_bond.size())),
+          opening_(backend.template allocate<float>(tables.slot_of_bond.size())),
           waiting_(backend.template allocate<Vec4<Real>>(kMaxProjectiles)) {}
 
     /// As Solver::exportFrame; broken: bonds. Does not wait.
@@ -63,10 +65,12 @@ class FrameExporter {
     void writeParticles(Scene& scene, const RenderStreams& streams);
     void writeColours(Scene& scene, const ColourStreams& colours);
     void writeFragments(Scene& scene, const RenderStreams& streams);
+    void writeCracks(Scene& scene, const RenderStreams& streams);
     Fracture fracture(Scene& scene);
 
     FractureSurface<Backend> surface_;
     Buffer<uint8_t> broken_bonds_;
+    Buffer<float> opening_;                  ///< m, of bonds
     uint32_t surface_of_ = 0;                ///< broken bonds that the surface has been told of
     uint32_t written_of_ = kNothingWritten;  ///< broken bonds when the draw lists were last written
     Buffer<Vec4<Real>> waiting_;             ///< as WriteParticles::shown
@@ -89,6 +93,7 @@ void FrameExporter<Backend, Real>::write(Scene& scene, const Projectiles& projec
                        scene.fragments.drawn().clusters.rows().size, streams_fresh);
     else
         surface_.tellUnchanged(streams);
+    if (streams.crack_edges.data != nullptr && broken > 0) writeCracks(scene, streams);
     if (draws_surface && !streams_fresh) written_of_ = broken;  // fresh streams may be another reader's
 }
 
@@ -130,6 +135,16 @@ void FrameExporter<Backend, Real>::writeFragments(Scene& scene, const RenderStre
     if (const auto& transforms = streams.transforms; transforms.data != nullptr)
         scene.fragments.drawn().motion.writeTransforms(clusters.rows(),
                                                        Span(transforms.data, transforms.capacity));
+}
+
+template <class Backend, class Real>
+void FrameExporter<Backend, Real>::writeCracks(Scene& scene, const RenderStreams& streams) {
+    const auto& bonds = scene.data.bonds;
+    scene.backend.forEach(bonds.count,
+                          MeasureOpenings<Real>{scene.state(), bonds.in(), bonds.slot_of_bond.view(),
+                                                bonds.twin.view(), opening_.span()},
+                          "measure openings");
+    surface_.writeCracks(streams, scene.fragments.drawn().clusters.fragment(), opening_.view());
 }
 
 template <class Backend, class Real>

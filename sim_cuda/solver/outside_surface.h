@@ -49,10 +49,12 @@ class OutsideSurface {
     /// When nothing is written: no chunk is.
     void tellUnchanged(const RenderStreams& streams);
 
-    /// Writes which of the crack edges show; place: exclusive scan of those that do.
-    void writeCracks(Span<const uint32_t> place, Span<uint32_t> out) {
+    /// Writes which of the crack edges show; place: exclusive scan of those that do; opening: m, of bonds.
+    void writeCracks(Span<const uint32_t> place, Span<const uint32_t> fragment, Span<const float> opening,
+                     Span<CrackLine> out) {
         backend_.forEach(edges_.size(),
-                         WriteCrackList{place, mesh(), home_.view(), link_.view(), position_.view(), out},
+                         WriteCrackList{place, mesh(), home_.view(), link_.view(), position_.view(), fragment,
+                                        opening, out},
                          "write crack list");
     }
 

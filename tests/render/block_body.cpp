@@ -204,7 +204,8 @@ void BlockBody::write(FractureMesh& mesh, const std::function<uint32_t(uint32_t)
         float radius, value;
         uint32_t fragment, reserved[2];
     };
-    std::vector<uint32_t> slots(cellCount()), indices, cracks;
+    std::vector<uint32_t> slots(cellCount()), indices;
+    std::vector<CrackLine> cracks;
     std::vector<Transform> transforms(cellCount(), Transform{{0, 0, 0, 1}, {0, 0, 0}, 0});
     std::vector<Particle> particles;
     std::vector<Vertex> vertices;
@@ -224,7 +225,7 @@ void BlockBody::write(FractureMesh& mesh, const std::function<uint32_t(uint32_t)
     for (uint32_t k = 0; k < crack_edges_.size(); ++k) {
         const CrackEdge& edge = crack_edges_[k];
         if (slots[edge.cell_a] == slots[edge.cell_b] && cracked(edge.cell_a, edge.cell_b))
-            cracks.push_back(k);
+            cracks.push_back({k, glm::packHalf2x16(glm::vec2(options_.crack_width))});
     }
     const uint32_t commands[10] = {static_cast<uint32_t>(indices.size()), 1, 0, 0, 0, 6,
                                    static_cast<uint32_t>(cracks.size()),  0, 0, 0};  // the outside stays

@@ -21,6 +21,7 @@ struct BlockOptions {
     float roundness = 0.0f;  ///< 0: cube, 1: ball
     int subdivisions = 1;    ///< of each cell face
     uint32_t seed = 1;
+    float crack_width = 0.006f;  ///< m
     float deep = 0;  ///< m from the outside at which broken faces are as deep as they get; 0: nowhere
 };
 
@@ -54,6 +55,9 @@ class BlockBody {
     struct Vertex {
         glm::vec3 position;
         uint32_t normal, uv, cell;
+    };
+    struct CrackLine {
+        uint32_t edge, widths;
     };
     struct CrackEdge {
         uint32_t vertex_0, vertex_1, cell_a, cell_b, bond;

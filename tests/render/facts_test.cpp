@@ -256,6 +256,45 @@ TEST_F(Facts, CracksLieOnTheBody) {
     EXPECT_LT(outside, 40u);  // pixels on the outline belong half to the body
 }
 
+/// Of the light of 40 rows of pixels across a crack down the middle of a white face, 200 px a metre: how much
+/// is gone, in whole pixels of the crack's inside.
+float pixelsHidden(Renderer& renderer, float opening) {
+    Scene scene = wholeBlock();
+    scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 2, .crack_width = opening});
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+    const auto isLeft = [&](uint32_t cell) { return scene.body->cellCentre(cell).z > 0; };
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
+        [&](uint32_t a, uint32_t b) { return isLeft(a) != isLeft(b); });
+    putIntoFurnace(scene.view, glm::vec3(0.8f));
+    scene.view.look.noise_strength = 0;
+    scene.view.look.crack_width = 0.05f;  // of the widest
+    std::ranges::fill(scene.view.look.exterior_colour, 0.8f);
+    scene.view.look.exterior_roughness = 1;
+    scene.view.width = scene.view.height = 200;
+    scene.view.camera.eye = {20.5f, 0.5f, 0};
+    scene.view.camera.target = {0.5f, 0.5f, 0};
+    scene.view.camera.field_of_view = 2 * std::atan(0.5f / 20);
+    const Image with = drawPicture(renderer, scene);
+    scene.view.show_cracks = false;
+    const Image without = drawPicture(renderer, scene);
+    float hidden = 0;
+    for (int y = 20; y < 60; ++y)
+        for (int x = 60; x < 140; ++x)  // what is blended is the root of the albedo
+            hidden += 1 - std::sqrt(decoded(with.at(x, y)[1]) / decoded(without.at(x, y)[1]));
+    return hidden / 40;
+}
+
+TEST_F(Facts, CracksAreAsWideAsTheyHaveOpened) {
+    const float one = pixelsHidden(renderer(), 20.0f / 200) / 20;
+    EXPECT_GT(one, 0.45f) << "it is dark inside";
+    EXPECT_EQ(pixelsHidden(renderer(), 0), 0);
+    for (const float pixels : {2.0f, 6.0f, 12.0f})
+        EXPECT_NEAR(pixelsHidden(renderer(), pixels / 200) / one, pixels, 0.1f);
+    for (const float pixels : {0.4f, 0.8f, 1.2f})  // fainter where thinner
+        EXPECT_NEAR(pixelsHidden(renderer(), pixels / 200) / one, pixels, 0.3f * pixels);
+}
+
 TEST_F(Facts, BackgroundIsTheSky) {
     const Scene scene = wholeBlock(), empty = makeScene("empty_floor");
     const Image picture = drawPicture(renderer(), scene), sky = drawPicture(renderer(), empty);

@@ -76,6 +76,24 @@ TEST_P(GlassTest, AbsorbsByThickness) {
     }
 }
 
+/// The longest straight way through the block leaves exp(-sqrt(3)) of red; what is mirrored inside has a
+/// longer one, and is darker than that.
+TEST_P(GlassTest, DarkensWhatItMirrorsInside) {
+    Scene scene = block();
+    putIntoFurnace(scene.view, glm::vec3(0.5f));
+    const auto dark = [&](float index) {
+        scene.view.look.refraction_index = index;
+        const Image image = picture(scene);
+        int count = 0;
+        for (int y = 0; y < image.height; ++y)
+            for (int x = 0; x < image.width; ++x) count += colourAt(image, x, y).r < 0.06f;
+        return count;
+    };
+    scene.view.look.absorption[0] = 1;
+    EXPECT_EQ(dark(1.01f), 0);
+    EXPECT_GT(dark(1.5f), 100);
+}
+
 TEST_P(GlassTest, ShowsWhatStandsBehind) {
     Scene scene = block();
     const glm::vec3 behind = glm::mix(scene.view.camera.eye, scene.view.camera.target, 1.5f);

@@ -37,7 +37,8 @@ std::unique_ptr<Solver> makeSolver(double speed) {
 
 RabbitState stateOf(Solver& solver, const StreamSizes& sizes) {
     const size_t particles = rabbitBody()->particles.size();
-    std::vector<uint32_t> slots(particles), indices(sizes.interior_indices), cracks(sizes.crack_edges);
+    std::vector<uint32_t> slots(particles), indices(sizes.interior_indices);
+    std::vector<CrackLine> cracks(sizes.crack_edges);
     std::vector<FragmentTransform> transforms(particles);
     std::vector<SurfaceVertex> vertices(sizes.interior_vertices);
     DrawCommands commands{};

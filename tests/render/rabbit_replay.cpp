@@ -81,7 +81,7 @@ RabbitState readState(const std::filesystem::path& file) {
         state.transform[slot] = t;
     }
     state.cracks.resize(cracks);
-    for (uint32_t& crack : state.cracks) in >> crack;
+    for (CrackLine& crack : state.cracks) in >> crack.edge >> crack.widths;
     if (!in || particles == 0) throw std::runtime_error("Not a stored state: " + file.string());
     return state;
 }
@@ -100,7 +100,9 @@ void writeState(const std::filesystem::path& file, const RabbitState& state) {
         out << slot << ' ' << q.x << ' ' << q.y << ' ' << q.z << ' ' << q.w << ' ' << t.translation.x << ' '
             << t.translation.y << ' ' << t.translation.z << '\n';
     }
-    writeRow(state.cracks);
+    std::vector<uint32_t> cracks;
+    for (const CrackLine& crack : state.cracks) cracks.insert(cracks.end(), {crack.edge, crack.widths});
+    writeRow(cracks);
 }
 
 std::filesystem::path stateFile(const std::string& name) {

@@ -21,11 +21,11 @@ inline constexpr float kRabbitHeight = 0.348f;  // m
 struct RabbitState {
     std::vector<uint32_t> slot;                       ///< of each particle
     std::map<uint32_t, FragmentTransform> transform;  ///< of each slot in use
-    std::vector<uint32_t> cracks;                     ///< crack edges shown
+    std::vector<CrackLine> cracks;                    ///< those shown
 };
 
-/// Text: the slots, then a line for each slot's motion, then the cracks. Throws std::runtime_error if
-/// unreadable.
+/// Text: the slots, then a line for each slot's motion, then the cracks, edge and widths. Throws
+/// std::runtime_error if unreadable.
 RabbitState readState(const std::filesystem::path& file);
 void writeState(const std::filesystem::path& file, const RabbitState& state);
 /// Stored states: "cracked" (a light hit) and "broken" (a hard one).

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/image/compare.h"
+#include "sim_cuda/physics/vertex_packing.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/golden_test.h"
 #include "tests/render/rabbit_replay.h"
@@ -25,7 +26,7 @@ Scene rabbitScene(const RabbitState& state) {
     scene.view.scene_radius = 0.6f;
     scene.view.scene_centre[1] = 0.17f;
     scene.view.look.noise_scale = 0.005f;
-    scene.view.look.crack_width = 0.001f;
+    scene.view.look.crack_width = 0.0012f;
     return scene;
 }
 
@@ -42,7 +43,8 @@ RabbitState exploded(float spread) {
         state.slot.push_back(cell);
         state.transform[cell] = t;
     }
-    for (uint32_t k = 0; k < body.geometry.crack_edges.size(); ++k) state.cracks.push_back(k);
+    const uint32_t widths = packHalf2(0.0012f, 0.0012f);
+    for (uint32_t k = 0; k < body.geometry.crack_edges.size(); ++k) state.cracks.push_back({k, widths});
     return state;
 }
 
@@ -91,7 +93,7 @@ TEST_F(Rabbit, StoredStatesBelongToTheseCells) {
         const RabbitState state = readState(stateFile(name));
         ASSERT_EQ(state.slot.size(), kRabbitParticles) << name;
         for (const uint32_t slot : state.slot) EXPECT_TRUE(state.transform.contains(slot));
-        for (const uint32_t crack : state.cracks) ASSERT_LT(crack, body.geometry.crack_edges.size());
+        for (const CrackLine& crack : state.cracks) ASSERT_LT(crack.edge, body.geometry.crack_edges.size());
     }
 }
 

@@ -91,6 +91,28 @@ TEST_P(SolidTest, GoesOnFromTheOutsideIntoTheBreak) {
 
 using SolidsTest = GlTest;
 
+/// An outside that hides the solid still shows what the mould of concrete left on it.
+TEST_F(SolidsTest, ConcreteHasASkin) {
+    const auto unevenness = [&](SolidTexture texture) {
+        Scene scene;
+        scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 1});
+        scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+        showPattern(scene.view, texture);
+        scene.view.look.texture_outside = 0;
+        lookAtPlane(scene.view);
+        const Image image = drawPicture(renderer(), scene);
+        float sum = 0, squares = 0, count = 0;
+        for (int y = 6; y < 194; ++y)
+            for (int x = 6; x < 194; ++x, ++count) {
+                const float light = decoded(image.at(x, y)[1]);
+                sum += light;
+                squares += light * light;
+            }
+        return std::sqrt(squares / count - sum * sum / (count * count));
+    };
+    EXPECT_GT(unevenness(SolidTexture::kPebbles), 1.5f * unevenness(SolidTexture::kVeins));
+}
+
 TEST_F(SolidsTest, LookLikeThemselvesAndAlikeByBothWays) {
     Scene scene = makeScene("broken_ball");
     scene.spheres.clear();

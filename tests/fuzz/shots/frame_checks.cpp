@@ -102,7 +102,8 @@ struct WholeFrame {
     StreamMemory<uint32_t> fragments;
     StreamMemory<FragmentTransform> transforms;
     StreamMemory<SurfaceVertex> vertices;
-    StreamMemory<uint32_t> indices, exterior, cracks;
+    StreamMemory<uint32_t> indices, exterior;
+    StreamMemory<CrackLine> cracks;
     StreamMemory<DrawCommands> commands;
     StreamMemory<uint8_t> damage, stress, speed;
 };

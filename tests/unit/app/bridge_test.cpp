@@ -36,7 +36,8 @@ TEST(Bridge, UseOfTheDrawListsFollowsFromCountsAndHighestIndex) {
     DrawListUse use = drawListUse(commands, indices);
     EXPECT_EQ(use.interior_indices, 3u);
     EXPECT_EQ(use.interior_vertices, 5u);
-    EXPECT_EQ(use.crack_edges, 5u);
+    EXPECT_EQ(motionElements(engine::StreamId::kCrackEdges, 7, commands), 5u);
+    EXPECT_EQ(motionElements(engine::StreamId::kTransforms, 7, commands), 7u);
     commands.interior.count = 100;  // never beyond what is there
     use = drawListUse(commands, indices);
     EXPECT_EQ(use.interior_indices, 6u);

@@ -33,6 +33,19 @@ std::vector<ParticleInstance> instances(const Session& session) {
     return all;
 }
 
+std::vector<CrackLine> crackLines(const Session& session) {
+    DrawCommands commands{};
+    session.mesh()
+        ->stream(engine::StreamId::kCommands)
+        .download(std::as_writable_bytes(std::span(&commands, 1)));
+    std::vector<CrackLine> lines(commands.cracks.instance_count);
+    if (!lines.empty())
+        session.mesh()
+            ->stream(engine::StreamId::kCrackEdges)
+            .download(std::as_writable_bytes(std::span(lines)));
+    return lines;
+}
+
 Seen look(Session& session) {
     Seen seen;
     for (size_t c = 0; c < kChannels.size(); ++c) {
@@ -98,6 +111,23 @@ TEST_F(RecordingTest, KeepsEveryColourOfEveryFrame) {
                 ASSERT_NEAR(replayed[c][i].value, live[frame][c][i].value, 0.51f / 255)
                     << "frame " << frame << " channel " << c << " particle " << i;
             }
+    }
+}
+
+/// Cracks open and close while no bond breaks, and a recording knows how far.
+TEST_F(RecordingTest, KeepsHowFarCracksHaveOpened) {
+    std::vector<std::vector<CrackLine>> live{crackLines(*session_)};
+    size_t opened = 0;  // frames in which widths alone have changed
+    for (size_t frame = 1; frame < 4 * kFrames; ++frame) {
+        const uint32_t broken = session_->status().stats.bonds_broken;
+        ASSERT_EQ(session_->advance(), StepStatus::kOk);
+        live.push_back(crackLines(*session_));
+        opened += session_->status().stats.bonds_broken == broken && live[frame] != live[frame - 1];
+    }
+    EXPECT_GT(opened, 0u);
+    for (size_t frame = 0; frame + 1 < live.size(); ++frame) {
+        session_->apply(command::Scrub{frame}, 0);
+        EXPECT_EQ(crackLines(*session_), live[frame]) << "frame " << frame;
     }
 }
 

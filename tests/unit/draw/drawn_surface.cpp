@@ -55,6 +55,9 @@ void DrawnSurface::writeStreams() {
     streams.commands = {&commands, 1};
     const Fracture now = fracture();
     surface.write(streams, now.fragment, now.size, fresh);
+    openings.assign(broken.size(), 0);
+    for (size_t b = 0; b < broken.size(); ++b) openings[b] = broken[b] != 0 ? kOpening : 0;
+    surface.writeCracks(streams, now.fragment, {openings.data(), openings.size()});
     fresh = false;
 }
 

@@ -14,6 +14,8 @@ namespace demolish::test {
 /// Fragment slots are 0, 1, 2 ... in these tests; bonds between different fragments count as broken.
 class DrawnSurface {
   public:
+    static constexpr float kOpening = 0.25f;
+
     explicit DrawnSurface(const SceneSetup& setup);
 
     /// Fragment of each particle; `cracked` bonds are broken though their cells may still hang together.
@@ -39,7 +41,9 @@ class DrawnSurface {
     std::vector<SurfaceVertex> vertices, outside;
     std::vector<uint32_t> chunks;
     bool fresh = true;  ///< the streams hold nothing yet
-    std::vector<uint32_t> indices, exterior, cracks;
+    std::vector<uint32_t> indices, exterior;
+    std::vector<float> openings;  ///< m, of bonds: kOpening where they are broken
+    std::vector<CrackLine> cracks;
     DrawCommands commands{};
 
   private:

@@ -4,6 +4,7 @@
 #include <oneapi/tbb/global_control.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <map>
@@ -42,6 +43,17 @@ std::shared_ptr<const BreakableBody> filled(const TriangleMesh& mesh, uint32_t p
 /// them. On models it is below 1e-3 (unit_cracks).
 constexpr double kVolumeError = 4e-3;
 
+/// m, at both ends.
+std::array<float, 2> widthsOf(const CrackLine& line) {
+    return {test::unpackHalf(line.widths & 0xffffu), test::unpackHalf(line.widths >> 16)};
+}
+
+/// m, of a crack that does not taper, as it is packed.
+float wholeWidth(const test::DrawnSurface& drawn) {
+    const float apart = WriteCrackList::kUnfit * static_cast<float>(drawn.spacing());
+    return test::unpackHalf(packHalf(test::DrawnSurface::kOpening + apart));
+}
+
 double distanceBetween(const Float3& a, const Float3& b) {
     return std::hypot(double(a.x) - b.x, double(a.y) - b.y, double(a.z) - b.z);
 }
@@ -60,12 +72,13 @@ TEST(FractureSurface, ABrokenBondInsideOneFragmentShowsItsCrackAndNoFace) {
     drawn.show({0, 0, 0}, {1});
     EXPECT_EQ(drawn.commands.interior.count, 0u);
     ASSERT_EQ(drawn.commands.cracks.instance_count, 8u);
+    const float whole = wholeWidth(drawn);
     for (uint32_t k = 0; k < 8; ++k) {
-        const CrackEdge& edge = drawn.scene.geometry.crack_edges[crackEdgeOf(drawn.cracks[k])];
+        const CrackEdge& edge = drawn.scene.geometry.crack_edges[drawn.cracks[k].edge];
         EXPECT_EQ(edge.cell_a, 1u);
         EXPECT_EQ(edge.cell_b, 2u);
-        EXPECT_TRUE(k == 0 || drawn.cracks[k - 1] < drawn.cracks[k]);
-        EXPECT_EQ(taperOf(drawn.cracks[k], 0) + taperOf(drawn.cracks[k], 1), 0u) << "it has no end";
+        EXPECT_TRUE(k == 0 || drawn.cracks[k - 1].edge < drawn.cracks[k].edge);
+        EXPECT_EQ(widthsOf(drawn.cracks[k]), (std::array{whole, whole})) << "it has no end";
     }
     drawn.show({0, 0, 1});  // run through: the crack stays, and the faces appear
     EXPECT_EQ(drawn.commands.cracks.instance_count, 8u);
@@ -82,21 +95,23 @@ TEST(FractureSurface, HairlinesTaperToNothingAtTheirEnds) {
     }
     test::DrawnSurface drawn(test::sceneOf(body));
     drawn.show(std::vector<uint32_t>(body->particles.size(), 0), cracked);
-    std::map<uint32_t, std::vector<uint32_t>> lacking;  // of each point, once for each line that leaves it
+    std::map<uint32_t, std::vector<float>> widths;  // of each point, once for each line that leaves it
     for (uint32_t k = 0; k < drawn.commands.cracks.instance_count; ++k) {
         const FractureGeometry& geometry = drawn.scene.geometry;
-        const CrackEdge& edge = geometry.crack_edges[crackEdgeOf(drawn.cracks[k])];
-        lacking[geometry.exterior_home[edge.vertex_0].point].push_back(taperOf(drawn.cracks[k], 0));
-        lacking[geometry.exterior_home[edge.vertex_1].point].push_back(taperOf(drawn.cracks[k], 1));
+        const CrackEdge& edge = geometry.crack_edges[drawn.cracks[k].edge];
+        const auto [first, second] = widthsOf(drawn.cracks[k]);
+        widths[geometry.exterior_home[edge.vertex_0].point].push_back(first);
+        widths[geometry.exterior_home[edge.vertex_1].point].push_back(second);
     }
     size_t ends = 0, whole = 0, between = 0;
-    for (const auto& [point, steps] : lacking) {
-        EXPECT_EQ(std::set(steps.begin(), steps.end()).size(), 1u) << "as wide on both sides of a point";
-        EXPECT_TRUE(steps.size() != 1 || steps[0] == kTaperSteps) << "ends in nothing";
-        EXPECT_TRUE(steps.size() <= 2 || steps[0] == 0) << "where lines meet";
-        ends += steps.size() == 1;
-        whole += steps.size() == 2 && steps[0] == 0;
-        between += steps[0] > 0 && steps[0] < kTaperSteps;
+    const float opening = wholeWidth(drawn);
+    for (const auto& [point, wide] : widths) {
+        EXPECT_EQ(std::set(wide.begin(), wide.end()).size(), 1u) << "as wide on both sides of a point";
+        EXPECT_TRUE(wide.size() != 1 || wide[0] == 0) << "ends in nothing";
+        EXPECT_TRUE(wide.size() <= 2 || wide[0] == opening) << "where lines meet";
+        ends += wide.size() == 1;
+        whole += wide.size() == 2 && wide[0] == opening;
+        between += wide[0] > 0 && wide[0] < opening;
     }
     EXPECT_GT(ends, 0u);
     EXPECT_GT(whole, 0u);
@@ -312,7 +327,7 @@ TEST(FractureSurface, BodiesOfASceneAreNumberedThrough) {
     EXPECT_EQ(drawn.commands.interior.count, 2u * 8 * 3);
     ASSERT_EQ(drawn.commands.cracks.instance_count, 16u);
     for (uint32_t k = 0; k < 16; ++k)
-        EXPECT_GE(drawn.scene.geometry.crack_edges[crackEdgeOf(drawn.cracks[k])].cell_a, 2u);
+        EXPECT_GE(drawn.scene.geometry.crack_edges[drawn.cracks[k].edge].cell_a, 2u);
     const std::vector<test::Soup> soups = drawn.soups(3);
     const double volumes[] = {1.0, 0.6, 0.4};
     for (int f = 0; f < 3; ++f) {
