@@ -17,9 +17,9 @@ struct WriteCrackList {
     Span<const float> opening;      ///< m, of each bond: MeasureOpenings
     Span<CrackLine> out;
 
-    /// Broken faces do not fit again: they stay so many spacings h apart, about as rough as they are
-    /// (RoughenPoolVertices).
-    static constexpr float kUnfit = 0.06f;
+    /// Broken faces do not fit again: they stay so many spacings h apart, somewhat more than
+    /// they are rough (RoughenPoolVertices): with 0.06 a cracked wolf showed nothing.
+    static constexpr float kUnfit = 0.16f;
     /// A hairline widens from nothing over so many spacings h.
     static constexpr float kTaper = 2;
     /// Edges that are looked at: many short ones in a row are a line that goes on.
