@@ -192,13 +192,10 @@ TEST_F(RecordingTest, AFullOneShowsItsLastFrameAsItWasAndThenTheNewest) {
 TEST_F(RecordingTest, ColoursOfAFrameTakeTwoBytesAParticle) {
     const auto bytes = [&] { return session_->status().recorded_bytes; };
     const size_t before = bytes();
-    const std::vector<CrackLine> closed = crackLines(*session_);
     ASSERT_EQ(session_->advance(), StepStatus::kOk);
     ASSERT_EQ(session_->status().stats.bonds_broken, 0u) << "or the draw lists and the damage come on top";
     const size_t projectiles = session_->spheres().size() * sizeof(ParticleInstance);
-    const std::vector<CrackLine> open = crackLines(*session_);
-    const size_t lines = std::ranges::equal(open, closed) ? 0 : open.size() * sizeof(CrackLine);
-    EXPECT_EQ(bytes() - before, sizeof(RecordedFrame) + sizeof(FragmentTransform) + projectiles + lines +
+    EXPECT_EQ(bytes() - before, sizeof(RecordedFrame) + sizeof(FragmentTransform) + projectiles +
                                     2 * session_->mesh()->particleCount());
 }
 
