@@ -69,7 +69,7 @@ void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, i
                        uint32_t hidden_looks) {
     prepare(targets, across);
     TriangleRaster::Programs& programs = programs_[{targets.samples, across}];
-    const size_t bytes = sizeof(uint32_t) * (words(targets, across) + 3) / 4 * 4;
+    const size_t fours = (words(targets, across) + 3) / 4, bytes = 16 * fours;
     const bool anew = faces_.size() != bytes;
     if (anew) {
         faces_ = {};  // both at once might not fit into a small GPU
@@ -77,10 +77,9 @@ void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, i
     }
     triangles_.makeRoom(mesh, 0);
     bind(mesh);
-    triangles_.clear(anew ? bytes / 16 : 0, 0);
+    triangles_.clear(anew ? fours : 0, 0);
     targets.depth.bind(kOpaqueUnit);
-    for (gl::Program* program : {&programs.triangles, &programs.large})
-        program->set(kHiddenLooks, hidden_looks);
+    hide(programs, hidden_looks);
     for (const bool naming : {false, true}) {
         TriangleRaster::runSmall(programs, naming);
         TriangleRaster::runLarge(programs, naming);

@@ -57,8 +57,7 @@ Vec3<double> outOf(const ColliderSet<double>& colliders, Vec3<double> at, double
 
 Projectile placedFree(const Projectile& shot, const std::vector<Ball>& others,
                       const std::vector<Collider>& colliders) {
-    // Out of a collider may lead into a body once more: along a floor it takes a step for each particle
-    // there.
+    // Out of a collider may lead into a body once more; along a floor that takes many small steps.
     constexpr int kRounds = 80, kRoundsBack = 64;
     const Vec3<double> velocity{shot.velocity.x, shot.velocity.y, shot.velocity.z}, up{0, 1, 0};
     const double speed = length(velocity);

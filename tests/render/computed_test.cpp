@@ -188,14 +188,7 @@ TEST_F(Computed, TooManyLargeFacesOfGlassForTheirMemory) {
 
 TEST_F(Computed, GlassBesideAnOpaqueBody) {
     Scene scene = ofGlass("broken_block");
-    std::vector<uint32_t> looks;
-    for (uint32_t cell = 0; cell < scene.body->cellCount(); ++cell)
-        looks.push_back(scene.body->cellCentre(cell).x > 0 ? 1 : 0);
-    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
-    scene.body->write(
-        *scene.mesh, [](uint32_t cell) { return cell; },
-        [&](uint32_t cell) { return Motion{.translation = 0.3f * scene.body->cellCentre(cell)}; },
-        [](uint32_t, uint32_t) { return false; });
+    giveHalvesTwoLooks(scene, 0.3f);
     SurfaceLook stone = scene.view.look;
     stone.refraction_index = 1;
     scene.view.more_looks = {stone};

@@ -202,6 +202,18 @@ Scene brokenBlock() {
     return scene;
 }
 
+void giveHalvesTwoLooks(Scene& scene, float spread) {
+    const BlockBody& body = *scene.body;
+    std::vector<uint32_t> looks;
+    for (uint32_t cell = 0; cell < body.cellCount(); ++cell)
+        looks.push_back(body.cellCentre(cell).x > 0 ? 1 : 0);
+    scene.mesh = std::make_unique<FractureMesh>(body.makeMesh(looks));
+    body.write(
+        *scene.mesh, [&](uint32_t cell) { return spread > 0 ? cell : 0u; },
+        [&](uint32_t cell) { return Motion{.translation = spread * body.cellCentre(cell)}; },
+        [](uint32_t, uint32_t) { return false; });
+}
+
 Scene solidBlock() {
     Scene scene = emptyFloor();
     ColliderDraw block;

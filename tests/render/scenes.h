@@ -57,6 +57,9 @@ void writeEffects(FractureMesh& mesh, const std::vector<GrainDraw>& grains,
 /// A block in one piece, and the same broken into flying pieces.
 Scene wholeBlock();
 Scene brokenBlock();
+/// Look 1 for the cells at x > 0, look 0 for the others; in one piece, or where `spread` is above 0 each cell
+/// a piece that is by so much farther out.
+void giveHalvesTwoLooks(Scene& scene, float spread);
 /// In the place of the whole block a collider of its size.
 Scene solidBlock();
 

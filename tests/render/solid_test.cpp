@@ -173,13 +173,7 @@ using LooksTest = GlTest;
 /// Left red, right green, seen from the front; once the right is made of glass the floor is seen through it.
 TEST_F(LooksTest, EachCellHasItsOwn) {
     Scene scene = makeScene("whole_block");
-    std::vector<uint32_t> looks;
-    for (uint32_t cell = 0; cell < scene.body->cellCount(); ++cell)
-        looks.push_back(scene.body->cellCentre(cell).x > 0 ? 1 : 0);
-    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
-    scene.body->write(
-        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
-        [](uint32_t, uint32_t) { return false; });
+    giveHalvesTwoLooks(scene, 0);
     SurfaceLook red = scene.view.look, green = red;
     std::copy_n(std::array{0.6f, 0.02f, 0.02f}.data(), 3, red.exterior_colour);
     std::copy_n(std::array{0.02f, 0.6f, 0.02f}.data(), 3, green.exterior_colour);
