@@ -84,29 +84,37 @@ DEM_FN Real powerAt(Real share, const Wrench<Real>& part, const LoadedState<Real
     return dot(part.force, axpy(share, kick, xyz(before.velocity))) +
            dot(part.torque, axpy(share, turn, xyz(before.spin)));
 }
-/// At the mean velocity of the kick.
+/// W: the first half of a kick counts the velocity before it, the second half that after it. So what springs
+/// take in and give back is their energy to the last joule, and all of a kick counts the mean velocity (B.1).
 template <class Real>
-DEM_FN Real meanPower(const Wrench<Real>& part, const LoadedState<Real>& before,
+DEM_FN Real meanPower(KickShare share, const Wrench<Real>& part, const LoadedState<Real>& before,
                       const LoadedState<Real>& after) {
-    return powerAt(Real(0.5), part, before, after);
+    return powerAt(Real(share == KickShare::kAll ? 0.5 : 0), part, before, after);
+}
+/// s, of a substep's dt.
+template <class Real>
+DEM_FN Real timeOf(KickShare share, Real dt) {
+    return Real(share == KickShare::kAll ? 1 : 0.5) * dt;
 }
 
-/// What is dissipated needs the velocities at which it acted; what a bond that breaks leaves to its ends, the
-/// mean one of the second half of the kick.
+/// What is dissipated needs the velocities at which it acted. A bond that breaks pulls through this kick:
+/// what its second half gives to the ends is taken off.
 template <class Real>
 DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const LoadedState<Real>& before,
-                       const LoadedState<Real>& after, Real dt) {
-    bookedDamping(ledger) += madd(-dt, meanPower(tally.damping, before, after), tally.contact_loss);
-    bookedFriction(ledger) -= madd(dt, meanPower(tally.friction, before, after), tally.spring_energy);
+                       const LoadedState<Real>& after, Real dt, KickShare share = KickShare::kAll) {
+    const Real time = timeOf(share, dt), second_half = time - Real(0.5) * dt;
+    bookedDamping(ledger) += madd(-time, meanPower(share, tally.damping, before, after), tally.contact_loss);
+    bookedFriction(ledger) -=
+        madd(time, meanPower(share, tally.friction, before, after), tally.spring_energy);
     bookedFracture(ledger) +=
-        madd(Real(-0.5) * dt, powerAt(Real(0.75), tally.released, before, after), tally.fracture);
+        madd(-second_half, powerAt(Real(1), tally.released, before, after), tally.fracture);
 }
 
 /// What holds a particle takes up the load, and gives the opposite of what that does.
 template <class Real>
 DEM_FN void bookHold(Vec4<Real>& ledger, const Wrench<Real>& load, const LoadedState<Real>& before,
-                     const LoadedState<Real>& after, Real dt) {
-    bookedWork(ledger) = madd(-dt, meanPower(load, before, after), bookedWork(ledger));
+                     const LoadedState<Real>& after, Real dt, KickShare share = KickShare::kAll) {
+    bookedWork(ledger) = madd(-timeOf(share, dt), meanPower(share, load, before, after), bookedWork(ledger));
 }
 
 /// A carried particle: the velocity at the end of the contact step is not known yet, so that what damps and

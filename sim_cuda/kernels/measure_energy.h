@@ -7,12 +7,18 @@ namespace demolish {
 
 struct MechanicalSums {
     double kinetic = 0, elastic = 0, potential = 0;  ///< J
+    double damping = 0, friction = 0, fracture = 0;  ///< J, of the kick up to this moment
+    double held = 0;                                 ///< J, likewise: work of what holds particles
     Vec3<double> linear, angular;                    ///< kg m/s; kg m^2/s about the origin
 
     DEM_FN void operator+=(const MechanicalSums& other) {
         kinetic += other.kinetic;
         elastic += other.elastic;
         potential += other.potential;
+        damping += other.damping;
+        friction += other.friction;
+        fracture += other.fracture;
+        held += other.held;
         linear = linear + other.linear;
         angular = angular + other.angular;
     }
@@ -23,9 +29,10 @@ DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
     return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
 }
 
-/// `next` is the state one substep later: kinetic energy counts the mean of the velocities before and after
-/// the kick (B.1). What sleeps feels no kick, whatever still presses on it, and of
-/// what is rigid only the fall is known.
+/// `next` is the state one substep later: kinetic energy is half the mass times the velocities before and
+/// after the kick, which leapfrog keeps together with that of the springs to the last joule (B.1). So the
+/// springs are those after the kick, and the ledger holds what its first half dissipates. What sleeps feels
+/// no kick, whatever still presses on it, and of what is rigid only the fall is known.
 template <class Real>
 struct MeasureEnergy {
     SubstepArrays<Real> arrays;  ///< only read
@@ -39,6 +46,11 @@ struct MeasureEnergy {
         MechanicalSums sums;
         const OwnParticle<Real> own = loadOwn(arrays, i);
         if (!own.constants.takesPart()) return sums;
+        Vec4<Real> booked = arrays.ledger[i];
+        sums.damping = static_cast<double>(bookedDamping(booked));
+        sums.friction = static_cast<double>(bookedFriction(booked));
+        sums.fracture = static_cast<double>(bookedFracture(booked));
+        sums.held = static_cast<double>(bookedWork(booked));
         sums.elastic = elasticEnergy(own);
         if (own.constants.isHeld()) return sums;
         const double mass = 1.0 / static_cast<double>(own.constants.inverseMass());
@@ -47,11 +59,12 @@ struct MeasureEnergy {
             inDouble(xyz(own.state.position)) +
             inDouble(lowPart(own.state.position, own.state.velocity, own.state.spin));
         const Vec3<double> velocity = inDouble(xyz(own.state.velocity)), spin = inDouble(xyz(own.state.spin));
-        const bool kicked = isMoved(i, Regime::kBonded);
-        const Vec3<double> mean_velocity = kicked ? 0.5 * (velocity + inDouble(xyz(next.velocity[i])))
-                                                  : axpy(fallTime(i), gravity, velocity);
-        const Vec3<double> mean_spin = kicked ? 0.5 * (spin + inDouble(xyz(next.spin[i]))) : spin;
-        sums.kinetic = 0.5 * (mass * length2(mean_velocity) + inertia * length2(mean_spin));
+        if (isMoved(i, Regime::kBonded))
+            sums.kinetic = 0.5 * (mass * dot(velocity, inDouble(xyz(next.velocity[i]))) +
+                                  inertia * dot(spin, inDouble(xyz(next.spin[i]))));
+        else
+            sums.kinetic =
+                0.5 * (mass * length2(axpy(fallTime(i), gravity, velocity)) + inertia * length2(spin));
         sums.potential = -mass * dot(gravity, position);
         sums.linear = mass * velocity;
         sums.angular = mass * cross(position, velocity) + inertia * spin;

@@ -23,8 +23,9 @@ DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Rea
         if (own.isCarried())
             bookCarried(arrays, own.id, tally);
         else
-            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt);
-        if (held && !own.isCarried()) bookHold(arrays.ledger[own.id], load, own.state, next, params.dt);
+            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt, params.booked);
+        if (held && !own.isCarried())
+            bookHold(arrays.ledger[own.id], load, own.state, next, params.dt, params.booked);
     }
     storeState(arrays.out, own.id, next);
 }

@@ -22,6 +22,9 @@ struct BodyLaw {
     FaceLaw<Real> faces;   ///< of its broken bonds
 };
 
+/// Of a kick, from its start on.
+enum class KickShare : uint32_t { kAll, kFirstHalf };
+
 template <class Real>
 struct StepParams : TouchStep<Real> {
     Real drift{};        ///< s, way from the state before to this one: dt unless contact steps change length
@@ -32,9 +35,10 @@ struct StepParams : TouchStep<Real> {
     uint32_t leaves_out = 0;  ///< 1: pairs with what the other kind of step moves are no matter of this
                               ///< one: in contact steps, and in substeps that rigid fragments go apart from
     uint32_t breaking = 1;    ///< 0: bonds hold whatever happens (settling)
-    uint32_t owners = 0;      ///< bodies + projectile slots: rows of the table of pair laws
-    uint32_t in_bodies = 0;   ///< particles of bodies
-    uint32_t total = 0;       ///< with projectile slots
+    KickShare booked = KickShare::kAll;  ///< of the kick, by the ledger
+    uint32_t owners = 0;                 ///< bodies + projectile slots: rows of the table of pair laws
+    uint32_t in_bodies = 0;              ///< particles of bodies
+    uint32_t total = 0;                  ///< with projectile slots
     ColliderSet<Real> colliders;
 };
 

@@ -11,8 +11,8 @@ namespace demolish {
 template <class Backend, class Real>
 class EnergyMeasure {
   public:
-    /// A dry substep gives the velocities after the next kick; then all is put back. The contact lists must
-    /// be good. Waits.
+    /// A dry substep gives the velocities after the next kick and what its first half dissipates; then all is
+    /// put back. The contact lists must be good. Waits.
     MechanicalSums measure(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper);
 
   private:
@@ -22,24 +22,24 @@ class EnergyMeasure {
 template <class Backend, class Real>
 MechanicalSums EnergyMeasure<Backend, Real>::measure(DeviceScene<Backend, Real>& scene,
                                                      Stepper<Backend, Real>& stepper) {
+    auto& data = scene.data;
+    const uint32_t now = data.current;
     present_.keep(scene);
+    scene.backend.fill(data.ledger.span(), Vec4<Real>{});
     stepper.runDry(scene);
-    present_.putBack(scene);
     const Double3 g = scene.setup.params.gravity;
-    MeasureEnergy<Real> energy{scene.arrays(),
-                               scene.data.particles.in(1 - scene.data.current),
-                               scene.params,
-                               {g.x, g.y, g.z},
-                               {},
-                               {},
-                               {}};
+    MeasureEnergy<Real> energy{
+        scene.arrays(), data.particles.in(1 - now), scene.params, {g.x, g.y, g.z}, {}, {}, {}};
+    energy.arrays.in = data.particles.in(now);
     if (scene.regimes.on()) {
         energy.label = scene.fragments.clusters.fragment();
         energy.regime = scene.regimes.regime();
         energy.memory = scene.regimes.bodyMemory();
     }
-    return scene.backend.reduce(scene.tables.counts.total, MechanicalSums{}, energy,
-                                SumInto<MechanicalSums>{}, "measure energies");
+    const MechanicalSums sums = scene.backend.reduce(scene.tables.counts.total, MechanicalSums{}, energy,
+                                                     SumInto<MechanicalSums>{}, "measure energies");
+    present_.putBack(scene);
+    return sums;
 }
 
 }  // namespace demolish

@@ -42,7 +42,11 @@ void FrameBooks::tell(double external) {
 }
 
 void FrameBooks::setMechanical(const MechanicalSums& sums, double external) {
-    stats_.energy.external = external + state_.held;
+    tell(external);
+    stats_.energy.external += sums.held;
+    stats_.energy.damping += sums.damping;
+    stats_.energy.friction += sums.friction;
+    stats_.energy.fracture += sums.fracture;
     stats_.energy.kinetic = sums.kinetic;
     stats_.energy.elastic = sums.elastic;
     stats_.energy.potential = sums.potential;

@@ -24,8 +24,8 @@ class Stepper {
 
     /// n substeps of what is moved with its bonds, and the same time of what is rigid.
     void run(Scene& scene, uint32_t n);
-    /// One substep of everything with its bonds that books nothing and is no step of the run: the state after
-    /// it is scene.state().
+    /// One substep of what is moved with its bonds that is no step of the run: the state after it is
+    /// scene.state(). The ledger books the first half of its kick.
     void runDry(Scene& scene);
 
     /// Something that steps read has been written since the last step, other than the state.
@@ -135,12 +135,15 @@ void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, uint3
 
 template <class Backend, class Real>
 void Stepper<Backend, Real>::runDry(Scene& scene) {
+    const auto& regimes = scene.regimes;
     auto& data = scene.data;
-    const BondedWork work = std::exchange(data.work, BondedWork{});
-    const auto constants = std::exchange(data.constants_in_substeps, {});
-    runner_.run(scene.backend, data, scene.lists.contacts(), scene.params, false, 1);
-    data.work = work;
-    data.constants_in_substeps = constants;
+    StepParams<Real> params = scene.params;
+    params.booked = KickShare::kFirstHalf;
+    params.leaves_out = regimes.on() && regimes.movesRigid() && !regimes.carries() ? 1 : 0;
+    if (regimes.on() && !regimes.movesBonds()) return;
+    runner_.runOne(scene.backend, data, scene.lists.contacts(), params, scene.setup.params.ledger);
+    scene.backend.fill(data.carried, Vec4<Real>{});
+    scene.backend.fill(data.carried_tally, Vec4<Real>{});
 }
 
 template <class Backend, class Real>
