@@ -41,6 +41,7 @@ struct MeasureEnergy {
     Vec3<double> gravity;                ///< m/s^2
     Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps or is rigid
     Span<const uint32_t> memory;         ///< of rigid bodies, per slot
+    bool lets_go = false;  ///< of contacts, what they lose if their force ends with the last kick
 
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
@@ -82,6 +83,11 @@ struct MeasureEnergy {
         return flight.free == 0 ? 0 : 0.5 * (flight.lag + 1.0) * static_cast<double>(params.dt);
     }
 
+    /// m, that an overlap's force counts with: all of it, or what there was when it last pushed. A spring
+    /// that is let go has done half of its work by its former force, and none by that of now.
+    DEM_FN Real counted(Real overlap, Real former) const {
+        return lets_go ? maxOf(former, Real(0)) : overlap;
+    }
     /// Contact steps have not come to this contact yet: it has taken in nothing, however deep it is.
     DEM_FN bool isNew(bool rigid, const Vec4<Real>& kept) const { return rigid && holdsNothing(kept); }
     DEM_FN bool isNew(uint32_t i, uint32_t j, const Vec4<Real>& kept) const {
@@ -121,7 +127,9 @@ struct MeasureEnergy {
         const ParticleConstants<Real> other = arrays.constants[j];
         const BondStiffness<Real> faces =
             cappedFaces(bond, params, pairInertia(own.constants, other), softestOf(spring)).stiffness;
-        return Real(0.5) * (faces.normal * overlap * overlap + faces.shear * length2(xyz(spring)));
+        const Real former = formerOverlap(pair, overlap, length(pair.separation), params.drift);
+        return Real(0.5) *
+               (faces.normal * overlap * counted(overlap, former) + faces.shear * length2(xyz(spring)));
     }
 
     DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
@@ -133,11 +141,11 @@ struct MeasureEnergy {
         if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
         const KeptTouch<Real> touch = touchOf(spring, line.normal);
         const Real former = formerOverlap(pair, overlap, line.distance, params.drift),
-                   pressed = overlap - unloadedOverlap(spring, touch, former, overlap);
+                   unloaded = unloadedOverlap(spring, touch, former, overlap), pressed = overlap - unloaded;
         const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
         return touchEnergy(
             contactTouchLaw(law, params, pressed, radius, pairInertia(own.constants, other), touch.softest),
-            params, pressed, touch.spring);
+            params, counted(pressed, former - unloaded), touch.spring);
     }
 
     DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c,

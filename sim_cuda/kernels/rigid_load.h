@@ -159,11 +159,18 @@ struct TurnsFragment {
     }
 };
 
+/// What is softened in the first contact step of a body has got its overlap in a substep.
+template <class Real>
+DEM_FN StepParams<Real> bookedAfter(const RigidBody& body, StepParams<Real> params) {
+    if (body.starts != 0) params.drift = params.carry_time;
+    return params;
+}
 template <bool kLedger, class Real>
-DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& step,
                                      const RigidWork& work, const OwnParticle<Real>& own) {
     RigidLoad<Real> load;
     if (own.constants.isHeld()) return load;
+    const StepParams<Real> params = kLedger ? bookedAfter(work.body[work.label[own.id]], step) : step;
     forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at =
             colliderContact<kLedger>(arrays, params, own, c, bound, load.tally, TurnsFragment<Real>{work});

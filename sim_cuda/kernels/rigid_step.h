@@ -156,6 +156,7 @@ struct StepRigid {
     }
     DEM_FN void move(RigidBody& body, const RigidSums& total) const {
         const double substep = double(params.dt);
+        body.starts = 0;
         if (body.isHeld()) {
             lead(body, stride * substep);
             return countContacts(body, total.touching);

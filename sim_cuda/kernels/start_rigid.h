@@ -33,6 +33,7 @@ struct StartBodies {
             if (!(constants[slot].takesPart())) return;
             body[slot] = ofProjectile(slot);
         }
+        body[slot].starts = former[slot] == wordOf(Regime::kBonded) ? 1 : 0;
         if (former[slot] != wordOf(Regime::kRigid)) return;
         body[slot].flight = rememberedFlight(memory[slot]);
         countContacts(body[slot], rememberedContacts(memory[slot]));

@@ -42,6 +42,7 @@ struct RigidBody {
     uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
     uint32_t least_share = 1;    ///< and how many at least
     uint32_t contacts = 0;       ///< that gave it something in the step before, or will in the next one
+    uint32_t starts = 0;         ///< 1: the step before was a substep of its particles
     Flight flight;
 
     /// By an anchor: whatever pushes moves it as little as gravity does.

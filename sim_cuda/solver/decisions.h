@@ -74,7 +74,7 @@ void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon) {
 template <class Backend, class Real>
 void Decisions<Backend, Real>::bookSoftening() {
     const RigidConstants<Real> constants = scene_.regimes.rigidConstants();
-    MeasureEnergy<Real> bonded{scene_.arrays(), {}, scene_.params, {}, {}, {}, {}};
+    MeasureEnergy<Real> bonded{scene_.arrays(), {}, scene_.params, {}, {}, {}, {}, true};
     MeasureEnergy<Real> carried = bonded, rigid = bonded;
     carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);

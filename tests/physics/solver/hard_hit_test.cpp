@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// Fragments that are handed over in the middle of a hit: what their contacts lose as they become softer is in
+// the books, and no more (architecture 9).
+#include <gtest/gtest.h>
+
+#include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/regimes_of.h"
+#include "tests/physics/solver/solver_under_test.h"
+
+namespace demolish::tests {
+namespace {
+
+class HardHit : public OnEitherDevice {};
+
+/// A cell meets the floor after `arrives` s. Its hit lasts for a few substeps; nothing swings in it, and
+/// after 20 ms it is handed over, be it in the middle of that. A column beside it has landed 10 ms before and
+/// swings, so that substeps carry the cell on from then.
+SceneSetup cellBesideAColumn(double arrives) {
+    constexpr double kSpeed = 5;
+    SceneSetup setup = with(freeBody(ballBody(0.05)), {true, false});
+    setup.params.colliders.push_back(Plane{});
+    setup.params.substeps = 50;
+    setup.params.frame_time = 10.0 / (60 * setup.params.substeps);
+    BodyInstance& cell = setup.bodies[0];
+    cell.material.restitution = 0.9;
+    cell.velocity = {0, -kSpeed, 0};
+    cell.position = {0, kSpeed * arrives, 0};
+    BodyInstance column = cell;
+    column.body = latticeBody(1, 2, 1, 0.1);
+    column.position = {0.105, kSpeed * (arrives - 0.01), 0};
+    setup.bodies.push_back(column);
+    return setup;
+}
+
+/// Two cells meet in the air after `arrives` s, and both are handed over after 20 ms.
+SceneSetup twoCells(double arrives) {
+    constexpr double kSpeed = 5;
+    SceneSetup setup = cellBesideAColumn(arrives);
+    setup.params.colliders.clear();
+    setup.bodies[1] = setup.bodies[0];
+    setup.bodies[0].position = setup.bodies[0].velocity = {};
+    setup.bodies[1].position = {0, kSpeed * arrives + 0.1, 0};
+    return setup;
+}
+
+/// The energy in the end is that of the start, and something was held by contacts at the hand-over.
+void expectClosedBooks(const SceneSetup& setup) {
+    auto solver = makeSolver(setup);
+    solver->measure();
+    const double before = energySum(solver->stats().energy), impact = solver->stats().energy.kinetic;
+    double held = 0, held_at_hand_over = 0;
+    for (int frame = 0; frame < 30; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        if (solver->stats().rigid_fragments > 0 && held_at_hand_over == 0) held_at_hand_over = held;
+        solver->measure();
+        held = solver->stats().energy.elastic;
+    }
+    EXPECT_GT(held_at_hand_over, 0.01 * impact);
+    EXPECT_NEAR(energySum(solver->stats().energy), before, 2e-3 * impact);
+}
+
+TEST_F(HardHit, LosesAtTheHandOverWhatContactsHeldAndNoMore) {
+    for (const double arrives : {0.0176, 0.018, 0.0184, 0.0188, 0.0192}) {
+        SCOPED_TRACE(arrives);
+        expectClosedBooks(cellBesideAColumn(arrives));
+        expectClosedBooks(twoCells(arrives));
+    }
+}
+
+}  // namespace
+}  // namespace demolish::tests
