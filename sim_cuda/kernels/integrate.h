@@ -3,6 +3,7 @@
 #pragma once
 #include "sim_cuda/data/ledger.h"
 #include "sim_cuda/kernels/own_particle.h"
+#include "sim_cuda/physics/chance_rounding.h"
 
 namespace demolish {
 
@@ -22,6 +23,30 @@ DEM_FN bool stands(const OwnParticle<Real>& own) {
            !(length2(xyz(own.state.velocity)) + length2(xyz(own.state.spin)) > Real(0));
 }
 
+/// Last digits of a velocity that a substep at 1 g changes it by at least where it is rounded to the nearest:
+/// less, and a ball that slides for seconds in steps of a microsecond hardly feels its friction.
+inline constexpr double kDigitsSeen = 64, kOneG = 9.81;
+
+/// A projectile so fast, and substeps so short, that what friction takes is lost in rounding.
+template <class Real>
+DEM_FN bool losesDigits(const OwnParticle<Real>& own, const StepParams<Real>& params) {
+    if (own.id < params.in_bodies) return false;
+    const Vec4<Real>& v = own.state.velocity;
+    const Real most = maxOf(maxOf(absOf(v.x), absOf(v.y)), absOf(v.z));
+    return Real(kOneG) * params.dt < Real(kDigitsSeen) * lastDigit(most);
+}
+/// `index`: the first of three chances, which the state decides.
+template <class Real>
+DEM_FN Vec3<Real> addedByChance(const LoadedState<Real>& state, uint64_t index, const Vec3<Real>& value,
+                                const Vec3<Real>& change) {
+    const uint64_t seed = std::bit_cast<uint32_t>(float(state.position.w)) |
+                          uint64_t{std::bit_cast<uint32_t>(float(state.spin.w))} << 32;
+    const uint64_t turn = index + 8 * uint64_t{std::bit_cast<uint32_t>(float(state.rotation.x))};
+    return {addedByChance(value.x, change.x, Real(uniformOf(seed, turn))),
+            addedByChance(value.y, change.y, Real(uniformOf(seed, turn + 1))),
+            addedByChance(value.z, change.z, Real(uniformOf(seed, turn + 2)))};
+}
+
 /// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. What is held is not kicked, and what stands
 /// stays to the last bit.
 template <class Real>
@@ -32,11 +57,15 @@ DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench
     const Real dt = params.dt, keep = params.velocity_keep;
     const bool free = !own.constants.isHeld();
     const Vec3<Real> acceleration = axpy(own.constants.inverseMass(), load.force, params.gravity);
-    const Vec3<Real> kicked = keep * axpy(dt, acceleration, xyz(own.state.velocity));
-    const Vec3<Real> turned =
-        keep * axpy(dt * own.constants.inverse_inertia, load.torque, xyz(own.state.spin));
-    const Vec3<Real> velocity = free ? kicked : xyz(own.state.velocity);
-    const Vec3<Real> spin = free ? turned : xyz(own.state.spin);
+    const Real turning = dt * own.constants.inverse_inertia;
+    const bool by_chance = losesDigits(own, params);
+    const Vec3<Real> v = xyz(own.state.velocity), w = xyz(own.state.spin);
+    const Vec3<Real> kicked =
+        keep * (by_chance ? addedByChance(own.state, 0, v, dt * acceleration) : axpy(dt, acceleration, v));
+    const Vec3<Real> turned = keep * (by_chance ? addedByChance(own.state, 3, w, turning * load.torque)
+                                                : axpy(turning, load.torque, w));
+    const Vec3<Real> velocity = free ? kicked : v;
+    const Vec3<Real> spin = free ? turned : w;
     Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
     addToPosition(dt * velocity.x, next.position.x, low.x);
     addToPosition(dt * velocity.y, next.position.y, low.y);

@@ -81,5 +81,25 @@ TEST_F(Rolling, ASlidingBallRollsAtFiveSeventhsOfItsSpeed) {  // D 5
     EXPECT_NEAR(static_cast<double>(rolling) * kLook * step / expected_time, 1, 0.01);
 }
 
+/// In steps of a microsecond friction takes less of the speed than its last digit counts.
+TEST_F(Rolling, AFastBallFeelsItsFrictionInTinySteps) {
+    SceneSetup setup = ballOnSlope(0, 0.4);
+    setup.params.settle_time = 0;
+    setup.params.substeps = 16000;
+    Projectile ball;
+    ball.radius = kRadius;
+    ball.position = {0, kRadius, 1};
+    ball.velocity = {100, 0, 0};
+    setup.projectiles = {ball};
+    auto solver = makeSolver(setup);
+    solver->measure();
+    const double before = energySum(solver->stats().energy);
+    ASSERT_EQ(solver->advanceSubsteps(100000), StepStatus::kOk);
+    solver->measure();
+    const EnergyLedger& energy = solver->stats().energy;
+    EXPECT_GT(energy.friction, 1e-3 * before);
+    EXPECT_NEAR(energySum(energy), before, 0.02 * energy.friction);
+}
+
 }  // namespace
 }  // namespace demolish::tests
