@@ -32,7 +32,7 @@ DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
 /// `next` is the state one substep later: kinetic energy is half the mass times the velocities before and
 /// after the kick, which leapfrog keeps together with that of the springs to the last joule (B.1). So the
 /// springs are those after the kick, and the ledger holds what its first half dissipates. What sleeps feels
-/// no kick, whatever still presses on it, and of what is rigid only the fall is known.
+/// no kick, whatever still presses on it; of what is rigid a dry contact step has left the kick (KickRigid).
 template <class Real>
 struct MeasureEnergy {
     SubstepArrays<Real> arrays;  ///< only read
@@ -60,12 +60,15 @@ struct MeasureEnergy {
             inDouble(xyz(own.state.position)) +
             inDouble(lowPart(own.state.position, own.state.velocity, own.state.spin));
         const Vec3<double> velocity = inDouble(xyz(own.state.velocity)), spin = inDouble(xyz(own.state.spin));
-        if (isMoved(i, Regime::kBonded))
-            sums.kinetic = 0.5 * (mass * dot(velocity, inDouble(xyz(next.velocity[i]))) +
-                                  inertia * dot(spin, inDouble(xyz(next.spin[i]))));
-        else
-            sums.kinetic =
-                0.5 * (mass * length2(axpy(fallTime(i), gravity, velocity)) + inertia * length2(spin));
+        Vec3<double> kicked = velocity, turned = spin;
+        if (isMoved(i, Regime::kBonded)) {
+            kicked = inDouble(xyz(next.velocity[i]));
+            turned = inDouble(xyz(next.spin[i]));
+        } else if (isMoved(i, Regime::kRigid)) {
+            kicked = axpy(fallTime(i), gravity, velocity + inDouble(xyz(arrays.carried[2 * size_t{i}])));
+            turned = spin + inDouble(xyz(arrays.carried[2 * size_t{i} + 1]));
+        }
+        sums.kinetic = 0.5 * (mass * dot(velocity, kicked) + inertia * dot(spin, turned));
         sums.potential = -mass * dot(gravity, position);
         sums.linear = mass * velocity;
         sums.angular = mass * cross(position, velocity) + inertia * spin;
@@ -75,12 +78,9 @@ struct MeasureEnergy {
     DEM_FN bool isMoved(uint32_t i, Regime how) const {
         return regime.data == nullptr ? how == Regime::kBonded : regime[label[i]] == wordOf(how);
     }
-    /// s from the moment that the velocity of what is not moved with its bonds belongs to, if it falls
-    /// freely.
+    /// s for which gravity pulls what is rigid, from as long before the moment as after it.
     DEM_FN double fallTime(uint32_t i) const {
-        if (!isMoved(i, Regime::kRigid)) return 0;
-        const Flight flight = rememberedFlight(memory[label[i]]);
-        return flight.free == 0 ? 0 : 0.5 * (flight.lag + 1.0) * static_cast<double>(params.dt);
+        return (rememberedFlight(memory[label[i]]).lag + 1.0) * static_cast<double>(params.dt);
     }
 
     /// m, that an overlap's force counts with: all of it, or what there was when it last pushed. A spring

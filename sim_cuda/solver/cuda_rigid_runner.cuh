@@ -54,6 +54,12 @@ class RigidRunner<CudaBackend, Real> {
     void moveCarrying(CudaBackend& backend, const Step& step, uint32_t stride) {
         move(backend, step, stride, stride, true);
     }
+    /// As on the CPU; does not wait.
+    RigidLoads<Real> loadsNow(CudaBackend& backend, const Step& step) {
+        makeRoom(backend, step.work);
+        gather(backend, step, step.before, step.before, false);
+        return loads();
+    }
 
     /// The graphs that so many particles may need, so that none is recorded while things break. Runner: that
     /// of the substeps.

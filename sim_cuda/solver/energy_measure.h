@@ -11,8 +11,8 @@ namespace demolish {
 template <class Backend, class Real>
 class EnergyMeasure {
   public:
-    /// A dry substep gives the velocities after the next kick and what its first half dissipates; then all is
-    /// put back. The contact lists must be good. Waits.
+    /// Dry steps give the velocities after the next kick and what its first half dissipates; then all is put
+    /// back. The contact lists must be good. Waits.
     MechanicalSums measure(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper);
 
   private:
@@ -38,6 +38,7 @@ MechanicalSums EnergyMeasure<Backend, Real>::measure(DeviceScene<Backend, Real>&
     }
     const MechanicalSums sums = scene.backend.reduce(scene.tables.counts.total, MechanicalSums{}, energy,
                                                      SumInto<MechanicalSums>{}, "measure energies");
+    stepper.endDry(scene);
     present_.putBack(scene);
     return sums;
 }

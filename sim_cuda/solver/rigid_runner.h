@@ -96,6 +96,11 @@ class RigidRunner<CpuBackend, Real> {
     void moveCarrying(CpuBackend& backend, const Step& step, uint32_t stride) {
         move(backend, step, stride, stride, true);
     }
+    /// Of the moment, after a contact step of step.before substeps; nothing moves.
+    RigidLoads<Real> loadsNow(CpuBackend& backend, const Step& step) {
+        gather(backend, step, step.before, step.before, false);
+        return RigidLoads<Real>{load_.span()};
+    }
 
   private:
     void move(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim_cuda/kernels/kick_rigid.h"
 #include "sim_cuda/solver/device_scene.h"
 #include "sim_cuda/solver/rigid_runner.h"
 #include "sim_cuda/solver/substep_runner.h"
@@ -24,9 +25,12 @@ class Stepper {
 
     /// n substeps of what is moved with its bonds, and the same time of what is rigid.
     void run(Scene& scene, uint32_t n);
-    /// One substep of what is moved with its bonds that is no step of the run: the state after it is
-    /// scene.state(). The ledger books the first half of its kick.
+    /// One substep of what is moved with its bonds, and the kick of a contact step of what is rigid, that are
+    /// no steps of the run: scene.state() is that after the substep, and by how much the other changes
+    /// velocities lies in SubstepArrays::carried until endDry(). The ledger books the first half of the
+    /// kicks.
     void runDry(Scene& scene);
+    void endDry(Scene& scene);
 
     /// Something that steps read has been written since the last step, other than the state.
     void listsChange() { lists_stand_ = false; }
@@ -45,6 +49,10 @@ class Stepper {
   private:
     using RigidStep = RigidStepOf<Backend, Real>;
 
+    RigidStep rigidStep(Scene& scene, const RigidConstants<Real>& constants) {
+        return {scene.data, scene.lists.contacts(),    scene.params,   scene.regimes.rigid(),
+                constants,  scene.setup.params.ledger, contact_stride_};
+    }
     void runRigid(Scene& scene, uint32_t n, bool follows);
     void runTogether(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
     void runApart(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
@@ -88,8 +96,7 @@ void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
 template <class Backend, class Real>
 void Stepper<Backend, Real>::runRigid(Scene& scene, uint32_t n, bool follows) {
     const RigidConstants<Real> constants = scene.regimes.rigidConstants();
-    const RigidStep step{scene.data, scene.lists.contacts(),    scene.params,   scene.regimes.rigid(),
-                         constants,  scene.setup.params.ledger, contact_stride_};
+    const RigidStep step = rigidStep(scene, constants);
     if (!scene.regimes.movesBonds())
         rigid_runner_.run(scene.backend, step, n, follows);
     else
@@ -137,11 +144,28 @@ template <class Backend, class Real>
 void Stepper<Backend, Real>::runDry(Scene& scene) {
     const auto& regimes = scene.regimes;
     auto& data = scene.data;
+    const bool rigid = regimes.on() && regimes.movesRigid(), carries = rigid && regimes.carries(),
+               ledger = scene.setup.params.ledger;
     StepParams<Real> params = scene.params;
     params.booked = KickShare::kFirstHalf;
-    params.leaves_out = regimes.on() && regimes.movesRigid() && !regimes.carries() ? 1 : 0;
-    if (regimes.on() && !regimes.movesBonds()) return;
-    runner_.runOne(scene.backend, data, scene.lists.contacts(), params, scene.setup.params.ledger);
+    params.leaves_out = rigid && !carries ? 1 : 0;
+    const SubstepArrays<Real> now = scene.arrays();
+    const RigidConstants<Real> constants = scene.regimes.rigidConstants();
+    RigidLoads<Real> loads;
+    if (rigid) loads = rigid_runner_.loadsNow(scene.backend, rigidStep(scene, constants));
+    if (!regimes.on() || regimes.movesBonds())
+        runner_.runOne(scene.backend, data, scene.lists.contacts(), params, ledger);
+    if (rigid)
+        scene.backend.forEach(regimes.rigid().active_at_most,
+                              KickRigid<Real>{now, regimes.rigid(), loads, data.particles.constants.view(),
+                                              static_cast<Real>(contact_stride_) * params.dt,
+                                              carries ? 1u : 0u, ledger ? 1u : 0u},
+                              "kick rigid");
+}
+
+template <class Backend, class Real>
+void Stepper<Backend, Real>::endDry(Scene& scene) {
+    auto& data = scene.data;
     scene.backend.fill(data.carried, Vec4<Real>{});
     scene.backend.fill(data.carried_tally, Vec4<Real>{});
 }

@@ -3,6 +3,8 @@
 // the books, and no more (architecture 9).
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/regimes_of.h"
 #include "tests/physics/solver/solver_under_test.h"
@@ -65,6 +67,27 @@ TEST_F(HardHit, LosesAtTheHandOverWhatContactsHeldAndNoMore) {
         expectClosedBooks(cellBesideAColumn(arrives));
         expectClosedBooks(twoCells(arrives));
     }
+}
+
+/// A cell that has become rigid lands and slides in contact steps: kinetic energy counts the velocities
+/// before and after the kick, and what half of the kick dissipates is booked.
+TEST_F(HardHit, InContactStepsIsFoundInEveryMoment) {
+    SceneSetup setup = cellBesideAColumn(0.05);
+    setup.bodies.resize(1);
+    setup.bodies[0].velocity.x = 2;
+    setup.params.gravity = {0, -9.81, 0};
+    auto solver = makeSolver(setup);
+    solver->measure();
+    const double before = energySum(solver->stats().energy), impact = solver->stats().energy.kinetic;
+    double most_held = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        solver->measure();
+        const EnergyLedger& energy = solver->stats().energy;
+        if (solver->stats().rigid_fragments > 0) most_held = std::max(most_held, energy.elastic);
+        EXPECT_NEAR(energySum(energy), before, 1e-4 * impact) << frame;
+    }
+    EXPECT_GT(most_held, 0.1 * impact);
 }
 
 }  // namespace
