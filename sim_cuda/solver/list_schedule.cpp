@@ -24,7 +24,6 @@ NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_st
     const double wanted = kHorizonLives * std::max(state_.life, kLeastHorizon) * time_step_;
     settings.longest_horizon = std::min(settings.longest_horizon, wanted);
     settings.blind_time = kBlindSubsteps * time_step_;
-    settings.set_apart = state_.left_paths == 0;
     return settings;
 }
 
@@ -36,7 +35,6 @@ void ListSchedule::built() {
 bool ListSchedule::judge(bool left_paths, bool state_is_good, uint32_t next, double horizon) {
     const double needed = (state_.age + static_cast<double>(next)) * time_step_;
     const bool lasts = needed <= horizon, can_be_kept = left_paths && state_is_good && lasts;
-    state_.left_paths = left_paths ? 1 : 0;
     if ((left_paths && !can_be_kept) || !lasts) demand();
     return can_be_kept;
 }

@@ -12,10 +12,9 @@ class ListSchedule {
   public:
     /// What changes while stepping.
     struct State {
-        uint32_t age = 0;         ///< substeps since the build
-        uint32_t life = 10'000;   ///< substeps that lists have lasted of late
-        uint32_t left_paths = 0;  ///< 1: somebody had left his path when they were last looked at
-        uint32_t due = 1;         ///< 1: they must be built before the next substep
+        uint32_t age = 0;        ///< substeps since the build
+        uint32_t life = 10'000;  ///< substeps that lists have lasted of late
+        uint32_t due = 1;        ///< 1: they must be built before the next substep
     };
 
     /// time_step: s, of a substep.

@@ -216,7 +216,7 @@ void NeighbourLists<Backend, Real>::startPaths(const StateIn<Real>& state,
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
                                                 Span<const ParticleConstants<Real>> constants) {
-    if (settings_.set_apart) seekFast(state, constants);
+    seekFast(state, constants);
     backend_.forEach(
         1,
         ChooseFrame<Real>{ranges_.view(), slow_.view(), fastCount(), frame_.span(),
@@ -226,7 +226,6 @@ void NeighbourLists<Backend, Real>::chooseFrame(const StateIn<Real>& state,
         "choose frame");
 }
 
-/// Leaves no fast ones counted where it is not called.
 template <class Backend, class Real>
 void NeighbourLists<Backend, Real>::seekFast(const StateIn<Real>& state,
                                              Span<const ParticleConstants<Real>> constants) {

@@ -10,7 +10,6 @@ struct NeighbourSettings {
     double longest_horizon = 1;  ///< s, at rest
     double shot_travel = 4;      ///< largest travel of a projectile over that reach
     double blind_time = 0;       ///< s, from a hit until the lists know of it
-    bool set_apart = true;       ///< the few fast ones, where they would shorten the horizon
 };
 
 /// While something is moved as a rigid body: every build brings a new decision, so that lists have to last

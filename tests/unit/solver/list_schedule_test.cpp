@@ -80,13 +80,6 @@ TEST(ListSchedule, TheyLastTwoStretchesAtLeastAndRigidBodiesHaveTheirOwnBounds) 
     EXPECT_EQ(other.next(true, true).skin_share, kRigidNeighbours.skin_share);
 }
 
-TEST(ListSchedule, FastOnesAreSetApartUntilSomebodyHasLeftHisPath) {
-    ListSchedule lists = fresh();
-    EXPECT_TRUE(lists.next(false, false).set_apart);
-    lists.judge(true, true, 1, kHorizon);
-    EXPECT_FALSE(lists.next(false, false).set_apart);
-}
-
 TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
     ListSchedule lists = fresh();
     lists.pass(40);
