@@ -113,7 +113,7 @@ std::vector<uint32_t> findSplitCells(const CellComplex& complex, const Borders& 
 class CutOffParts {
   public:
     CutOffParts(const CellComplex& complex, const Borders& borders, const std::vector<uint32_t>& split)
-        : complex_(complex), borders_(borders) {
+        : complex_(complex), borders_(borders), part_of_root_(complex.vertices.size(), kUnresolved) {
         VertexSets sets(complex.vertices.size());
         for (const uint32_t cell : split) listParts(cell, sets);
         findOwners();
@@ -148,6 +148,7 @@ class CutOffParts {
     const CellComplex& complex_;
     const Borders& borders_;
     std::vector<Part> parts_;
+    std::vector<uint32_t> part_of_root_;              // by vertex, of the cell that listed it last
     std::unordered_map<uint64_t, uint32_t> part_at_;  // by cell and vertex
     uint32_t moved_ = 0;
 };
@@ -156,25 +157,27 @@ void CutOffParts::listParts(uint32_t cell, VertexSets& sets) {
     sets.join(complex_, borders_, cell);
     const Double3 seed = complex_.seeds[cell];
     const size_t first = parts_.size();
-    std::map<uint32_t, uint32_t> part_of_root;
     const auto partOf = [&](uint32_t vertex) {
-        const auto [entry, is_new] = part_of_root.emplace(sets.rootOf(vertex), uint32_t(parts_.size()));
-        if (is_new) parts_.push_back({cell, 0, cell, {}});
-        part_at_[uint64_t(cell) << 32 | vertex] = entry->second;
-        return entry->second;
+        uint32_t& part = part_of_root_[sets.rootOf(vertex)];
+        if (part == kUnresolved || part < first) {  // of a cell before
+            part = uint32_t(parts_.size());
+            parts_.push_back({cell, 0, cell, {}});
+        }
+        return part;
     };
+    const auto note = [&](uint32_t vertex) { part_at_[uint64_t(cell) << 32 | vertex] = partOf(vertex); };
     const auto at = [&](uint32_t vertex) { return complex_.vertices[vertex].position - seed; };
     const auto add = [&](uint32_t a, uint32_t b, uint32_t c, double sign) {
         parts_[partOf(a)].volume += sign * dot(at(a), cross(at(b), at(c))) / 6;
     };
     for (uint32_t p = borders_.first_piece[cell]; p < borders_.first_piece[cell + 1]; ++p) {
         const auto loop = loopOf(complex_, complex_.pieces[p]);
-        for (const uint32_t vertex : loop) partOf(vertex);
+        for (const uint32_t vertex : loop) note(vertex);
         for (size_t k = 2; k < loop.size(); ++k) add(loop[0], loop[k - 1], loop[k], 1);
     }
     for (uint32_t f = borders_.first_face[cell]; f < borders_.first_face[cell + 1]; ++f) {
         const ComplexFace& face = complex_.faces[borders_.faces[f]];
-        for (const uint32_t vertex : loopsOf(complex_, face)) partOf(vertex);
+        for (const uint32_t vertex : loopsOf(complex_, face)) note(vertex);
         for (uint32_t t = face.first_triangle; t < face.first_triangle + face.triangle_count; ++t) {
             const auto& [a, b, c] = complex_.face_triangles[t];
             add(a, b, c, face.cell_a == cell ? 1 : -1);

@@ -60,6 +60,11 @@ IndexRange rowNearPlane(const SplatTriangle& t, double y, double z, double band,
     return nodesBetween(lower, upper, frame.step, frame.nx);
 }
 
+/// How far a coordinate lies outside of [lower, upper].
+double beyond(double at, double lower, double upper) {
+    return std::max({lower - at, at - upper, 0.0});
+}
+
 void splatTriangle(const SplatTriangle& t, const NodeFrame& frame, IndexRange layers,
                    std::vector<Nearest>& nearest) {
     const double band = kBand * frame.step;
@@ -70,10 +75,14 @@ void splatTriangle(const SplatTriangle& t, const NodeFrame& frame, IndexRange la
             const double y = j * frame.step, z = k * frame.step;
             const IndexRange is = rowNearPlane(t, y, z, band, frame);
             Nearest* row = nearest.data() + frame.index(0, j, k);
+            const double off_y = beyond(y, t.lower.y, t.upper.y), off_z = beyond(z, t.lower.z, t.upper.z);
+            const double off_row = off_y * off_y + off_z * off_z;
             for (int i = is.begin; i < is.end; ++i) {
                 const Double3 p{i * frame.step, y, z};
                 const double from_plane = dot(t.normal, p - t.a);
                 if (from_plane * from_plane > double(row[i].squared)) continue;
+                const double off_x = beyond(p.x, t.lower.x, t.upper.x);
+                if (off_x * off_x + off_row > double(row[i].squared)) continue;
                 const Double3 q = closestOnTriangle(p, t.a, t.b, t.c);
                 const float squared = float(lengthSquared(p - q));
                 if (squared < row[i].squared) row[i] = {float(q.x), float(q.y), float(q.z), squared};
@@ -167,7 +176,9 @@ std::vector<float> signedDistances(const TriangleMesh& mesh, const MeshQueries& 
             splatTriangle(t, frame, layers, nearest);
             crossings.add({t.a, t.b, t.c}, layers.begin, layers.end);
         }
-        crossings.finishLayers(queries, layers.begin, layers.end);
+        crossings.finishLayers(layers.begin, layers.end, [&](int i, int j, int k) {
+            return queries.windingNumber(frame.node(i, j, k));
+        });
     });
     sweepAll(frame, nearest);
     std::vector<float> distance(frame.size());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points of the outside, numbered once for all who stand on them: how each may slide, and what lies round it.
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 
@@ -86,7 +88,7 @@ void numberPoints(const TriangleMesh& mesh, const CellComplex& complex,
             ExteriorHome& home = geometry.exterior_home[corner_vertex[at]];
             if (home.point == kNoPoint) home = {point_of_vertex[v], piece.triangle};
         }
-    for (size_t p = 0; p < round.size(); ++p) setSlide(round[p], geometry.points[p]);
+    tbb::parallel_for(size_t(0), round.size(), [&](size_t p) { setSlide(round[p], geometry.points[p]); });
 }
 
 void listTriangles(const TriangleMesh& mesh, FractureGeometry& geometry) {

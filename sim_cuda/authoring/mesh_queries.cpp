@@ -2,6 +2,7 @@
 // Winding number and closest point on the triangle tree.
 #include "sim_cuda/authoring/mesh_queries.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "sim_cuda/authoring/hash_random.h"
@@ -71,28 +72,57 @@ Double3 rayDirection(int attempt) {
     return normalized(hashRandomInCube(kStream, 0, uint64_t(attempt)) + Double3{1e-3, 2e-3, 3e-3});
 }
 
+/// Calls cross(triangle, direction) wherever a ray from the point leaves the solid (1) or enters it (-1), and
+/// restart() before each ray: there is another one where the last grazed an edge.
+template <typename Restart, typename Cross>
+void traceRay(const TriangleTree& tree, const Double3& point, Restart&& restart, Cross&& cross) {
+    if (!tree.boundsContain(point)) return;
+    constexpr int kAttempts = 32;  // all graze only for a point on the surface, where any answer is right
+    for (int attempt = 0; attempt < kAttempts; ++attempt) {
+        const Double3 direction = rayDirection(attempt);
+        const ShearedRay ray(point, direction);
+        restart();
+        const bool clean = tree.visitAlongRay(point, direction, kEndless,
+                                              [&](const std::array<Double3, 3>& corners, uint32_t triangle) {
+                                                  const Crossing crossing = crossingOf(ray, corners);
+                                                  if (crossing == Crossing::kOut) cross(triangle, 1);
+                                                  if (crossing == Crossing::kIn) cross(triangle, -1);
+                                                  return crossing != Crossing::kGrazed;
+                                              });
+        if (clean) break;
+    }
+}
+
 }  // namespace
 
 MeshQueries::MeshQueries(const TriangleMesh& mesh) : bvh_(std::make_unique<Bvh>(mesh)) {}
 MeshQueries::~MeshQueries() = default;
 MeshQueries::MeshQueries(MeshQueries&&) noexcept = default;
 
+const TriangleTree& MeshQueries::tree() const {
+    return bvh_->tree;
+}
+
+std::vector<SurfaceCrossing> MeshQueries::crossings(const Double3& point) const {
+    std::vector<SurfaceCrossing> crossings;
+    traceRay(
+        bvh_->tree, point, [&] { crossings.clear(); },
+        [&](uint32_t triangle, int direction) {
+            const bool is_known = bvh_->tree.repeats() &&
+                                  std::any_of(crossings.begin(), crossings.end(),
+                                              [&](const auto& other) { return other.triangle == triangle; });
+            if (!is_known) crossings.push_back({triangle, direction});
+        });
+    return crossings;
+}
+
 int MeshQueries::windingNumber(const Double3& point) const {
-    if (!bvh_->tree.boundsContain(point)) return 0;
-    constexpr int kAttempts = 32;  // all graze only for a point on the surface, where any answer is right
     int winding = 0;
-    for (int attempt = 0; attempt < kAttempts; ++attempt) {
-        const Double3 direction = rayDirection(attempt);
-        const ShearedRay ray(point, direction);
-        winding = 0;
-        const bool clean =
-            bvh_->tree.visitAlongRay(point, direction, [&](const std::array<Double3, 3>& corners) {
-                const Crossing crossing = crossingOf(ray, corners);
-                winding += crossing == Crossing::kOut ? 1 : crossing == Crossing::kIn ? -1 : 0;
-                return crossing != Crossing::kGrazed;
-            });
-        if (clean) break;
-    }
+    if (bvh_->tree.repeats())
+        for (const SurfaceCrossing& crossing : crossings(point)) winding += crossing.direction;
+    else
+        traceRay(
+            bvh_->tree, point, [&] { winding = 0; }, [&](uint32_t, int direction) { winding += direction; });
     return winding;
 }
 

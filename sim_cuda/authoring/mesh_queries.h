@@ -8,7 +8,15 @@
 
 namespace demolish {
 
+class TriangleTree;
+
 inline constexpr uint32_t kNoTriangle = 0xffffffffu;
+
+/// Where a ray from a point passes the surface.
+struct SurfaceCrossing {
+    uint32_t triangle;
+    int direction;  ///< 1 out of the solid, -1 into it
+};
 
 struct ClosestPoint {
     Double3 point;
@@ -26,9 +34,14 @@ class MeshQueries {
     /// Integer winding number by a signed ray: 1 inside, 0 outside a simple closed mesh. Exact for points in
     /// general position; the direction is re-drawn (deterministically) when the ray grazes an edge.
     int windingNumber(const Double3& point) const;
+    /// What windingNumber() sums up, each triangle once: of several closed parts in one mesh, each part's own
+    /// crossings sum up to its winding number.
+    std::vector<SurfaceCrossing> crossings(const Double3& point) const;
     /// Closest surface point; `bound` limits the search (m): when nothing is that near, the distance is
     /// infinite and the triangle kNoTriangle. Of equally near triangles the lowest id.
     ClosestPoint closestPoint(const Double3& point, double bound = 1e300) const;
+
+    const TriangleTree& tree() const;
 
   private:
     struct Bvh;

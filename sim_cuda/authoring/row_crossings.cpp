@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counts crossings row by row and sums them up from the far end.
+// Counts crossings row by row.
 #include "sim_cuda/authoring/row_crossings.h"
 
 #include "sim_cuda/authoring/planar_side.h"
@@ -36,19 +36,6 @@ void RowCrossings::addRow(const std::array<Double3, 3>& corners, int j, int k) {
     const int before =
         std::min(frame_.nx, int(std::ceil(x / frame_.step)));  // nodes that see the crossing ahead
     if (before > 0) winding_[frame_.index(before - 1, j, k)] += int16_t(u > 0 ? 1 : -1);
-}
-
-void RowCrossings::finishLayers(const MeshQueries& queries, int layer_begin, int layer_end) {
-    for (int k = layer_begin; k < layer_end; ++k)
-        for (int j = 0; j < frame_.ny; ++j) {
-            int16_t* row = winding_.data() + frame_.index(0, j, k);
-            if (is_grazed_[size_t(k) * size_t(frame_.ny) + size_t(j)]) {
-                for (int i = 0; i < frame_.nx; ++i)
-                    row[i] = int16_t(queries.windingNumber(frame_.node(i, j, k)));
-                continue;
-            }
-            for (int i = frame_.nx - 2; i >= 0; --i) row[i] = int16_t(row[i] + row[i + 1]);
-        }
 }
 
 }  // namespace demolish

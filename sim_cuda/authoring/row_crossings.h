@@ -16,8 +16,19 @@ class RowCrossings {
     /// Adds a triangle (corners relative to the grid's origin) to the rows of layers [begin, end).
     void add(const std::array<Double3, 3>& corners, int layer_begin, int layer_end);
     /// Turns crossings into winding numbers once all triangles of these layers are in. Rows that graze an
-    /// edge are asked of `queries` node by node.
-    void finishLayers(const MeshQueries& queries, int layer_begin, int layer_end);
+    /// edge are asked of `windingAt(i, j, k)` node by node.
+    template <typename WindingAt>
+    void finishLayers(int layer_begin, int layer_end, WindingAt&& windingAt) {
+        for (int k = layer_begin; k < layer_end; ++k)
+            for (int j = 0; j < frame_.ny; ++j) {
+                int16_t* row = winding_.data() + frame_.index(0, j, k);
+                if (is_grazed_[size_t(k) * size_t(frame_.ny) + size_t(j)] != 0) {
+                    for (int i = 0; i < frame_.nx; ++i) row[i] = int16_t(windingAt(i, j, k));
+                    continue;
+                }
+                for (int i = frame_.nx - 2; i >= 0; --i) row[i] = int16_t(row[i] + row[i + 1]);
+            }
+    }
     int winding(size_t node) const { return winding_[node]; }
 
   private:

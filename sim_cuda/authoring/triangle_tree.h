@@ -33,19 +33,24 @@ struct TreeBox {
     }
 };
 
-/// Copies the corners of the triangles, so the mesh need not outlive it.
+/// Copies the corners of the triangles, so the mesh need not outlive it. Long triangles that lie askew, whose
+/// boxes are mostly empty, are in several leaves, each with the box of a part of it.
 class TriangleTree {
   public:
     using Corners = std::array<Double3, 3>;
     explicit TriangleTree(const TriangleMesh& mesh);
 
+    /// May a walk visit a triangle more than once?
+    bool repeats() const { return triangles_.size() > triangle_count_; }
+
     /// Boxes are widened by rounding, so a point outside is certainly outside the mesh.
     bool boundsContain(const Double3& p) const { return nodes_[0].box.distanceSquared(p) == 0; }
 
-    /// Calls visit(corners) for every triangle that the half line may meet, until visit returns false; then
-    /// so does this.
+    /// Calls visit(corners, triangle) for every triangle that the half line may meet within `reach` (lengths
+    /// of `direction`; the visitor may lower it), until visit returns false; then so does this.
     template <typename Visit>
-    bool visitAlongRay(const Double3& origin, const Double3& direction, Visit&& visit) const;
+    bool visitAlongRay(const Double3& origin, const Double3& direction, const double& reach,
+                       Visit&& visit) const;
 
     /// Calls visit(corners, triangle) near ones first, for all that may be as near as `bound_squared` (m^2),
     /// which the visitor lowers as it finds nearer ones.
@@ -65,20 +70,25 @@ class TriangleTree {
     std::vector<Node> nodes_;
     std::vector<Corners> corners_;     // in tree order
     std::vector<uint32_t> triangles_;  // mesh ids in tree order
+    size_t triangle_count_;            // of the mesh
 };
 
-/// May the half line from `origin` meet the box? `inverse` is 1 / direction, no component of which is 0.
-inline bool rayMeetsBox(const TreeBox& box, const Double3& origin, const Double3& inverse) {
+inline constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+/// May the line from `origin` meet the box within `reach`? `inverse` is 1 / direction, no component of which
+/// is 0.
+inline bool rayMeetsBox(const TreeBox& box, const Double3& origin, const Double3& inverse, double reach) {
     const Double3 a{(box.lower.x - origin.x) * inverse.x, (box.lower.y - origin.y) * inverse.y,
                     (box.lower.z - origin.z) * inverse.z};
     const Double3 b{(box.upper.x - origin.x) * inverse.x, (box.upper.y - origin.y) * inverse.y,
                     (box.upper.z - origin.z) * inverse.z};
     const Double3 enter = minimum(a, b), leave = maximum(a, b);
-    return std::max({enter.x, enter.y, enter.z, 0.0}) <= std::min({leave.x, leave.y, leave.z});
+    return std::max({enter.x, enter.y, enter.z, 0.0}) <= std::min({leave.x, leave.y, leave.z, reach});
 }
 
 template <typename Visit>
-bool TriangleTree::visitAlongRay(const Double3& origin, const Double3& direction, Visit&& visit) const {
+bool TriangleTree::visitAlongRay(const Double3& origin, const Double3& direction, const double& reach,
+                                 Visit&& visit) const {
     const Double3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
     uint32_t stack[kMaxDepth + 1];
     int size = 0;
@@ -86,14 +96,14 @@ bool TriangleTree::visitAlongRay(const Double3& origin, const Double3& direction
     while (size > 0) {
         const uint32_t id = stack[--size];
         const Node& node = nodes_[id];
-        if (!rayMeetsBox(node.box, origin, inverse)) continue;
+        if (!rayMeetsBox(node.box, origin, inverse, reach)) continue;
         if (node.count == 0) {
             stack[size++] = node.first;
             stack[size++] = id + 1;
             continue;
         }
         for (uint32_t i = node.first; i < node.first + node.count; ++i)
-            if (!visit(corners_[i])) return false;
+            if (!visit(corners_[i], triangles_[i])) return false;
     }
     return true;
 }

@@ -28,7 +28,7 @@ double thinWall(const SolidMesh& solid, double share) {
     constexpr size_t kRays = 4000;
     constexpr uint64_t kSeed = 1, kStream = 0x77616c6c;
     const TriangleMesh& mesh = solid.mesh();
-    const TriangleTree tree(mesh);
+    const TriangleTree& tree = solid.queries().tree();
     std::vector<double> area_up_to;
     for (const auto& k : mesh.triangles) {
         const Double3& a = mesh.positions[k[0]];
@@ -49,7 +49,7 @@ double thinWall(const SolidMesh& solid, double share) {
         // a little askew, since the tree's walk divides by each of its coordinates
         const Double3 inwards = normalized(normalized(cross(b - a, c - a)) * -1 + Double3{1e-5, 2e-5, 3e-5});
         double nearest = std::numeric_limits<double>::infinity();
-        tree.visitAlongRay(point, inwards, [&](const TriangleTree::Corners& corners) {
+        tree.visitAlongRay(point, inwards, nearest, [&](const TriangleTree::Corners& corners, uint32_t) {
             const double distance = distanceAlong(point, inwards, corners);
             if (distance > start) nearest = std::min(nearest, distance);
             return true;

@@ -57,31 +57,11 @@ Crossing crossingOn(const Contour& contour, const std::array<int, 3>& a, const s
     return {nearest.point, normalized(cross(p[k[1]] - p[k[0]], p[k[2]] - p[k[0]]))};
 }
 
-Double3 vertexIn(const Contour& contour, const std::array<int, 3>& cell) {
-    std::array<Crossing, 12> crossings;
-    size_t count = 0;
-    for (size_t axis = 0; axis < 3; ++axis)
-        for (int side = 0; side < 4; ++side) {
-            std::array<int, 3> a = cell, b;
-            a[(axis + 1) % 3] += side & 1;
-            a[(axis + 2) % 3] += side >> 1;
-            b = a;
-            ++b[axis];
-            if ((contour.at(a) < 0) != (contour.at(b) < 0)) crossings[count++] = crossingOn(contour, a, b);
-        }
-    Double3 mean;
-    for (size_t i = 0; i < count; ++i) mean += crossings[i].point * (1.0 / double(count));
-    PlaneFit fit;
-    for (size_t i = 0; i < count; ++i)
-        fit.add(crossings[i].normal, dot(crossings[i].normal, crossings[i].point - mean));
-    const Double3 lower = contour.place(cell), upper = contour.place({cell[0] + 1, cell[1] + 1, cell[2] + 1});
-    return maximum(lower, minimum(upper, mean + fit.solved(kPull * double(count))));
-}
-
 /// Numbers the cells that the surface passes, and joins them over the grid edges that it crosses.
 class Faces {
   public:
-    explicit Faces(const Contour& contour) : contour_(contour), ids_(contour.frame.size(), kNone) {
+    explicit Faces(const Contour& contour)
+        : contour_(contour), ids_(contour.frame.size(), kNone), face_over_(3 * contour.frame.size(), kNone) {
         const NodeFrame& frame = contour.frame;
         for (int z = 1; z + 1 < frame.nz; ++z)
             for (int y = 1; y + 1 < frame.ny; ++y)
@@ -90,6 +70,16 @@ class Faces {
     }
     std::vector<Triangle> triangles;
     std::vector<std::array<int, 3>> cells;  // by vertex
+    struct Edge {
+        std::array<int, 3> node;  // from here along the axis
+        size_t axis;
+    };
+    std::vector<Edge> edges;  // by face
+
+    /// kNone where the surface does not pass the edge from the node along the axis.
+    uint32_t faceOver(const std::array<int, 3>& node, size_t axis) const {
+        return face_over_[3 * contour_.frame.index(node[0], node[1], node[2]) + axis];
+    }
 
   private:
     uint32_t vertexOf(const std::array<int, 3>& cell) {
@@ -106,6 +96,8 @@ class Faces {
         ++next[axis];
         const bool inside = contour_.at(node) < 0;
         if (inside == (contour_.at(next) < 0)) return;
+        face_over_[3 * contour_.frame.index(node[0], node[1], node[2]) + axis] = uint32_t(edges.size());
+        edges.push_back({node, axis});
         std::array<uint32_t, 4> v;
         for (size_t i = 0; i < 4; ++i) {
             std::array<int, 3> cell = node;
@@ -119,8 +111,31 @@ class Faces {
     }
 
     const Contour& contour_;
-    std::vector<uint32_t> ids_;  // by the cell's first node
+    std::vector<uint32_t> ids_;        // by the cell's first node
+    std::vector<uint32_t> face_over_;  // three by node: along x, y, z
 };
+
+/// Vertex of a cell, from where the surface passes its edges.
+Double3 vertexIn(const Contour& contour, const std::array<int, 3>& cell, const Faces& faces,
+                 const std::vector<Crossing>& crossing_of_face) {
+    std::array<Crossing, 12> crossings;
+    size_t count = 0;
+    for (size_t axis = 0; axis < 3; ++axis)
+        for (int side = 0; side < 4; ++side) {
+            std::array<int, 3> node = cell;
+            node[(axis + 1) % 3] += side & 1;
+            node[(axis + 2) % 3] += side >> 1;
+            const uint32_t face = faces.faceOver(node, axis);
+            if (face != kNone) crossings[count++] = crossing_of_face[face];
+        }
+    Double3 mean;
+    for (size_t i = 0; i < count; ++i) mean += crossings[i].point * (1.0 / double(count));
+    PlaneFit fit;
+    for (size_t i = 0; i < count; ++i)
+        fit.add(crossings[i].normal, dot(crossings[i].normal, crossings[i].point - mean));
+    const Double3 lower = contour.place(cell), upper = contour.place({cell[0] + 1, cell[1] + 1, cell[2] + 1});
+    return maximum(lower, minimum(upper, mean + fit.solved(kPull * double(count))));
+}
 
 }  // namespace
 
@@ -132,8 +147,16 @@ TriangleMesh dualContour(const std::vector<float>& field, const NodeFrame& frame
     surface.name = original.name;
     surface.triangles = std::move(faces.triangles);
     surface.positions.resize(faces.cells.size());
-    tbb::parallel_for(size_t(0), faces.cells.size(),
-                      [&](size_t i) { surface.positions[i] = vertexIn(contour, faces.cells[i]); });
+    std::vector<Crossing> crossings(faces.edges.size());
+    tbb::parallel_for(size_t(0), crossings.size(), [&](size_t face) {
+        const auto& [node, axis] = faces.edges[face];
+        std::array<int, 3> next = node;
+        ++next[axis];
+        crossings[face] = crossingOn(contour, node, next);
+    });
+    tbb::parallel_for(size_t(0), faces.cells.size(), [&](size_t i) {
+        surface.positions[i] = vertexIn(contour, faces.cells[i], faces, crossings);
+    });
     return surface;
 }
 

@@ -109,23 +109,25 @@ bool sheetsEncloseSolid(const RepairMesh& filled, const std::vector<PartFacts>& 
     constexpr double kLeastOfOthers = 0.15;  // of the mean winding number: what the other parts bring
     std::vector<char> of_file(filled.size());
     std::vector<std::vector<size_t>> walls(facts.size());
-    size_t wall_count = 0;
     for (size_t t = 0; t < filled.size(); ++t) {
         of_file[t] = filled.source[t] != kNoSource;
         if (of_file[t] == 0 || !facts[filled.part[t]].is_sheet) continue;
         walls[filled.part[t]].push_back(t);
-        ++wall_count;
     }
+    // Every so many of all, whichever parts they are of: many parts have few walls each.
+    std::vector<size_t> before(facts.size() + 1, 0);
+    for (size_t p = 0; p < facts.size(); ++p) before[p + 1] = before[p] + walls[p].size();
     const WindingNumber winding(filled.mesh, of_file);
-    const size_t step = std::max<size_t>(1, wall_count / kProbes);
+    const size_t step = std::max<size_t>(1, before.back() / kProbes);
     const double off = kProbeOff * diagonalOf(filled.mesh);
     std::vector<double> wall_area(facts.size(), 0), area(facts.size(), 0);
     tbb::parallel_for(size_t(0), facts.size(), [&](size_t p) {
-        if (walls[p].empty()) return;
+        const size_t first = (before[p] + step - 1) / step * step - before[p];
+        if (first >= walls[p].size()) return;
         std::vector<Triangle> own_triangles;
         for (const size_t t : walls[p]) own_triangles.push_back(filled.mesh.triangles[t]);
         const WindingNumber own(filled.mesh.positions, own_triangles);
-        for (size_t i = 0; i < walls[p].size(); i += step) {
+        for (size_t i = first; i < walls[p].size(); i += step) {
             const size_t t = walls[p][i];
             const double mean = meanWinding(winding, filled, t, off),
                          alone = meanWinding(own, filled, t, off);

@@ -2,9 +2,13 @@
 // The parts about a doubled point belong together.
 #include "sim_cuda/authoring/repair/unite.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <utility>
 
 #include "sim_cuda/authoring/bounds.h"
+#include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/mesh_checks.h"
 #include "sim_cuda/authoring/mesh_queries.h"
 #include "sim_cuda/authoring/repair/disjoint_sets.h"
@@ -17,20 +21,6 @@ namespace {
 
 constexpr size_t kMostGroups = 16;     // with a surface each; more are put together
 constexpr size_t kMostPoints = 20000;  // of those looked at
-
-/// One part, its box and what is inside of it.
-struct SolidPart {
-    explicit SolidPart(const TriangleMesh& mesh)
-        : bounds(boundsOf(mesh.positions)), queries(mesh), is_hollow(enclosedVolume(mesh) < 0) {}
-    int windingNumber(const Double3& p) const {
-        const bool near = p.x >= bounds.lower.x && p.y >= bounds.lower.y && p.z >= bounds.lower.z &&
-                          p.x <= bounds.upper.x && p.y <= bounds.upper.y && p.z <= bounds.upper.z;
-        return near ? queries.windingNumber(p) : 0;
-    }
-    Bounds bounds;
-    MeshQueries queries;
-    bool is_hollow;
-};
 
 RepairMesh takenOut(const RepairMesh& repair, const std::vector<char>& flags) {
     RepairMesh taken = repair;
@@ -57,38 +47,71 @@ Groups numbered(DisjointSets& sets, const std::vector<char>& is_doubled) {
     return numbered(sets, is_doubled);
 }
 
-Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
-    std::vector<SolidPart> parts;
-    std::vector<Double3> some_point;  // of each part's surface
-    std::vector<std::vector<uint32_t>> members(repair.parts);
-    for (uint32_t t = 0; t < repair.size(); ++t) members[repair.part[t]].push_back(t);
-    for (const auto& triangles : members) {
-        TriangleMesh mesh;
-        for (const uint32_t t : triangles) {
-            const auto first = uint32_t(mesh.positions.size());
-            for (int k = 0; k < 3; ++k) mesh.positions.push_back(repair.at(t, k));
-            mesh.triangles.push_back({first, first + 1, first + 2});
-        }
-        some_point.push_back(repair.middle(triangles[0]));
-        parts.emplace_back(mesh);
+/// Parts that have the point inside of them, ascending.
+std::vector<uint32_t> partsAbout(const Double3& point, const RepairMesh& repair, const MeshQueries& queries) {
+    std::vector<uint32_t> about;
+    std::vector<std::pair<uint32_t, int>> crossed;  // part, direction
+    for (const auto& [triangle, direction] : queries.crossings(point))
+        crossed.emplace_back(repair.part[triangle], direction);
+    std::sort(crossed.begin(), crossed.end());
+    for (size_t begin = 0, end = 0; begin < crossed.size(); begin = end) {
+        int winding = 0;
+        for (; end < crossed.size() && crossed[end].first == crossed[begin].first; ++end)
+            winding += crossed[end].second;
+        if (winding > 0) about.push_back(crossed[begin].first);
     }
-    DisjointSets sets(parts.size());
-    std::vector<char> is_doubled(parts.size(), 0);
+    return about;
+}
+
+/// The same for each of the points.
+std::vector<std::vector<uint32_t>> partsAboutEach(const std::vector<Double3>& points,
+                                                  const RepairMesh& repair, const MeshQueries& queries) {
+    std::vector<std::vector<uint32_t>> about(points.size());
+    tbb::parallel_for(size_t(0), points.size(),
+                      [&](size_t i) { about[i] = partsAbout(points[i], repair, queries); });
+    return about;
+}
+
+/// By part: is it inside out? About the middle of the mesh.
+std::vector<char> hollowParts(const RepairMesh& repair) {
+    const Bounds bounds = boundsOf(repair.mesh.positions);
+    const Double3 middle = (bounds.lower + bounds.upper) * 0.5;
+    std::vector<double> six_volumes(repair.parts, 0);
+    for (size_t t = 0; t < repair.size(); ++t)
+        six_volumes[repair.part[t]] +=
+            dot(repair.at(t, 0) - middle, cross(repair.at(t, 1) - middle, repair.at(t, 2) - middle));
+    std::vector<char> is_hollow(repair.parts);
+    for (size_t p = 0; p < is_hollow.size(); ++p) is_hollow[p] = six_volumes[p] < 0;
+    return is_hollow;
+}
+
+Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
+    const MeshQueries queries(repair.mesh);
+    const std::vector<char> is_hollow = hollowParts(repair);
+    std::vector<Double3> points;
     const size_t step = std::max<size_t>(1, doubled.size() / kMostPoints);
-    for (size_t i = 0; i < doubled.size(); i += step) {
-        uint32_t first = kNoSource;
-        for (uint32_t p = 0; p < parts.size(); ++p) {
-            if (parts[p].windingNumber(doubled[i]) <= 0) continue;
-            if (first == kNoSource) first = p;
-            sets.join(first, p);
+    for (size_t i = 0; i < doubled.size(); i += step) points.push_back(doubled[i]);
+    DisjointSets sets(repair.parts);
+    std::vector<char> is_doubled(repair.parts, 0);
+    for (const std::vector<uint32_t>& about : partsAboutEach(points, repair, queries))
+        for (const uint32_t p : about) {
+            sets.join(about[0], p);
             is_doubled[p] = 1;
         }
+    std::vector<Double3> of_hollows;  // a point of the surface of each
+    std::vector<uint32_t> hollows;
+    std::vector<char> is_known = is_hollow;
+    for (size_t t = 0; t < repair.size(); ++t) {
+        const uint32_t p = repair.part[t];
+        if (is_hollow[p] == 0 || is_known[p] == 0) continue;
+        is_known[p] = 0;
+        hollows.push_back(p);
+        of_hollows.push_back(repair.middle(t));
     }
-    for (uint32_t p = 0; p < parts.size(); ++p) {
-        if (!parts[p].is_hollow) continue;
-        for (uint32_t host = 0; host < parts.size(); ++host)
-            if (!parts[host].is_hollow && parts[host].windingNumber(some_point[p]) > 0) sets.join(p, host);
-    }
+    const auto hosts = partsAboutEach(of_hollows, repair, queries);
+    for (size_t i = 0; i < hollows.size(); ++i)
+        for (const uint32_t host : hosts[i])
+            if (is_hollow[host] == 0) sets.join(hollows[i], host);
     return numbered(sets, is_doubled);
 }
 

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/mesh_queries.h"
 #include "sim_cuda/authoring/repair/winding_number.h"
+#include "sim_cuda/authoring/row_crossings.h"
 
 namespace demolish {
 namespace {
@@ -35,21 +37,41 @@ struct SampleGrid {
                                       (double(number / nx % ny) + 0.483) / count[1] * size.y,
                                       (double(number / nx / ny) + 0.509) / count[2] * size.z};
     }
+    /// Sides of what each point stands for, m.
+    Double3 cell() const {
+        const Double3 size = bounds.size();
+        return {size.x / count[0], size.y / count[1], size.z / count[2]};
+    }
     double cellVolume() const {
         const Double3 size = bounds.size();
         return size.x * size.y * size.z / double(this->size());
     }
 };
 
-std::vector<int> windingsOn(const SampleGrid& grid, const MeshQueries& queries) {
+/// Through rows of the grid, in whose own coordinates its points are the whole numbers. Only rows that graze
+/// an edge need a tree.
+std::vector<int> windingsOn(const SampleGrid& grid, const TriangleMesh& mesh) {
+    const NodeFrame frame{{}, 1, grid.count[0], grid.count[1], grid.count[2]};
+    RowCrossings crossings(frame);
+    const Double3 origin = grid.point(0), cell = grid.cell();
+    const auto inGrid = [&](const Double3& p) {
+        return Double3{(p.x - origin.x) / cell.x, (p.y - origin.y) / cell.y, (p.z - origin.z) / cell.z};
+    };
+    for (const auto& [a, b, c] : mesh.triangles)
+        crossings.add({inGrid(mesh.positions[a]), inGrid(mesh.positions[b]), inGrid(mesh.positions[c])}, 0,
+                      frame.nz);
+    std::optional<MeshQueries> queries;
+    crossings.finishLayers(0, frame.nz, [&](int i, int j, int k) {
+        if (!queries) queries.emplace(mesh);
+        return queries->windingNumber(grid.point(frame.index(i, j, k)));
+    });
     std::vector<int> winding(grid.size());
-    tbb::parallel_for(size_t(0), winding.size(),
-                      [&](size_t i) { winding[i] = queries.windingNumber(grid.point(i)); });
+    for (size_t i = 0; i < winding.size(); ++i) winding[i] = crossings.winding(i);
     return winding;
 }
 
-WindingSamples sampled(const SampleGrid& grid, const MeshQueries& queries) {
-    const std::vector<int> winding = windingsOn(grid, queries);
+WindingSamples sampled(const SampleGrid& grid, const TriangleMesh& mesh) {
+    const std::vector<int> winding = windingsOn(grid, mesh);
     WindingSamples samples;
     for (size_t i = 0; i < winding.size(); ++i) {
         samples.inside += winding[i] > 0;
@@ -65,15 +87,14 @@ WindingSamples sampled(const SampleGrid& grid, const MeshQueries& queries) {
 }  // namespace
 
 WindingSamples sampleWinding(const TriangleMesh& mesh) {
-    const MeshQueries queries(mesh);
-    WindingSamples samples = sampled(SampleGrid(mesh, kPointsAlong), queries);
-    if (samples.inside < kEnoughInside) samples = sampled(SampleGrid(mesh, 2 * kPointsAlong), queries);
+    WindingSamples samples = sampled(SampleGrid(mesh, kPointsAlong), mesh);
+    if (samples.inside < kEnoughInside) samples = sampled(SampleGrid(mesh, 2 * kPointsAlong), mesh);
     return samples;
 }
 
 double windingDifference(const TriangleMesh& closed, const TriangleMesh& raw) {
     const SampleGrid grid(closed, kPointsAlong);
-    const std::vector<int> exact = windingsOn(grid, MeshQueries(closed));
+    const std::vector<int> exact = windingsOn(grid, closed);
     const WindingNumber winding(raw);
     std::vector<char> differs(grid.size());
     tbb::parallel_for(size_t(0), grid.size(),

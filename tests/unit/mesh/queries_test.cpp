@@ -8,6 +8,7 @@
 #include "sim_cuda/authoring/hash_random.h"
 #include "sim_cuda/authoring/mesh_queries.h"
 #include "sim_cuda/authoring/point_triangle.h"
+#include "sim_cuda/authoring/triangle_tree.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish {
@@ -109,11 +110,10 @@ TEST(Winding, FarAndThin) {
     EXPECT_EQ(queries.windingNumber({1e12, 1e12, 1e12}), 0);
 }
 
-TEST(ClosestPoint, AgreesWithBruteForce) {
-    const TriangleMesh mesh = test::makeTorus(1, 0.3, 30, 14);
+void expectClosestOfBruteForce(const TriangleMesh& mesh, const Double3& half) {
     const MeshQueries queries(mesh);
     for (uint64_t i = 0; i < 500; ++i) {
-        const Double3 p = randomPoint(i, {1.6, 0.8, 1.6});
+        const Double3 p = randomPoint(i, half);
         double best = 1e300;
         for (const auto& t : mesh.triangles) {
             const Double3 q =
@@ -130,6 +130,58 @@ TEST(ClosestPoint, AgreesWithBruteForce) {
         EXPECT_EQ(queries.closestPoint(p, best * 1.001).triangle, found.triangle);
         EXPECT_EQ(queries.closestPoint(p, best * 0.999).triangle, kNoTriangle);
     }
+}
+
+TEST(ClosestPoint, AgreesWithBruteForce) {
+    expectClosestOfBruteForce(test::makeTorus(1, 0.3, 30, 14), {1.6, 0.8, 1.6});
+}
+
+/// Slender, askew, through each other: boxes that are mostly empty.
+TriangleMesh askewBeams(int count) {
+    TriangleMesh beams;
+    for (int i = 0; i < count; ++i) {
+        const Double3 along = normalized(hashRandomInCube(12, 0, uint64_t(i)) + Double3{0.5, 0.5, 0.5}),
+                      side = normalized(cross(along, {0.3, -0.8, 0.1})), up = cross(along, side),
+                      middle = hashRandomInCube(12, 1, uint64_t(i));
+        TriangleMesh beam = test::makeCube(1);
+        for (Double3& p : beam.positions) p = middle + along * (4 * p.x) + (side * p.y + up * p.z) * 0.1;
+        beams = i == 0 ? beam : test::joined(beams, beam);
+    }
+    return beams;
+}
+
+/// The tree has such triangles in several leaves; the answers are those of each once.
+TEST(SlenderTriangles, AreHalvedInTheTreeAndCountOnce) {
+    const TriangleMesh beams = askewBeams(40);
+    EXPECT_TRUE(MeshQueries(beams).tree().repeats());
+    EXPECT_FALSE(MeshQueries(test::makeTorus(1, 0.3, 30, 14)).tree().repeats());
+    EXPECT_FALSE(MeshQueries(test::makeCube(1)).tree().repeats());
+    expectWindingOfSolidAngle(beams, {0.6, 0.6, 0.6});
+    expectClosestOfBruteForce(beams, {1.5, 1.5, 1.5});
+}
+
+/// A part's own crossings sum up to its own winding number, whatever else the ray passes.
+TEST(Crossings, OfEachPartSumUpToItsWindingNumber) {
+    constexpr int kBeams = 40;
+    const TriangleMesh beams = askewBeams(kBeams);
+    const size_t of_a_beam = beams.triangles.size() / kBeams;
+    const MeshQueries all(beams);
+    int inside = 0;
+    for (int i = 0; i < kBeams; ++i) {
+        TriangleMesh beam = beams;
+        beam.triangles.assign(beams.triangles.begin() + std::ptrdiff_t(size_t(i) * of_a_beam),
+                              beams.triangles.begin() + std::ptrdiff_t(size_t(i + 1) * of_a_beam));
+        const Double3 middle = hashRandomInCube(12, 1, uint64_t(i));
+        for (uint64_t k = 0; k < 20; ++k) {
+            const Double3 p = middle + randomPoint(k, {0.08, 0.08, 0.08});
+            int sum = 0;
+            for (const SurfaceCrossing& crossing : all.crossings(p))
+                if (crossing.triangle / of_a_beam == size_t(i)) sum += crossing.direction;
+            ASSERT_EQ(sum, windingBySolidAngle(beam, p));
+            inside += sum;
+        }
+    }
+    EXPECT_GT(inside, 50);
 }
 
 /// Seven regions of a triangle (three corners, three edges, the inside), and triangles without area.
