@@ -15,9 +15,10 @@ constexpr double kDegree = 0.017453292519943295;
 constexpr double kLeastLength = 1e-3;   ///< of a direction; m between eye and target
 constexpr Range kColourRange{0, 1000};  // linear; the sun's is above 1
 constexpr Range kTimeRange{0, 3600};    // s
+constexpr Range kAngleRange{5, 120};    // degrees
 
-/// What the table that `at` names says about where a camera is and looks; `look`: a Camera or one of its
-/// keys.
+/// What the table that `at` names says about where a camera is, where and how wide it looks; `look`: a Camera
+/// or one of its keys.
 template <class Look>
 void readLooking(TomlReader& reader, const std::string& at, Look& look) {
     reader.readVector(at + "eye_m", look.eye, kPlaceRange);
@@ -25,6 +26,11 @@ void readLooking(TomlReader& reader, const std::string& at, Look& look) {
     reader.readVector(at + "up", look.up, kDirectionRange);
     if (glm::distance(look.eye, look.target) < kLeastLength)
         reader.fail(at + "eye_m", "must be apart from " + at + "target_m, or it looks nowhere");
+    if (reader.has(at + "field_of_view_deg")) {
+        double degrees = 0;
+        reader.read(at + "field_of_view_deg", degrees, kAngleRange);
+        look.field_of_view = static_cast<float>(degrees * kDegree);
+    }
     if (!reader.has(at + "up")) return;
     const glm::vec3 across = glm::cross(glm::normalize(look.target - look.eye), look.up);
     if (!(glm::length(across) > kLeastLength * glm::length(look.up)))
@@ -34,7 +40,7 @@ void readLooking(TomlReader& reader, const std::string& at, Look& look) {
 /// What a key leaves out is as before.
 std::vector<CameraKey> readCameraPath(TomlReader& reader, const engine::Camera& start) {
     std::vector<CameraKey> path(reader.count("camera.path", kMostCameraKeys));
-    CameraKey before{0, start.eye, start.target, start.up};
+    CameraKey before = startKey(start);
     for (size_t k = 0; k < path.size(); ++k) {
         const std::string at = "camera.path[" + std::to_string(k) + "].";
         if (!reader.has(at + "at_s")) reader.fail(at + "at_s", "is missing");
@@ -52,9 +58,6 @@ std::vector<CameraKey> readCameraPath(TomlReader& reader, const engine::Camera& 
 engine::Camera readCamera(TomlReader& reader) {
     engine::Camera camera;
     readLooking(reader, "camera.", camera);
-    double degrees = camera.field_of_view / kDegree;
-    reader.read("camera.field_of_view_deg", degrees, {5, 120});
-    camera.field_of_view = static_cast<float>(degrees * kDegree);
     return camera;
 }
 

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "app/session/data_folder.h"
 #include "sim_cuda/api/errors.h"
 #include "tests/unit/app/scene_texts.h"
@@ -177,6 +179,28 @@ TEST(SceneFile, RefusesListsThatMakeNoSense) {
     EXPECT_THAT(complaintAbout(kHead + many), HasSubstr("ball has 33 entries; at most 32"));
 }
 
+/// A key that says no angle keeps that of the key before it.
+TEST(SceneFile, AnglesOfACameraChangeAlongItsPath) {
+    const TemporaryFolder folder;
+    const Shot shot = loadSceneFile(folder.write("zoom.toml", kHead + R"([camera]
+eye_m = [0, 1, 4]
+target_m = [0, 1, 0]
+field_of_view_deg = 60
+path = [{ at_s = 1, field_of_view_deg = 20 }, { at_s = 2, eye_m = [0, 1, 2] }, { at_s = 4, field_of_view_deg = 40 }]
+)"));
+    const auto degrees = [&](double time) {
+        return cameraAt(*shot.camera, shot.camera_path, time).field_of_view * 180 / M_PI;
+    };
+    EXPECT_NEAR(degrees(0), 60, 1e-4);
+    EXPECT_NEAR(degrees(0.25), 50, 1e-4);
+    EXPECT_NEAR(degrees(1), 20, 1e-4);
+    EXPECT_NEAR(degrees(1.5), 20, 1e-4);
+    EXPECT_NEAR(degrees(3), 30, 1e-4);
+    EXPECT_NEAR(degrees(9), 40, 1e-4) << "and stays";
+    EXPECT_NEAR(cameraAt(*shot.camera, shot.camera_path, 1.5).eye.z, 3, 1e-5);
+    EXPECT_EQ(cameraAt(*shot.camera, {}, 1.5).field_of_view, shot.camera->field_of_view);
+}
+
 TEST(SceneFile, RefusesCameraAndLightThatShowNothing) {
     EXPECT_THAT(complaintAbout(kHead + "[light]\nsun_direction = [0, 0, 0]\n"),
                 HasSubstr("scene.toml:4: light.sun_direction must have a length"));
@@ -187,6 +211,9 @@ TEST(SceneFile, RefusesCameraAndLightThatShowNothing) {
     EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ at_s = 1, up = [0, 0, 0] }]\n"),
                 HasSubstr("camera.path[0].up must have a length"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\nfield_of_view_deg = 0\n"), HasSubstr("between 5 and 120"));
+    EXPECT_THAT(
+        complaintAbout(kHead + "[camera]\npath = [{ at_s = 1, field_of_view_deg = 121 }]\n"),
+        HasSubstr("scene.toml:4: camera.path[0].field_of_view_deg must be a number between 5 and 120"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ eye_m = [1, 2, 3] }]\n"),
                 HasSubstr("scene.toml:4: camera.path[0].at_s is missing"));
     EXPECT_THAT(complaintAbout(kHead + "[camera]\npath = [{ at_s = 0 }]\n"),
