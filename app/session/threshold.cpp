@@ -23,7 +23,8 @@ ThresholdTable::Prediction predictionOf(const Shot& shot, const BreakableBody& b
 std::string Threshold::source() const {
     if (measured)
         return "measured on " + std::to_string(packings) + (packings == 1 ? " packing" : " packings");
-    return is_known_body ? "table, this body" : "rule from shape and mass";
+    const std::string from = is_known_body ? "table, this body" : "rule from shape and mass";
+    return is_painted ? from + ", as if it were not painted: where it is weaker it breaks from less" : from;
 }
 
 std::optional<Threshold> thresholdOf(const Shot& shot, const BreakableBody& body) {
@@ -34,6 +35,7 @@ std::optional<Threshold> thresholdOf(const Shot& shot, const BreakableBody& body
     threshold.predicted = prediction.share * critical;
     threshold.scatter = prediction.scatter;
     threshold.is_known_body = prediction.is_known;
+    threshold.is_painted = !body.bond_strength.empty();
     const auto measured = readCachedThresholds(thresholdCacheFolder(), thresholdKey(shot, body));
     if (measured.empty()) return threshold;
     threshold.measured = shareAt(measured, critical) * critical;

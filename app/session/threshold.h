@@ -14,10 +14,12 @@ struct Threshold {
     double predicted = 0;            ///< m/s, from the table
     double scatter = 1;              ///< of the prediction, as a factor
     bool is_known_body = false;      ///< the table has a row for the body
+    bool is_painted = false;         ///< strength follows paint, which the table does not know
     std::optional<double> measured;  ///< m/s, mean over `packings`
     uint32_t packings = 0;
     double velocity() const { return measured.value_or(predicted); }
-    /// "measured on 4 packings", "table, this body", "rule from shape and mass".
+    /// "measured on 4 packings", "table, this body", "rule from shape and mass"; of painted bodies the last
+    /// two say that they do not know the paint.
     std::string source() const;
 };
 

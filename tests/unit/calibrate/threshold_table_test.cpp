@@ -149,6 +149,24 @@ TEST(Threshold, PiecesOfAVaseWakeByANumberOfTheirOwn) {
     EXPECT_NEAR(lowestThresholdShare(shot, *built.body) / predicted, 0.17 / 0.225, 0.01);
 }
 
+/// The table's number is that of the plain body, and is not told as if it were more.
+TEST(Threshold, ThePaintThatTheTableDoesNotKnowIsSaid) {
+    Shot shot = loadScene("block");
+    shot.fineness.particles = 60;
+    shot.device = DeviceChoice::kCpu;
+    BreakableBody body = *buildShot(shot, {.draw_geometry = false}, {}).body;
+    const Threshold plain = thresholdOf(shot, body).value();
+    body.bond_strength.assign(body.bonds.size(), 0.5);
+    Threshold painted = thresholdOf(shot, body).value();
+    EXPECT_EQ(painted.predicted, plain.predicted);
+    EXPECT_EQ(plain.source().find("painted"), std::string::npos);
+    EXPECT_EQ(painted.source(),
+              plain.source() + ", as if it were not painted: where it is weaker it breaks from less");
+    painted.measured = 3;
+    painted.packings = 4;
+    EXPECT_EQ(painted.source(), "measured on 4 packings") << "with its paint";
+}
+
 TEST(Threshold, BreakAtSetsTheStrength) {
     Shot shot = loadScene("block");
     shot.fineness.particles = 150;
