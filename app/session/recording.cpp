@@ -173,11 +173,13 @@ std::shared_ptr<const std::vector<CrackLine>> Recording::readCracks(const ReadSt
 
 std::shared_ptr<const RecordedEffects> Recording::readEffects(const ReadStream& read,
                                                               const FrameStats& stats) {
-    if (!stats.effects_shown) {
+    EffectCommands commands{};
+    if (stats.effects_shown) commands = seen<EffectCommands>(read, StreamId::kEffectCommands, 1)[0];
+    // A GPU is not asked whether anything has been born yet.
+    if (commands.grains.instance_count + commands.puffs.instance_count == 0) {
         effects_.clear();
         return nullptr;
     }
-    const EffectCommands commands = seen<EffectCommands>(read, StreamId::kEffectCommands, 1)[0];
     return effects_.record(seen<GrainInstance>(read, StreamId::kGrains, commands.grains.instance_count),
                            seen<PuffInstance>(read, StreamId::kPuffs, commands.puffs.instance_count));
 }
