@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/mesh_checks.h"
@@ -71,6 +72,15 @@ void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double 
     const Bounds placed = boundsOf(mesh.positions);
     if (!isFinite(placed.lower) || !isFinite(placed.upper))
         refuseModel(file, "cannot be scaled to its height; export it in another unit");
+    const Double3 size = placed.size();
+    const double longest = std::max({size.x, size.y, size.z});
+    if (longest >= kShortestBody && longest <= kLongestBody) return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "would be %.3g m long, and a body can have %g to %g m; choose a --height, or export it in "
+                  "another unit",
+                  longest, kShortestBody, kLongestBody);
+    refuseModel(file, text);
 }
 
 }  // namespace demolish

@@ -18,8 +18,11 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file);
 /// A quarter turn about x: z becomes y, y becomes -z.
 void turnZUp(TriangleMesh& mesh);
 
-/// Scaled, with the lowest y = 0, centred in x and z. Throws InputFileError where the scaled mesh is beyond
-/// what numbers hold.
+/// m, of the longest side: masses and moments of what is larger or smaller are beyond single precision.
+inline constexpr double kShortestBody = 1e-6, kLongestBody = 1e6;
+
+/// Scaled, with the lowest y = 0, centred in x and z. Throws InputFileError where the scaled mesh is larger
+/// or smaller than a body can be.
 void standOnFloor(TriangleMesh& mesh, const std::filesystem::path& file, double scale);
 
 }  // namespace demolish
