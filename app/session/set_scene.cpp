@@ -137,6 +137,14 @@ std::string scaleText(const SetFile& file) {
     return text;
 }
 
+/// Or the scene would be refused by a line that nobody wrote.
+void requirePlace(const std::string& node, const glm::dvec3& place) {
+    const double farthest = std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)});
+    if (farthest <= kPlaceRange.most) return;
+    throw UsageError("the node '" + node + "' would lie " + plainNumber(farthest) + " m from the origin; " +
+                     plainNumber(kPlaceRange.most) + " m are possible: choose a --unit or a --height");
+}
+
 std::string bodiesText(const SetBodies& bodies, const SetFile& file, double lift) {
     std::string text = "body = [\n";
     for (size_t b = 0; b < bodies.things.size(); ++b) {
@@ -145,6 +153,7 @@ std::string bodiesText(const SetBodies& bodies, const SetFile& file, double lift
         if (poses.size() > 1 && !bodies.moves(b)) poses.clear();
         glm::dvec3 place = poses.empty() ? footOf(bodies.extents[b]) : poses.front().place;
         place.y += lift;
+        requirePlace(thing.node, place);
         text += "  { name = " + quoted(thing.node) + ", node = " + quoted(thing.node) +
                 ", position_m = " + vectorText(place) + (poses.empty() ? "" : motionText(poses)) + " },\n";
     }

@@ -230,6 +230,19 @@ TEST_F(SetScene, WhatLiesBelowTheFloorIsLiftedWithTheRest) {
     EXPECT_NEAR(shot.bodies[1].position.y, 2, 1e-6);
 }
 
+/// By node and distance, not by a line of a text that nobody wrote.
+TEST_F(SetScene, NodesFartherAwayThanASceneReachesAreNamed) {
+    const auto file =
+        set(R"([{"name":"near","mesh":0},{"name":"far","mesh":0,"translation":[20000,0,0]}])", "[0,1]", "");
+    try {
+        split(file);
+        FAIL() << "no complaint";
+    } catch (const UsageError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("the node 'far' would lie 20000 m from the origin; 10000 m are"));
+    }
+    EXPECT_EQ(split(file, {{}, 1000.0}).bodies.size(), 2u) << "scaled to be 1 km long";
+}
+
 TEST_F(SetScene, AFormatWithoutAUnitNeedsOneAndMayPointUpwardsByZ) {
     const auto file =
         folder_.write("two.obj",
