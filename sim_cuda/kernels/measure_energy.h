@@ -65,8 +65,8 @@ struct MeasureEnergy {
             kicked = inDouble(xyz(next.velocity[i]));
             turned = inDouble(xyz(next.spin[i]));
         } else if (isMoved(i, Regime::kRigid)) {
-            kicked = axpy(fallTime(i), gravity, velocity + inDouble(xyz(arrays.carried[2 * size_t{i}])));
-            turned = spin + inDouble(xyz(arrays.carried[2 * size_t{i} + 1]));
+            kicked = axpy(fallTime(i), gravity, velocity + dryKick(2 * size_t{i}));
+            turned = spin + dryKick(2 * size_t{i} + 1);
         }
         sums.kinetic = 0.5 * (mass * dot(velocity, kicked) + inertia * dot(spin, turned));
         sums.potential = -mass * dot(gravity, position);
@@ -77,6 +77,10 @@ struct MeasureEnergy {
 
     DEM_FN bool isMoved(uint32_t i, Regime how) const {
         return regime.data == nullptr ? how == Regime::kBonded : regime[label[i]] == wordOf(how);
+    }
+    /// Of velocity or spin; none where nothing has been listed yet.
+    DEM_FN Vec3<double> dryKick(size_t at) const {
+        return at < arrays.carried.count ? inDouble(xyz(arrays.carried[at])) : Vec3<double>{};
     }
     /// s for which gravity pulls what is rigid, from as long before the moment as after it.
     DEM_FN double fallTime(uint32_t i) const {

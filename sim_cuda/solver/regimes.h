@@ -73,7 +73,14 @@ class Regimes {
                                 const Clustering<Backend>& clusters, double soon);
 
     const RegimeMemory& memory() const { return memory_; }
-    void remember(const RegimeMemory& memory) { memory_ = memory; }
+    /// For an earlier state that has been put back.
+    void remember(const RegimeMemory& memory) {
+        memory_ = memory;
+        lists_stand_ = false;
+    }
+    /// What moves how is listed as the present state has it: not from the return to an earlier one to the
+    /// next decision.
+    bool listsStand() const { return lists_stand_; }
 
     const RigidWork& rigid() const { return moved_.rigid(); }
     RigidConstants<Real> rigidConstants() { return moved_.rigidConstants(); }
@@ -138,6 +145,7 @@ class Regimes {
     RegimeMemory memory_;
     HoldsIn holds_;
     bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
+    bool lists_stand_ = true;   ///< before it nothing is listed, which is right
 };
 
 template <class Backend, class Real>
@@ -233,6 +241,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     moved_.list(data, meetings, rows, params.colliders,
                 {regime_.view(), flags_.view(), meets, body_memory_.span()});
     bonded_shots_ = !hand_over_;
+    lists_stand_ = true;
     if (frame_starts) {
         memory_.awake = moved_.count(kAwakeCount);
         memory_.must_bond = moved_.count(kMustBondCount);

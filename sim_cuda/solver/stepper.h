@@ -28,7 +28,8 @@ class Stepper {
     /// One substep of what is moved with its bonds, and the kick of a contact step of what is rigid, that are
     /// no steps of the run: scene.state() is that after the substep, and by how much the other changes
     /// velocities lies in SubstepArrays::carried until endDry(). The ledger books the first half of the
-    /// kicks.
+    /// kicks. Where an earlier state was put back and nothing has been decided since, the kick of what is
+    /// rigid is not known, nor what is dissipated.
     void runDry(Scene& scene);
     void endDry(Scene& scene);
 
@@ -47,6 +48,7 @@ class Stepper {
     void resume(uint32_t contact_stride) { contact_stride_ = contact_stride; }
 
   private:
+    void runAllDry(Scene& scene);
     using RigidStep = RigidStepOf<Backend, Real>;
 
     RigidStep rigidStep(Scene& scene, const RigidConstants<Real>& constants) {
@@ -140,9 +142,21 @@ void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, uint3
         [&] { rigid_runner_.run(backend, step, n, follows); });
 }
 
+/// Of all particles, as if they were moved with their bonds; books nothing.
+template <class Backend, class Real>
+void Stepper<Backend, Real>::runAllDry(Scene& scene) {
+    auto& data = scene.data;
+    const BondedWork work = std::exchange(data.work, BondedWork{});
+    const auto constants = std::exchange(data.constants_in_substeps, {});
+    runner_.runOne(scene.backend, data, scene.lists.contacts(), scene.params, false);
+    data.work = work;
+    data.constants_in_substeps = constants;
+}
+
 template <class Backend, class Real>
 void Stepper<Backend, Real>::runDry(Scene& scene) {
     const auto& regimes = scene.regimes;
+    if (regimes.on() && !regimes.listsStand()) return runAllDry(scene);
     auto& data = scene.data;
     const bool rigid = regimes.on() && regimes.movesRigid(), carries = rigid && regimes.carries(),
                ledger = scene.setup.params.ledger;

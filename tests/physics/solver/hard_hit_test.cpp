@@ -90,5 +90,24 @@ TEST_F(HardHit, InContactStepsIsFoundInEveryMoment) {
     EXPECT_GT(most_held, 0.1 * impact);
 }
 
+/// Bodies and lists of a decision are no part of a snapshot.
+TEST_F(HardHit, AStatePutBackIsMeasuredBeforeAnythingIsDecided) {
+    SceneSetup setup = cellBesideAColumn(0.05);
+    setup.bodies.resize(1);
+    setup.params.gravity = {0, -9.81, 0};
+    auto solver = makeSolver(setup), other = makeSolver(setup);
+    for (int frame = 0; frame < 10; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    ASSERT_EQ(solver->stats().rigid_fragments, 1u);
+    solver->measure();
+    const EnergyLedger falling = solver->stats().energy;
+    const Snapshot snapshot = solver->save();
+    for (int frame = 0; frame < 6; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    for (Solver* each : {solver.get(), other.get()}) {
+        each->restore(snapshot);
+        each->measure();
+        EXPECT_NEAR(energySum(each->stats().energy), energySum(falling), 1e-3 * falling.kinetic);
+    }
+}
+
 }  // namespace
 }  // namespace demolish::tests
