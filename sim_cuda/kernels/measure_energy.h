@@ -41,13 +41,15 @@ struct MeasureEnergy {
     Vec3<double> gravity;                ///< m/s^2
     Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps or is rigid
     Span<const uint32_t> memory;         ///< of rigid bodies, per slot
-    bool lets_go = false;  ///< of contacts, what they lose if their force ends with the last kick
+    bool lets_go = false;     ///< of contacts, what they lose if their force ends with the last kick
+    bool knows_rigid = true;  ///< the ledger holds what is of contact steps, where something is rigid
 
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
         const OwnParticle<Real> own = loadOwn(arrays, i);
         if (!own.constants.takesPart()) return sums;
-        Vec4<Real> booked = arrays.ledger[i];
+        const bool counts = isMoved(i, Regime::kBonded) || (knows_rigid && isMoved(i, Regime::kRigid));
+        Vec4<Real> booked = counts ? arrays.ledger[i] : Vec4<Real>{};
         sums.damping = static_cast<double>(bookedDamping(booked));
         sums.friction = static_cast<double>(bookedFriction(booked));
         sums.fracture = static_cast<double>(bookedFracture(booked));

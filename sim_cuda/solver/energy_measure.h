@@ -35,6 +35,7 @@ MechanicalSums EnergyMeasure<Backend, Real>::measure(DeviceScene<Backend, Real>&
         energy.label = scene.fragments.clusters.fragment();
         energy.regime = scene.regimes.regime();
         energy.memory = scene.regimes.bodyMemory();
+        energy.knows_rigid = scene.regimes.listsStand();
     }
     const MechanicalSums sums = scene.backend.reduce(scene.tables.counts.total, MechanicalSums{}, energy,
                                                      SumInto<MechanicalSums>{}, "measure energies");

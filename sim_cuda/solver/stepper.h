@@ -29,7 +29,7 @@ class Stepper {
     /// no steps of the run: scene.state() is that after the substep, and by how much the other changes
     /// velocities lies in SubstepArrays::carried until endDry(). The ledger books the first half of the
     /// kicks. Where an earlier state was put back and nothing has been decided since, the kick of what is
-    /// rigid is not known, nor what is dissipated.
+    /// rigid is not known, nor what it dissipates.
     void runDry(Scene& scene);
     void endDry(Scene& scene);
 
@@ -142,13 +142,15 @@ void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, uint3
         [&] { rigid_runner_.run(backend, step, n, follows); });
 }
 
-/// Of all particles, as if they were moved with their bonds; books nothing.
+/// Of all particles, as if they were moved with their bonds.
 template <class Backend, class Real>
 void Stepper<Backend, Real>::runAllDry(Scene& scene) {
     auto& data = scene.data;
     const BondedWork work = std::exchange(data.work, BondedWork{});
     const auto constants = std::exchange(data.constants_in_substeps, {});
-    runner_.runOne(scene.backend, data, scene.lists.contacts(), scene.params, false);
+    StepParams<Real> params = scene.params;
+    params.booked = KickShare::kFirstHalf;
+    runner_.runOne(scene.backend, data, scene.lists.contacts(), params, scene.setup.params.ledger);
     data.work = work;
     data.constants_in_substeps = constants;
 }
