@@ -95,7 +95,7 @@ struct Shot {
     std::optional<uint32_t> substeps;  ///< per 1/60 s; set: used as it is
     double settle_time = 0;            ///< s, at the scene's own height
     double settle_scale = 1;           ///< of that time at this height
-    double scene_radius = 1000;        ///< m, what flies farther ends the run
+    double scene_radius = 0;           ///< m, what flies farther ends the run; 0: as far as the bodies need
     Method method = Method::kOurs;
     /// Of preset pieces, none: usualPattern(); else of the tough cells, none: irregular.
     std::optional<Pattern> pattern;

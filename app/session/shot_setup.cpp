@@ -75,12 +75,11 @@ Material materialOf(const Shot& shot, const SceneBody& body) {
     return material;
 }
 
-/// All but the substeps, which follow from the bodies.
+/// All but what follows from the bodies.
 SolverParams paramsOf(const Shot& shot) {
     SolverParams params;
     const MethodTraits& method = traitsOf(shot.method);
     params.frame_time = 1 / shot.fps;
-    params.scene_radius = shot.scene_radius;
     params.seed = shot.seed;
     params.hand_over = method.may_rest && shot.hand_over;
     params.sleeping = method.may_rest && shot.sleeping;
@@ -91,6 +90,15 @@ SolverParams paramsOf(const Shot& shot) {
     params.settle_time = settles ? shot.settle_time * shot.settle_scale : 0;
     params.settle_damping = SolverParams{}.settle_damping / shot.settle_scale;
     return params;
+}
+
+/// m, and how many times as far as the bodies: a model of two kilometres does not leave it as it falls.
+constexpr double kLeastRoom = 1000, kRoom = 4;
+
+/// m from the origin.
+double roomFor(const SceneBox& box) {
+    const double farthest = glm::length(glm::max(glm::abs(toGlm(box.low)), glm::abs(toGlm(box.high))));
+    return std::max(kLeastRoom, kRoom * farthest);
 }
 
 /// Bodies that stand in different ways get one orientation, as mortar wants it; those that share cells and
@@ -161,6 +169,7 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         turnInTheirFrames(setup);
     }
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
+    setup.params.scene_radius = shot.scene_radius > 0 ? shot.scene_radius : roomFor(sceneBox(shot, bodies));
     return setup;
 }
 

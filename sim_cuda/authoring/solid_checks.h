@@ -18,8 +18,9 @@ void requireSolid(const TriangleMesh& mesh, const std::filesystem::path& file);
 /// A quarter turn about x: z becomes y, y becomes -z.
 void turnZUp(TriangleMesh& mesh);
 
-/// m, of the longest side: masses and moments of what is larger or smaller are beyond single precision.
-inline constexpr double kShortestBody = 1e-6, kLongestBody = 1e6;
+/// m, of the longest side. What is smaller has masses and moments beyond single precision; what is larger
+/// becomes unstable, seen from 12 km on.
+inline constexpr double kShortestBody = 1e-6, kLongestBody = 1e4;
 
 /// Scaled, with the lowest y = 0, centred in x and z. Throws InputFileError where the scaled mesh is larger
 /// or smaller than a body can be.

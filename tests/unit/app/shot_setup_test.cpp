@@ -59,6 +59,20 @@ TEST(ShotSetup, ADroppedBodyReachesTheFloorWithTheChosenVelocity) {
     }
 }
 
+TEST(ShotSetup, ASceneIsLargeEnoughForItsBodiesUnlessItSaysHowLarge) {
+    Shot shot;
+    const auto radius = [&shot](double height) {
+        auto body = std::make_shared<BreakableBody>(gridCube(8));
+        body->bounds_min = {0, 0, 0};
+        body->bounds_max = {0, height, 0};
+        return makeSetup(shot, {body}).params.scene_radius;
+    };
+    EXPECT_EQ(radius(1), 1000);
+    EXPECT_GE(radius(2000), 8000);
+    shot.scene_radius = 5;
+    EXPECT_EQ(radius(2000), 5);
+}
+
 TEST(ShotSetup, WithoutASceneTheStiffnessFollowsStrengthAndWeight) {
     Shot shot;
     shot.material.critical_velocity = 2.5;
