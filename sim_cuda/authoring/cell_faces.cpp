@@ -91,12 +91,12 @@ void CellFaces::collectSurface() {
     }
     std::sort(chains_.begin(), chains_.end(), [](const Chain& a, const Chain& b) { return a.face < b.face; });
     std::sort(crossings_.begin(), crossings_.end(), [](const Crossing& a, const Crossing& b) {
-        return std::tie(a.face, a.across, a.along, a.vertex) < std::tie(b.face, b.across, b.along, b.vertex);
+        return std::tie(a.face, a.across, a.along, a.tie) < std::tie(b.face, b.across, b.along, b.tie);
     });
 }
 
-/// The order on the Voronoi edge is by the same number in all three cells; only its sense depends on the
-/// face.
+/// The order on the Voronoi edge is by the same numbers in all three cells; only its sense depends on the
+/// face. Surfaces that lie on each other cross at one place.
 void CellFaces::addCrossing(uint32_t face, uint32_t across, int step, uint32_t vertex) {
     const uint32_t j = view_->neighbours[face], k = view_->neighbours[across];
     std::array<uint32_t, 3> ids{cell_, j, k};
@@ -106,7 +106,8 @@ void CellFaces::addCrossing(uint32_t face, uint32_t across, int step, uint32_t v
     const double along = dot(sources_.vertices[vertex].position - a, axis);
     // Round face j the edge with k runs along (x_j - x_i) x (x_k - x_i).
     const bool is_even = (cell_ < j) + (j < k) + (k < cell_) == 2;
-    crossings_.push_back({face, across, is_even ? along : -along, step, vertex});
+    const int64_t tie = vertex;
+    crossings_.push_back({face, across, is_even ? along : -along, is_even ? tie : -tie, step, vertex});
 }
 
 std::span<const CellFaces::Crossing> CellFaces::crossings(uint32_t face, uint32_t across) const {

@@ -26,6 +26,7 @@ class CellFaces {
     struct Crossing {
         uint32_t face, across;  // local
         double along;           // order on the way round the face
+        int64_t tie;            // the same where two are at one place
         int step;               // of the winding number on that way
         uint32_t vertex;        // id
     };

@@ -96,6 +96,24 @@ TEST(DegenerateSeeds, CoincidingSeedsAreMovedApart) {
     EXPECT_GT(std::min(volumes[17], volumes[203]), 0);
 }
 
+TEST(DegenerateSeeds, FacesOnEachOtherWithinTheSolidNeedNoRepair) {
+    TriangleMesh mesh = testBody("cube")->mesh;
+    const auto first = uint32_t(mesh.positions.size());
+    for (const Double3& p : {Double3{-0.41, -0.37, -0.43}, {0.43, 0.31, -0.2}, {0.11, 0.42, 0.39}})
+        mesh.positions.push_back(p);
+    mesh.triangles.push_back({first, first + 1, first + 2});
+    mesh.triangles.push_back({first, first + 2, first + 1});
+    mesh.corners.resize(mesh.triangles.size());
+    const QueriedMesh folded(std::move(mesh));
+    const CellComplex complex =
+        buildCellComplex(folded.mesh, folded.queries, randomSeeds(folded.mesh, folded.queries, 300, 5),
+                         spacingOf(folded.mesh, 300), 1);
+    EXPECT_EQ(complex.rejitter_rounds, 0u);
+    EXPECT_EQ(countOpenCells(complex), 0u);
+    const std::vector<double> volumes = loopVolumes(complex);
+    EXPECT_NEAR(std::accumulate(volumes.begin(), volumes.end(), 0.0), 1, 1e-9);
+}
+
 TEST(DegenerateSeeds, MeshWithAHoleEndsWithItsOpenCellsNamed) {
     TriangleMesh mesh = testBody("torus")->mesh;
     mesh.triangles.pop_back();
