@@ -10,7 +10,7 @@
 #include <map>
 #include <span>
 #include <tuple>
-#include <unordered_map>
+#include <utility>
 
 #include "sim_cuda/authoring/double3.h"
 
@@ -61,11 +61,13 @@ class VertexSets {
     /// Joins what bounds the cell where it shares vertices. Returns the number of separate sets.
     uint32_t join(const CellComplex& complex, const Borders& borders, uint32_t cell) {
         uint32_t sets = 0;
+        members_.clear();
         const auto joinAll = [&](std::span<const uint32_t> vertices) {
             for (const uint32_t v : vertices) {
                 if (cell_[v] != cell) {
                     cell_[v] = cell;
                     parent_[v] = v;
+                    members_.push_back(v);
                     ++sets;
                 }
                 const uint32_t a = rootOf(v), b = rootOf(vertices[0]);
@@ -80,6 +82,9 @@ class VertexSets {
         return sets;
     }
 
+    /// All that the last join() met, each once.
+    const std::vector<uint32_t>& members() const { return members_; }
+
     /// Lowest vertex of the set, after join() of its cell.
     uint32_t rootOf(uint32_t v) {
         while (parent_[v] != v) v = parent_[v] = parent_[parent_[v]];
@@ -88,6 +93,7 @@ class VertexSets {
 
   private:
     std::vector<uint32_t> cell_, parent_;  // by vertex
+    std::vector<uint32_t> members_;
 };
 
 /// Cells with surface whose border is not connected, ascending.
@@ -113,9 +119,13 @@ std::vector<uint32_t> findSplitCells(const CellComplex& complex, const Borders& 
 class CutOffParts {
   public:
     CutOffParts(const CellComplex& complex, const Borders& borders, const std::vector<uint32_t>& split)
-        : complex_(complex), borders_(borders), part_of_root_(complex.vertices.size(), kUnresolved) {
+        : complex_(complex),
+          borders_(borders),
+          part_of_root_(complex.vertices.size(), kUnresolved),
+          places_of_cell_(complex.seeds.size()) {
         VertexSets sets(complex.vertices.size());
         for (const uint32_t cell : split) listParts(cell, sets);
+        sortPlaces(split);
         findOwners();
     }
 
@@ -135,12 +145,19 @@ class CutOffParts {
         std::map<std::pair<uint32_t, uint32_t>, double> shared;  // m^2, by cell and part beyond; if cut off
     };
 
+    struct Place {
+        uint32_t vertex, part;
+    };
+
     uint32_t partAt(uint32_t cell, uint32_t vertex) const {
-        const auto found = part_at_.find(uint64_t(cell) << 32 | vertex);
-        return found == part_at_.end() ? kUnresolved : found->second;
+        const auto [begin, end] = places_of_cell_[cell];
+        const auto place = std::lower_bound(places_.begin() + begin, places_.begin() + end, vertex,
+                                            [](const Place& at, uint32_t v) { return at.vertex < v; });
+        return place == places_.begin() + end || place->vertex != vertex ? kUnresolved : place->part;
     }
 
     void listParts(uint32_t cell, VertexSets& sets);
+    void sortPlaces(const std::vector<uint32_t>& split);
     void measureSharedAreas();
     void findOwners();
     bool resolveSome(bool only_anchored);
@@ -148,8 +165,9 @@ class CutOffParts {
     const CellComplex& complex_;
     const Borders& borders_;
     std::vector<Part> parts_;
-    std::vector<uint32_t> part_of_root_;              // by vertex, of the cell that listed it last
-    std::unordered_map<uint64_t, uint32_t> part_at_;  // by cell and vertex
+    std::vector<uint32_t> part_of_root_;  // by vertex, of the cell that listed it last
+    std::vector<Place> places_;           // of the split cells, cell by cell, by vertex
+    std::vector<std::pair<ptrdiff_t, ptrdiff_t>> places_of_cell_;  // into places_, empty where not split
     uint32_t moved_ = 0;
 };
 
@@ -165,19 +183,19 @@ void CutOffParts::listParts(uint32_t cell, VertexSets& sets) {
         }
         return part;
     };
-    const auto note = [&](uint32_t vertex) { part_at_[uint64_t(cell) << 32 | vertex] = partOf(vertex); };
+    const auto first_place = ptrdiff_t(places_.size());
+    for (const uint32_t vertex : sets.members()) places_.push_back({vertex, partOf(vertex)});
+    places_of_cell_[cell] = {first_place, ptrdiff_t(places_.size())};
     const auto at = [&](uint32_t vertex) { return complex_.vertices[vertex].position - seed; };
     const auto add = [&](uint32_t a, uint32_t b, uint32_t c, double sign) {
         parts_[partOf(a)].volume += sign * dot(at(a), cross(at(b), at(c))) / 6;
     };
     for (uint32_t p = borders_.first_piece[cell]; p < borders_.first_piece[cell + 1]; ++p) {
         const auto loop = loopOf(complex_, complex_.pieces[p]);
-        for (const uint32_t vertex : loop) note(vertex);
         for (size_t k = 2; k < loop.size(); ++k) add(loop[0], loop[k - 1], loop[k], 1);
     }
     for (uint32_t f = borders_.first_face[cell]; f < borders_.first_face[cell + 1]; ++f) {
         const ComplexFace& face = complex_.faces[borders_.faces[f]];
-        for (const uint32_t vertex : loopsOf(complex_, face)) note(vertex);
         for (uint32_t t = face.first_triangle; t < face.first_triangle + face.triangle_count; ++t) {
             const auto& [a, b, c] = complex_.face_triangles[t];
             add(a, b, c, face.cell_a == cell ? 1 : -1);
@@ -187,6 +205,14 @@ void CutOffParts::listParts(uint32_t cell, VertexSets& sets) {
                                        [](const Part& a, const Part& b) { return a.volume < b.volume; });
     for (auto part = parts_.begin() + std::ptrdiff_t(first); part != parts_.end(); ++part)
         if (part != main && part->volume > 0) part->owner = kUnresolved;
+}
+
+void CutOffParts::sortPlaces(const std::vector<uint32_t>& split) {
+    tbb::parallel_for(size_t(0), split.size(), [&](size_t k) {
+        const auto [begin, end] = places_of_cell_[split[k]];
+        std::sort(places_.begin() + begin, places_.begin() + end,
+                  [](const Place& a, const Place& b) { return a.vertex < b.vertex; });
+    });
 }
 
 void CutOffParts::measureSharedAreas() {
