@@ -101,7 +101,8 @@ ModelCheck checkModel(const Shot& shot, const ProgressCallback& progress) {
         const auto mesh =
             makeSolidMesh(std::move(model.mesh), shot.model, placementOf(shot), std::move(model.looks));
         lookAtMesh(shot, *mesh, Advised::kTerminal, check);
-        const FillOptions options{.particles = particlesWanted(shot, *mesh, false), .seed = shot.seed};
+        const FillOptions options{
+            .particles = particlesWanted(shot, *mesh, false), .seed = shot.seed, .draw_geometry = false};
         lookAtBody(shot, *fillWithParticles(*mesh, options), check);
     } catch (const InputFileError& error) {
         check.refusal = error.what();

@@ -81,7 +81,7 @@ struct ShotAim {
 struct FillOptions {
     uint32_t particles = 1000;  ///< N; see particlesForSize
     uint64_t seed = 1;
-    bool draw_geometry = true;  ///< false: no FractureGeometry (benchmarks without drawing)
+    bool draw_geometry = true;  ///< false: no FractureGeometry, for what is not drawn
     std::optional<ToughCellOptions> tough = std::nullopt;
     std::optional<PaintedStrength> painted = std::nullopt;  ///< none: what is painted is only seen
     /// Spacing of cells far from the aim, or deep below it, over the spacing there: 1 (all alike) to 4.

@@ -36,13 +36,26 @@ IndexRange nodesBetween(double lower, double upper, double step, int count) {
 struct SplatTriangle {
     Double3 a, b, c, normal;  // unit normal, zero without area
     Double3 lower, upper;
+    std::array<Double3, 3>
+        out;  // from sides a b, b c, c a in the plane, hardly shorter than 1; zero of slivers
     SplatTriangle(const TriangleMesh& mesh, uint32_t id, const Double3& origin)
         : a(mesh.positions[mesh.triangles[id][0]] - origin),
           b(mesh.positions[mesh.triangles[id][1]] - origin),
           c(mesh.positions[mesh.triangles[id][2]] - origin),
           normal(normalized(cross(b - a, c - a))),
           lower(minimum(minimum(a, b), c)),
-          upper(maximum(maximum(a, b), c)) {}
+          upper(maximum(maximum(a, b), c)) {
+        constexpr double kShorter = 1 - 1e-6, kSlender = 1e-6;  // rounding must not decide
+        const Double3 ab = b - a, ac = c - a;
+        if (!(lengthSquared(cross(ab, ac)) > kSlender * kSlender * lengthSquared(ab) * lengthSquared(ac)))
+            return;
+        out = {normalized(cross(ab, normal)) * kShorter, normalized(cross(c - b, normal)) * kShorter,
+               normalized(cross(a - c, normal)) * kShorter};
+    }
+    /// m, of a point of the plane from the triangle at least.
+    double beyondSides(const Double3& p) const {
+        return std::max(std::max(dot(out[0], p - a), 0.0), std::max(dot(out[1], p - b), dot(out[2], p - c)));
+    }
 };
 
 /// Part of a row (y, z) within `band` of the triangle's plane: long triangles would visit their whole box
@@ -83,6 +96,8 @@ void splatTriangle(const SplatTriangle& t, const NodeFrame& frame, IndexRange la
                 if (from_plane * from_plane > double(row[i].squared)) continue;
                 const double off_x = beyond(p.x, t.lower.x, t.upper.x);
                 if (off_x * off_x + off_row > double(row[i].squared)) continue;
+                const double off_sides = t.beyondSides(p);
+                if (from_plane * from_plane + off_sides * off_sides > double(row[i].squared)) continue;
                 const Double3 q = closestOnTriangle(p, t.a, t.b, t.c);
                 const float squared = float(lengthSquared(p - q));
                 if (squared < row[i].squared) row[i] = {float(q.x), float(q.y), float(q.z), squared};

@@ -131,6 +131,7 @@ ClosestPoint MeshQueries::closestPoint(const Double3& point, double bound) const
     double best_squared = bound < 1e150 ? bound * bound : std::numeric_limits<double>::infinity();
     bvh_->tree.visitNearest(
         point, best_squared, [&](const std::array<Double3, 3>& corners, uint32_t triangle) {
+            if (isFartherFromTriangle(point, corners[0], corners[1], corners[2], best_squared)) return;
             const Double3 candidate = closestOnTriangle(point, corners[0], corners[1], corners[2]);
             const double squared = lengthSquared(point - candidate);
             const bool nearer =

@@ -29,4 +29,23 @@ inline Double3 closestOnTriangle(const Double3& p, const Double3& a, const Doubl
     return best;
 }
 
+/// Certainly no nearer to `p` than the root of `bound_squared` (m^2): a third of the work of
+/// closestOnTriangle(). False of triangles so slender that rounding would decide.
+inline bool isFartherFromTriangle(const Double3& p, const Double3& a, const Double3& b, const Double3& c,
+                                  double bound_squared) {
+    constexpr double kSlender = 1e-6, kRounding = 1e-7, kRoom = 1.01;
+    const Double3 ab = b - a, ac = c - a, ap = p - a, normal = cross(ab, ac);
+    const double ab2 = lengthSquared(ab), ac2 = lengthSquared(ac), whole = lengthSquared(normal);
+    if (!(whole > kSlender * kSlender * ab2 * ac2)) return false;
+    const double limit =
+        whole * (kRoom * bound_squared + kRounding * kRounding * (ab2 + ac2 + lengthSquared(ap)));
+    const double height = dot(normal, ap), rest = limit - height * height;
+    if (rest < 0) return true;
+    const auto isBeyond = [&](const Double3& edge, const Double3& from) {
+        const double across = dot(normal, cross(edge, from));
+        return across < 0 && across * across > rest * lengthSquared(edge);
+    };
+    return isBeyond(ab, ap) || isBeyond(c - b, p - b) || isBeyond(a - c, p - c);
+}
+
 }  // namespace demolish

@@ -2,6 +2,8 @@
 // Builds the triangle tree by binned surface-area splits.
 #include "sim_cuda/authoring/triangle_tree.h"
 
+#include <tbb/parallel_invoke.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -10,6 +12,7 @@ namespace {
 
 constexpr uint32_t kLeafSize = 4;
 constexpr int kBins = 16;
+constexpr uint32_t kAtOnce = 1 << 15;  // pieces from which on both halves are built at the same time
 constexpr int kDepthOfHalving =
     40;  // beyond it (bad splits only) halve by number, so that the depth stays bounded
 
@@ -43,9 +46,11 @@ struct Piece {
 /// All triangles in order, then what those leave that are halved: slender ones askew in large boxes, the
 /// largest first, where a query would meet many of them to no purpose.
 std::vector<Piece> piecesOf(const TriangleMesh& mesh) {
-    constexpr double kLarge = 1.0 / 1024;  // of the mesh's box, by area
-    constexpr double kMostlyEmpty = 8;     // box over triangle, by area
-    constexpr size_t kMostPieces = 4;      // by triangle of the mesh
+    constexpr double kMostlyEmpty = 8;                  // box over triangle, by area
+    constexpr double kLarge = 1.0 / 1024;               // of the mesh's box, by area:
+    constexpr size_t kMostOfLarge = 4;                  // pieces, by triangle of the mesh
+    constexpr double kSmall = 1.0 / 16384;              // in meshes that are not large themselves also these,
+    constexpr size_t kMost = 16, kMostInAll = 500'000;  // up to so many
     std::vector<Piece> pieces;
     pieces.reserve(mesh.triangles.size());
     TreeBox all;
@@ -54,16 +59,19 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh) {
         pieces.push_back({{mesh.positions[k[0]], mesh.positions[k[1]], mesh.positions[k[2]]}, t});
         all.add(pieces.back().box());
     }
-    const double large = kLarge * all.halfArea();
+    const size_t most = std::min(kMost * pieces.size(), kMostInAll),
+                 most_of_large = std::max(kMostOfLarge * pieces.size(), most);
+    const double large = kLarge * all.halfArea(),
+                 least = (pieces.size() < most ? kSmall : kLarge) * all.halfArea();
     std::vector<std::pair<double, uint32_t>> heap;  // area of the box, piece
     const auto consider = [&](uint32_t piece) {
         const double half_area = pieces[piece].box().halfArea();
-        if (half_area > large && half_area > kMostlyEmpty * pieces[piece].area())
+        if (half_area > least && half_area > kMostlyEmpty * pieces[piece].area())
             heap.emplace_back(half_area, piece);
     };
     for (uint32_t piece = 0; piece < pieces.size(); ++piece) consider(piece);
     std::make_heap(heap.begin(), heap.end());
-    while (!heap.empty() && pieces.size() < kMostPieces * mesh.triangles.size()) {
+    while (!heap.empty() && pieces.size() < (heap.front().first > large ? most_of_large : most)) {
         const uint32_t piece = heap.front().second;
         std::pop_heap(heap.begin(), heap.end());
         heap.pop_back();
@@ -130,27 +138,47 @@ struct TriangleTree::Builder {
         return best;
     }
 
-    void build(uint32_t begin, uint32_t end, int depth) {
-        const uint32_t id = uint32_t(tree.nodes_.size());
-        tree.nodes_.emplace_back();
-        TreeBox box;
-        for (uint32_t i = begin; i < end; ++i) box.add(boxes[tree.triangles_[i]]);
-        tree.nodes_[id].box = box;
-        uint32_t middle = begin + (end - begin) / 2;
+    /// Where the range is parted into two; its order is settled by then.
+    uint32_t parted(uint32_t begin, uint32_t end, int depth) const {
+        const Split split = bestSplit(begin, end);
+        if (split.bin < 0 || depth >= kDepthOfHalving) return begin + (end - begin) / 2;
+        const auto from = tree.triangles_.begin();
+        const auto border = std::stable_partition(
+            from + begin, from + end, [&](uint32_t t) { return split.binOf(centres[t]) <= split.bin; });
+        return uint32_t(border - from);
+    }
+
+    /// Appends the nodes of the range. Large halves are built at the same time and strung together.
+    void build(uint32_t begin, uint32_t end, int depth, std::vector<Node>& nodes) const {
+        const size_t id = nodes.size();
+        nodes.emplace_back();
+        for (uint32_t i = begin; i < end; ++i) nodes[id].box.add(boxes[tree.triangles_[i]]);
         if (end - begin <= kLeafSize) {
-            tree.nodes_[id].first = begin;
-            tree.nodes_[id].count = end - begin;
+            nodes[id].first = begin;
+            nodes[id].count = end - begin;
             return;
         }
-        if (const Split split = bestSplit(begin, end); split.bin >= 0 && depth < kDepthOfHalving) {
-            const auto from = tree.triangles_.begin();
-            const auto border = std::stable_partition(
-                from + begin, from + end, [&](uint32_t t) { return split.binOf(centres[t]) <= split.bin; });
-            middle = uint32_t(border - from);
+        const uint32_t middle = parted(begin, end, depth);
+        if (end - begin < kAtOnce) {
+            build(begin, middle, depth + 1, nodes);
+            nodes[id].first = uint32_t(nodes.size());
+            build(middle, end, depth + 1, nodes);
+            return;
         }
-        build(begin, middle, depth + 1);
-        tree.nodes_[id].first = uint32_t(tree.nodes_.size());
-        build(middle, end, depth + 1);
+        std::vector<Node> low, high;
+        tbb::parallel_invoke([&] { build(begin, middle, depth + 1, low); },
+                             [&] { build(middle, end, depth + 1, high); });
+        append(low, nodes);
+        nodes[id].first = uint32_t(nodes.size());
+        append(high, nodes);
+    }
+
+    static void append(const std::vector<Node>& subtree, std::vector<Node>& nodes) {
+        const auto before = uint32_t(nodes.size());
+        for (const Node& node : subtree) {
+            nodes.push_back(node);
+            if (node.count == 0) nodes.back().first += before;
+        }
     }
 };
 
@@ -169,8 +197,7 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_count_(mesh.tria
         builder.boxes.push_back(
             {box.lower - Double3{slack, slack, slack}, box.upper + Double3{slack, slack, slack}});
     }
-    nodes_.reserve(pieces.size());
-    builder.build(0, uint32_t(triangles_.size()), 0);
+    builder.build(0, uint32_t(triangles_.size()), 0, nodes_);
     corners_.reserve(triangles_.size());
     for (uint32_t& id : triangles_) {
         id = pieces[id].triangle;

@@ -27,9 +27,14 @@ struct TreeBox {
         const Double3 d = upper - lower;
         return d.x < 0 ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
     }
-    /// m^2, 0 inside.
+    /// m^2, 0 inside. Without branches: which side of a box a point is on is hard to foresee.
     double distanceSquared(const Double3& p) const {
-        return lengthSquared(maximum(maximum(lower - p, p - upper), {}));
+        const auto beyond = [](double below, double above) {
+            const double most = below > above ? below : above;
+            return most > 0 ? most : 0;
+        };
+        return lengthSquared({beyond(lower.x - p.x, p.x - upper.x), beyond(lower.y - p.y, p.y - upper.y),
+                              beyond(lower.z - p.z, p.z - upper.z)});
     }
 };
 

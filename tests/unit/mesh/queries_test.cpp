@@ -160,6 +160,36 @@ TEST(SlenderTriangles, AreHalvedInTheTreeAndCountOnce) {
     expectClosestOfBruteForce(beams, {1.5, 1.5, 1.5});
 }
 
+/// Of triangles whose plane rounding decides, none is passed over.
+TEST(ClosestPoint, OfNeedlesAgreesWithBruteForce) {
+    for (const double width : {1e-3, 1e-6, 1e-9, 1e-13, 0.0}) {
+        SCOPED_TRACE(width);
+        TriangleMesh needles;
+        for (uint64_t i = 0; i < 300; ++i) {
+            const Double3 from = hashRandomInCube(13, 0, i), way = hashRandomInCube(13, 1, i);
+            const auto first = uint32_t(needles.positions.size());
+            for (const Double3& p : {from, from + way, from + way * 0.4 + hashRandomInCube(13, 2, i) * width})
+                needles.positions.push_back(p);
+            needles.triangles.push_back({first, first + 1, first + 2});
+        }
+        const MeshQueries queries(needles);
+        for (uint64_t i = 0; i < 500; ++i) {
+            const Double3 p = randomPoint(i, {1.2, 1.2, 1.2});
+            double best = 1e300;
+            for (const auto& [a, b, c] : needles.triangles)
+                best =
+                    std::min(best, length(p - closestOnTriangle(p, needles.positions[a], needles.positions[b],
+                                                                needles.positions[c])));
+            ASSERT_DOUBLE_EQ(queries.closestPoint(p).distance, best);
+        }
+    }
+}
+
+/// Large trees are built at several places at the same time.
+TEST(ClosestPoint, OfManyTrianglesAgreesWithBruteForce) {
+    expectClosestOfBruteForce(test::makeTorus(1, 0.3, 400, 100), {1.5, 0.5, 1.5});
+}
+
 /// A part's own crossings sum up to its own winding number, whatever else the ray passes.
 TEST(Crossings, OfEachPartSumUpToItsWindingNumber) {
     constexpr int kBeams = 40;
