@@ -208,6 +208,16 @@ DEM_FN GridPlace<Real> gridPlace(const ColliderRows<Real>& rows, const Vec3<Real
     return at;
 }
 
+template <class Real>
+DEM_FN bool isWithin(const GridPlace<Real>& at) {
+    return at.x.beyond == Real(0) && at.y.beyond == Real(0) && at.z.beyond == Real(0);
+}
+/// Value and gradient, in steps.
+template <class Real>
+DEM_FN Vec4<Real> fieldAt(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
+    return trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
+}
+
 /// Steps by which the distance in a cell is less than at one of its nodes, at most: the diagonal, and what a
 /// grid is inexact by.
 inline constexpr double kNodeSlack = 2;
@@ -217,8 +227,7 @@ template <class Real>
 DEM_APART Real leastDistanceToMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
                                    Handed<Vec3<Real>> low) {
     const GridPlace<Real> at = gridPlace(rows, high, low);
-    const bool is_within = at.x.beyond == Real(0) && at.y.beyond == Real(0) && at.z.beyond == Real(0);
-    const Real steps = is_within ? Real(rows.steps[at.first]) - Real(kNodeSlack) : Real(0);
+    const Real steps = isWithin(at) ? Real(rows.steps[at.first]) - Real(kNodeSlack) : Real(0);
     return stepOf(rows.row[3]) * maxOf(steps, Real(0));
 }
 
@@ -230,8 +239,7 @@ DEM_APART TangentPlane<Real> tangentOfMesh(Handed<ColliderRows<Real>> rows, Hand
                                            Handed<Vec3<Real>> low) {
     const Real step = stepOf(rows.row[3]);
     const GridPlace<Real> at = gridPlace(rows, high, low);
-    const Vec4<Real> field =
-        trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
+    const Vec4<Real> field = fieldAt(rows, at);
     const Real steep = inverseSqrt(length2(xyz(field)));
     const Vec3<Real> uphill = steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)};
     const Vec3<Real> beyond{at.x.beyond, at.y.beyond, at.z.beyond};
@@ -243,6 +251,14 @@ DEM_APART TangentPlane<Real> tangentOfMesh(Handed<ColliderRows<Real>> rows, Hand
     const Vec3<Real> normal =
         axpy(own.x, xyz(rows.row[0]), axpy(own.y, xyz(rows.row[1]), own.z * xyz(rows.row[2])));
     return {withW(normal, (dot(normal, high) - distance) + dot(normal, low)), distance};
+}
+
+/// m, that of tangentOfMesh() to the last bit: most points near a mesh do not touch it, and need no normal.
+template <class Real>
+DEM_APART Real distanceToMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+                              Handed<Vec3<Real>> low) {
+    const GridPlace<Real> at = gridPlace(rows, high, low);
+    return isWithin(at) ? stepOf(rows.row[3]) * fieldAt(rows, at).w : tangentOfMesh(rows, high, low).distance;
 }
 
 /// What a kernel takes with it; plain memory. The spring of particle i against collider c is element

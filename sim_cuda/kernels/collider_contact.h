@@ -127,8 +127,17 @@ DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>&
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
         if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.drift);
     };
+    // Off a mesh no normal is looked for.
+    const bool is_mesh = params.colliders.isMesh(c);
+    const auto isOff = [&](const Vec3<Real>& arm) {
+        if (kLedger || !is_mesh) return false;
+        const Real distance = distanceToMesh(params.colliders.collider[c], xyz(state.position), low + arm);
+        if (distance > Real(0)) sums.add(distance, arm);
+        return distance > Real(0);
+    };
     forEachCorner<1>(corners, row, [&](const Vec3<Real>& corner) {
         const Vec3<Real> arm = rotate(turned, corner);
+        if (isOff(arm)) return;
         const TangentPlane<Real> below = params.colliders.tangent(c, xyz(state.position), low + arm);
         addPoint(arm, xyz(below.plane), below.distance);
     });

@@ -80,6 +80,24 @@ TEST(MeshCollider, ItsBoxAndOneNumberNeverSayMoreThanTheDistance) {
 
 /// Distances of its faces are linear, and interpolation keeps them; its edges are rounded by less than a
 /// cell.
+template <class Real>
+void expectSameDistances(const MeshShape& ring) {
+    const auto set = makeColliderSet<Real>({ring});
+    Points points(0.9);
+    for (int k = 0; k < 20000; ++k) {
+        const Vec3<double> p = points.next();
+        const Vec3<Real> high{Real(p.x), Real(p.y), Real(p.z)}, low{Real(1e-9), Real(-1e-9), Real(0)};
+        ASSERT_EQ(distanceToMesh(set.collider[0], high, low), set.tangent(0, high, low).distance);
+    }
+}
+/// Of points within its grid and beyond.
+TEST(MeshCollider, ItsDistanceAloneIsThatOfTheTangentToTheLastBit) {
+    const MeshShape ring{
+        gridOf(test::makeTorus(0.5, 0.1, 32, 16)), 1, {0.1, 0, 0}, {0.1, 0.2, 0.3, 0.92736185}};
+    expectSameDistances<double>(ring);
+    expectSameDistances<float>(ring);
+}
+
 TEST(MeshCollider, ABoxOfTrianglesIsTheBox) {
     const MeshShape mesh{cubeOfTriangles(), 1, {}, {}};
     const Box box{{1, 1, 1}, {}, {}};
