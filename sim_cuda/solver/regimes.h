@@ -148,6 +148,12 @@ class Regimes {
     bool lists_stand_ = true;   ///< before it nothing is listed, which is right
 };
 
+/// By so much less than its material says a body breaks where paint weakens it most.
+inline double weakestPainted(const BreakableBody& body) {
+    const std::vector<double>& painted = body.bond_strength;
+    return painted.empty() ? 1 : *std::min_element(painted.begin(), painted.end());
+}
+
 template <class Backend, class Real>
 Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
     : backend_(backend),
@@ -172,9 +178,10 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     for (uint32_t b = 0; b < tables.bodies; ++b) {
         const BodyInstance& body = setup.bodies[b];
         const Material& material = body.material;
-        const double speed = calmSpeed(material.beta, material.critical_velocity);
+        const double critical = weakestPainted(*body.body) * material.critical_velocity;
+        const double speed = calmSpeed(material.beta, critical);
         calm[b] = speed * speed;
-        const WakeLaw<double> law = wakeLaw(material.beta, material.critical_velocity, body.threshold_share,
+        const WakeLaw<double> law = wakeLaw(material.beta, critical, body.threshold_share,
                                             static_cast<double>(body.body->particles.size()));
         wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light), static_cast<Real>(law.body)};
         gentlest_hit_ = std::min(gentlest_hit_, law.heavy);

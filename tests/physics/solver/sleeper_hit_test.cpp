@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <memory>
 #include <vector>
 
 #include "tests/physics/solver/exported_frame.h"
@@ -68,6 +69,32 @@ TEST_F(Sleeper, StandsUntilAHardHitAndBreaksAsWithBondsAlone) {
         EXPECT_NEAR(handed.broken, bonded.broken, 1 + 0.02 * bonded.broken) << distance;
     }
     EXPECT_GE(stood, 2) << "in the other frames the ball touches before a bond breaks";
+}
+
+/// `painted`: times the strength of every other bond.
+uint32_t brokenInASlowHit(double painted, double speed, bool hand_over) {
+    SceneSetup setup = brickAndBall(0.1, hand_over);
+    auto body = std::make_shared<BreakableBody>(*setup.bodies[0].body);
+    body->bond_strength.assign(body->bonds.size(), 1);
+    for (size_t b = 0; b < body->bonds.size(); b += 2) body->bond_strength[b] = painted;
+    setup.bodies[0].body = body;
+    setup.bodies[0].threshold_share = 3;  // as of a vase that a small ball hits
+    setup.projectiles[0].velocity = {speed, 0, 0};
+    auto solver = makeSolver(setup);
+    for (int frame = 0; frame < 12; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    return solver->stats().bonds_broken;
+}
+
+/// What is painted weak breaks from less, and so its bonds wake from less.
+TEST_F(Sleeper, PaintedWeakBreaksFromASlowHitAsWithBondsAlone) {
+    EXPECT_EQ(brokenInASlowHit(1, 0.5, true), 0u);
+    for (const double speed : {0.3, 0.5, 1.0}) {
+        const uint32_t handed = brokenInASlowHit(0.1, speed, true),
+                       bonded = brokenInASlowHit(0.1, speed, false);
+        std::printf("at %.1f m/s: %u bonds broken, with bonds alone %u\n", speed, handed, bonded);
+        EXPECT_GT(bonded, 10u);
+        EXPECT_NEAR(handed, bonded, 1 + 0.2 * bonded);
+    }
 }
 
 }  // namespace
