@@ -72,10 +72,10 @@ Float3 cornerNormal(const aiMesh& mesh, unsigned vertex, const NodeTransform& tr
     return isFinite(n) && lengthSquared(n) > 0 ? toFloat(n) : toFloat(fallback);
 }
 
-Float2 cornerUv(const aiMesh& mesh, unsigned set, unsigned vertex) {
+Float2 cornerUv(const aiMesh& mesh, unsigned set, unsigned vertex, const UvTransform& laid) {
     if (!mesh.HasTextureCoords(set)) return {};
     const aiVector3D& uv = mesh.mTextureCoords[set][vertex];
-    return std::isfinite(uv.x) && std::isfinite(uv.y) ? Float2{float(uv.x), float(uv.y)} : Float2{};
+    return std::isfinite(uv.x) && std::isfinite(uv.y) ? laid({float(uv.x), float(uv.y)}) : Float2{};
 }
 
 /// sRGB of 8 bits. glTF's colours are linear, those of others are meant for the screen.
@@ -102,13 +102,14 @@ bool hasAlpha(const aiMesh& mesh) {
 /// What is the same for all meshes of a file.
 struct FileFacts {
     const std::filesystem::path& file;
-    uint32_t materials = 0;  ///< 0: looks do not matter
+    const std::vector<std::array<UvTransform, 2>>& uv_transforms;  ///< by material; none: looks do not matter
     bool linear_colours = false;
 };
 
 void addMesh(Welder& welder, const aiMesh& mesh, const NodeTransform& transform, const FileFacts& facts) {
     const std::filesystem::path& file = facts.file;
-    const bool has_looks = mesh.mMaterialIndex < facts.materials;
+    const bool has_looks = mesh.mMaterialIndex < facts.uv_transforms.size();
+    const auto laid = has_looks ? facts.uv_transforms[mesh.mMaterialIndex] : std::array<UvTransform, 2>{};
     const bool has_alpha = has_looks && hasAlpha(mesh);
     const bool mirrored = transform.determinant() < 0;
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
@@ -126,9 +127,9 @@ void addMesh(Welder& welder, const aiMesh& mesh, const NodeTransform& transform,
         if (!isFinite(flat)) refuseModel(file, "is too large to be a body; export it in a smaller unit");
         std::array<CornerAttributes, 3> corners;
         for (int k = 0; k < 3; ++k) {
-            corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, 0, ids[k])};
+            corners[k] = {cornerNormal(mesh, ids[k], transform, flat), cornerUv(mesh, 0, ids[k], laid[0])};
             if (!has_looks) continue;
-            corners[k].second_uv = cornerUv(mesh, 1, ids[k]);
+            corners[k].second_uv = cornerUv(mesh, 1, ids[k], laid[1]);
             corners[k].colour = cornerColour(mesh, ids[k], facts.linear_colours, has_alpha);
             corners[k].material = mesh.mMaterialIndex;
         }
@@ -186,8 +187,8 @@ std::vector<ImportedModel> importModels(const std::filesystem::path& file,
                                         const std::vector<std::string>& nodes) {
     Assimp::Importer importer;
     const aiScene& scene = readScene(importer, file);
-    const std::shared_ptr<const ModelLooks> looks = importLooks(file, scene);
-    const FileFacts facts{file, looks ? uint32_t(looks->materials.size()) : 0, isGltf(file)};
+    const ImportedLooks imported = importLooks(file, scene);
+    const FileFacts facts{file, imported.uv_transforms, isGltf(file)};
     const ModelContents contents{scene.mNumMeshes, materialCount(scene), textureCount(scene),
                                  saysItsUnit(file)};
     std::vector<ImportedModel> models;
@@ -195,7 +196,7 @@ std::vector<ImportedModel> importModels(const std::filesystem::path& file,
         Welder welder(file.stem().string());
         addPart(welder, scene, node, facts);
         if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
-        models.push_back({std::move(welder).take(), contents, looks});
+        models.push_back({std::move(welder).take(), contents, imported.looks});
         dropUnusedVertices(models.back().mesh);  // those of dropped triangles
     }
     return models;

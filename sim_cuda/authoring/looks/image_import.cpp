@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <fstream>
 #include <memory>
 #include <optional>
@@ -37,20 +38,47 @@ std::string withoutPercents(const std::string& text) {
     return plain;
 }
 
+bool isSameButForCase(const std::string& a, const std::string& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](unsigned char x, unsigned char y) { return std::tolower(x) == std::tolower(y); });
+}
+/// A plain file whose name differs from that of `place` in upper and lower case alone, as where files are
+/// made both are one: the first in the alphabet.
+std::optional<fs::path> fileButForCase(const fs::path& place) {
+    std::optional<fs::path> found;
+    std::error_code error, unread;
+    for (fs::directory_iterator entry(place.parent_path(), error), end; !error && entry != end;
+         entry.increment(error)) {
+        const fs::path& path = entry->path();
+        if (isSameButForCase(path.filename().string(), place.filename().string()) &&
+            fs::is_regular_file(path, unread) && (!found || path < *found))
+            found = path;
+    }
+    return found;
+}
+
 /// Files carry paths of the machine that they were made on: then the name alone is looked for beside them.
-std::optional<fs::path> placeOf(const fs::path& model, const std::string& name) {
-    const fs::path folder = model.parent_path();
+std::vector<fs::path> placesOf(const fs::path& model, const std::string& name) {
+    const fs::path folder = model.has_parent_path() ? model.parent_path() : fs::path(".");
+    std::vector<fs::path> places;
     for (std::string text : {name, withoutPercents(name)}) {
         std::replace(text.begin(), text.end(), '\\', '/');
         if (text.rfind("file://", 0) == 0) text.erase(0, 7);
         const fs::path path = text, last = path.filename();
         if (last.empty()) continue;
         for (const fs::path& place : {folder / path, folder / last, folder / "textures" / last,
-                                      folder.parent_path() / "textures" / last}) {
-            std::error_code error;
-            if (fs::is_regular_file(place, error)) return place;
-        }
+                                      folder.parent_path() / "textures" / last})
+            places.push_back(place);
     }
+    return places;
+}
+std::optional<fs::path> placeOf(const fs::path& model, const std::string& name) {
+    const std::vector<fs::path> places = placesOf(model, name);
+    std::error_code error;
+    for (const fs::path& place : places)
+        if (fs::is_regular_file(place, error)) return place;
+    for (const fs::path& place : places)
+        if (const auto found = fileButForCase(place)) return found;
     return std::nullopt;
 }
 

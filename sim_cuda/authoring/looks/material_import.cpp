@@ -11,6 +11,7 @@
 #include <cmath>
 #include <initializer_list>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "sim_cuda/authoring/looks/image_import.h"
@@ -42,6 +43,10 @@ class MaterialReader {
         material_.Get(AI_MATKEY_TWOSIDED, two_sided);
         look_.is_double_sided = two_sided != 0 ? 1 : 0;
         return look_;
+    }
+    /// After read().
+    std::array<UvTransform, 2> uvTransforms() const {
+        return {laid_[0].value_or(UvTransform{}), laid_[1].value_or(UvTransform{})};
     }
 
   private:
@@ -76,12 +81,25 @@ class MaterialReader {
                              "' lies on a third set of UVs and is left out");
                 return {};
             }
+            noteHowLaid(slot.type, path.C_Str(), laid_[size_t(uv_set)]);
             material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
             material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
             return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
                     static_cast<uint8_t>(uv_set)};
         }
         return {};
+    }
+    /// The first picture of a set says how all of them are laid over it: the colours, where there are any.
+    void noteHowLaid(aiTextureType type, const std::string& name, std::optional<UvTransform>& laid) {
+        aiUVTransform transform;
+        const bool is_said =
+            is_gltf_ && material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS;
+        const UvTransform own = is_said ? uvTransformOfGltf(transform) : UvTransform{};
+        if (!laid) laid = own;
+        if (*laid != own)
+            images_.note("the texture '" + name +
+                         "' is laid otherwise than the others of its material, and "
+                         "follows them");
     }
     static TextureWrap wrapOf(int mode) {
         return mode == aiTextureMapMode_Mirror                                    ? TextureWrap::kMirror
@@ -178,6 +196,7 @@ class MaterialReader {
     int uv_sets_;
     ImageImport& images_;
     LookMaterial look_;
+    std::array<std::optional<UvTransform>, 2> laid_;
 };
 
 bool saysColour(const LookMaterial& look) {
@@ -195,7 +214,7 @@ bool namesTexture(const aiMaterial& material) {
 
 }  // namespace
 
-std::shared_ptr<const ModelLooks> importLooks(const std::filesystem::path& model, const aiScene& scene) {
+ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& scene) {
     std::string ending = model.extension().string();
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
     const bool is_gltf = ending == ".gltf" || ending == ".glb";
@@ -208,19 +227,23 @@ std::shared_ptr<const ModelLooks> importLooks(const std::filesystem::path& model
         looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
+    std::vector<std::array<UvTransform, 2>> uv_transforms;
     bool any = looks->has_colours;
     const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
     for (unsigned m = 0; m < count; ++m) {
         looks->materials.emplace_back();
+        uv_transforms.emplace_back();
         const auto used = uv_sets.find(m);
         if (used == uv_sets.end()) continue;
-        looks->materials[m] = MaterialReader(*scene.mMaterials[m], is_gltf, used->second, images).read();
+        MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, images);
+        looks->materials[m] = reader.read();
+        uv_transforms[m] = reader.uvTransforms();
         any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
     }
-    if (!any) return nullptr;
+    if (!any) return {};
     looks->images = images.takeImages();
     looks->notes = images.takeNotes();
-    return looks;
+    return {std::move(looks), std::move(uv_transforms)};
 }
 
 }  // namespace demolish

@@ -103,6 +103,45 @@ TEST_F(ImportLooks, TheOnlySetOfUvsIsTakenWhateverItsNumber) {
     EXPECT_EQ(look.base_map.uv_set, 0);
 }
 
+std::string cubeLaid(const std::string& laid, const std::string& more = "") {
+    return test::cubeGlb(
+        R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0)" + laid + "}}" + more + "}",
+        test::pngOf(2, 2, test::fourTexels()));
+}
+std::string transformOf(const std::string& numbers) {
+    return R"(,"extensions":{"KHR_texture_transform":{)" + numbers + "}}";
+}
+
+/// glTF counts v downwards, and turns so that a quarter of a turn of half the size from (0, 1) shows the
+/// lower left quarter of the picture (the example of its text).
+TEST_F(ImportLooks, PicturesAreRepeatedMovedAndTurnedAsGltfSays) {
+    const ImportedModel plain = importModel(write("a.glb", cubeLaid("")));
+    const ImportedModel repeated =
+        importModel(write("b.glb", cubeLaid(transformOf(R"("scale":[4,2],"offset":[0.1,0.2])"))));
+    const ImportedModel turned = importModel(write(
+        "c.glb", cubeLaid(transformOf(R"("scale":[0.5,0.5],"offset":[0,1],"rotation":1.57079632679)"))));
+    EXPECT_TRUE(turned.looks->notes.empty());
+    for (size_t t = 0; t < plain.mesh.corners.size(); ++t)
+        for (size_t k = 0; k < 3; ++k) {
+            const float u = plain.mesh.corners[t][k].uv.x, v = 1 - plain.mesh.corners[t][k].uv.y;
+            EXPECT_NEAR(repeated.mesh.corners[t][k].uv.x, 4 * u + 0.1f, 1e-5);
+            EXPECT_NEAR(repeated.mesh.corners[t][k].uv.y, 1 - (2 * v + 0.2f), 1e-5);
+            EXPECT_NEAR(turned.mesh.corners[t][k].uv.x, 0.5f * v, 1e-5);
+            EXPECT_NEAR(turned.mesh.corners[t][k].uv.y, 1 - (1 - 0.5f * u), 1e-5);
+        }
+}
+
+TEST_F(ImportLooks, PicturesOfOneMaterialThatAreLaidUnlikeFollowTheColours) {
+    const ImportedModel model = importModel(
+        write("cube.glb", cubeLaid(transformOf(R"("scale":[4,4])"), R"(,"normalTexture":{"index":0})")));
+    EXPECT_THAT(model.looks->notes,
+                ElementsAre(HasSubstr("is laid otherwise than the others of its material")));
+    float most = 0;
+    for (const auto& corners : model.mesh.corners)
+        for (const CornerAttributes& corner : corners) most = std::max(most, corner.uv.x);
+    EXPECT_NEAR(most, 4, 1e-5);
+}
+
 TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
     const auto cutoffOf = [&](const std::string& material, std::vector<uint8_t> texels) {
         const ImportedModel model =
@@ -179,6 +218,21 @@ std::string noteOf(const ImportedModel& model) {
     EXPECT_TRUE(model.looks->images.empty());
     EXPECT_EQ(model.looks->materials[model.mesh.corners[0][0].material].base_map.image, kNoImage);
     return model.looks->notes[0];
+}
+
+/// As files are that were made where the two are the same.
+TEST_F(ImportLooks, PicturesAreFoundWhateverTheCaseOfTheirNames) {
+    write("cube.mtl", "newmtl skin\nKd 1 0 0\nmap_Kd Textures\\SKIN.PNG\n");
+    const auto file = write("cube.obj", test::cubeObj("cube.mtl"));
+    const auto png = test::pngOf(2, 2, test::fourTexels());
+    write("Skin.png", png);
+    EXPECT_TRUE(importModel(file).looks->notes.empty());
+    std::filesystem::remove(file.parent_path() / "Skin.png");
+    EXPECT_EQ(noteOf(importModel(file)),
+              "the texture 'Textures\\SKIN.PNG' is missing: a plain colour instead");
+    std::filesystem::create_directory(file.parent_path() / "textures");
+    write("textures/skin.png", png);
+    EXPECT_TRUE(importModel(file).looks->notes.empty());
 }
 
 TEST_F(ImportLooks, PicturesThatAreMissingDamagedOrTooLargeAreNamed) {

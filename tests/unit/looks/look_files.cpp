@@ -121,16 +121,17 @@ std::string cubeGlb(const std::string& material, const std::string& picture, boo
         pad(data, '\0');
     }
     std::ostringstream text;
-    text << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[)"
-         << R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":5)"
-         << (with_colours ? R"(,"COLOR_0":3)" : "") << R"(},"indices":4,"material":0}]}],"materials":[)"
-         << material << R"(],"textures":[{"source":0}],"images":[{"bufferView":5,"mimeType":"image/png"}],)"
-         << R"("accessors":[)"
-         << accessor(0, 5126, 24, "VEC3", R"(,"min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5])") << ','
-         << accessor(1, 5126, 24, "VEC3") << ',' << accessor(2, 5126, 24, "VEC2") << ','
-         << accessor(3, 5126, 24, "VEC3") << ',' << accessor(4, 5123, 36, "SCALAR") << ','
-         << accessor(6, 5126, 24, "VEC2") << R"(],"bufferViews":[)" << views
-         << R"(],"buffers":[{"byteLength":)" << data.size() << "}]}";
+    text
+        << R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_texture_transform"],"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[)"
+        << R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":5)"
+        << (with_colours ? R"(,"COLOR_0":3)" : "") << R"(},"indices":4,"material":0}]}],"materials":[)"
+        << material << R"(],"textures":[{"source":0}],"images":[{"bufferView":5,"mimeType":"image/png"}],)"
+        << R"("accessors":[)"
+        << accessor(0, 5126, 24, "VEC3", R"(,"min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5])") << ','
+        << accessor(1, 5126, 24, "VEC3") << ',' << accessor(2, 5126, 24, "VEC2") << ','
+        << accessor(3, 5126, 24, "VEC3") << ',' << accessor(4, 5123, 36, "SCALAR") << ','
+        << accessor(6, 5126, 24, "VEC2") << R"(],"bufferViews":[)" << views
+        << R"(],"buffers":[{"byteLength":)" << data.size() << "}]}";
     std::string json = text.str();
     pad(json, ' ');
     std::string glb = "glTF";
