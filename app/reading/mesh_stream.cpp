@@ -21,7 +21,8 @@ struct Header {
     uint64_t text = 0, positions = 0, triangles = 0;
     uint32_t meshes = 0, materials = 0, textures = 0, is_in_metres = 0;
     Looks looks = Looks::kNone;
-    uint32_t has_colours = 0, look_materials = 0, images = 0, notes = 0, reserved = 0;
+    uint32_t has_colours = 0, look_materials = 0, images = 0, notes = 0;
+    float coarseness = 0;
 };
 struct ImageHeader {
     uint32_t width = 0, height = 0;
@@ -214,6 +215,7 @@ void writeModel(const ImportedModel& model, bool looks_known, Writer& writer) {
     header.materials = contents.materials;
     header.textures = contents.textures;
     header.is_in_metres = contents.is_in_metres ? 1 : 0;
+    header.coarseness = contents.coarseness;
     if (model.looks) header.looks = looks_known ? Looks::kKnown : Looks::kHere;
     if (header.looks == Looks::kHere) {
         header.has_colours = model.looks->has_colours ? 1 : 0;
@@ -265,9 +267,10 @@ ModelAnswer readAnswer(const std::function<void(std::span<uint8_t>)>& fill,
     if (looks) requireSound(*looks);
     requireSound(mesh, looks ? looks->materials.size() : 0);
     mesh.name = std::move(text);
-    return ImportedModel{std::move(mesh),
-                         {header.meshes, header.materials, header.textures, header.is_in_metres != 0},
-                         std::move(looks)};
+    return ImportedModel{
+        std::move(mesh),
+        {header.meshes, header.materials, header.textures, header.is_in_metres != 0, header.coarseness},
+        std::move(looks)};
 }
 
 }  // namespace demolish

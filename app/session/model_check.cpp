@@ -48,6 +48,17 @@ void lookAtBody(const Shot& shot, const BreakableBody& body, ModelCheck& check) 
     check.velocity = fired.impact.velocity;
 }
 
+/// Of a model so far from its origin that it comes out stepped; else empty.
+std::string coarseRemark(const ModelCheck& check) {
+    constexpr double kFine = 1e-4;  // of the longest side
+    const double longest = std::max({check.size_in_file.x, check.size_in_file.y, check.size_in_file.z});
+    if (!(double(check.contents.coarseness) > kFine * longest)) return "";
+    return printed(
+        "; so far from its origin lie its points that they are told to %.2g only, and it comes out stepped: "
+        "move it to the origin before its export",
+        double(check.contents.coarseness));
+}
+
 std::string sizeLine(const ModelCheck& check) {
     const Double3& s = check.size_in_file;
     std::string line = printed("%.4g x %.4g x %.4g", s.x, s.y, s.z);
@@ -57,7 +68,8 @@ std::string sizeLine(const ModelCheck& check) {
         line += printed(", in units of %g m", check.unit);
     else if (check.size_remark.empty())
         line += " in a unit that the format does not say";
-    return check.size_remark.empty() ? line : line + "; " + check.size_remark;
+    if (!check.size_remark.empty()) line += "; " + check.size_remark;
+    return line + coarseRemark(check);
 }
 
 std::string looksLine(const ModelCheck& check) {

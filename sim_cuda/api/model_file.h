@@ -19,6 +19,9 @@ struct ModelContents {
     uint32_t meshes = 0, materials = 0;
     uint32_t textures = 0;      ///< different pictures that its materials name, embedded or not
     bool is_in_metres = false;  ///< the format says its unit, and lengths were turned into metres
+    /// In the file's lengths: no finer are places told, as far from its origin as they lie. Numbers of files
+    /// are read in single precision.
+    float coarseness = 0;
 
     bool operator==(const ModelContents&) const = default;
 };

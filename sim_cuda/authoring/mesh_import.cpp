@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <unordered_map>
 
@@ -43,6 +44,17 @@ class Welder {
         mesh_.corners.push_back(corners);
     }
     size_t trianglesSeen() const { return triangles_seen_; }
+    /// As ModelContents; of a mesh under this transform.
+    void noteCoarseness(const aiMesh& mesh, const NodeTransform& transform) {
+        float farthest = 0;
+        for (unsigned v = 0; v < mesh.mNumVertices; ++v)
+            for (int k = 0; k < 3; ++k) farthest = std::max(farthest, std::abs(float(mesh.mVertices[v][k])));
+        if (!std::isfinite(farthest)) return;
+        const double stretch = std::max({length(transform.x), length(transform.y), length(transform.z)});
+        const float next = std::nextafter(farthest, std::numeric_limits<float>::infinity());
+        coarseness_ = std::max(coarseness_, float(stretch * double(next - farthest)));
+    }
+    float coarseness() const { return coarseness_; }
     TriangleMesh take() && { return std::move(mesh_); }
 
   private:
@@ -59,6 +71,7 @@ class Welder {
     TriangleMesh mesh_;
     std::unordered_map<std::array<uint64_t, 3>, uint32_t, PositionHash> ids_;
     size_t triangles_seen_ = 0;
+    float coarseness_ = 0;
 };
 
 Float3 toFloat(const Double3& v) {
@@ -112,6 +125,7 @@ void addMesh(Welder& welder, const aiMesh& mesh, const NodeTransform& transform,
     const auto laid = has_looks ? facts.uv_transforms[mesh.mMaterialIndex] : std::array<UvTransform, 2>{};
     const bool has_alpha = has_looks && hasAlpha(mesh);
     const bool mirrored = transform.determinant() < 0;
+    welder.noteCoarseness(mesh, transform);
     for (unsigned f = 0; f < mesh.mNumFaces; ++f) {
         const aiFace& face = mesh.mFaces[f];
         if (face.mNumIndices != 3) continue;  // points and lines
@@ -189,13 +203,13 @@ std::vector<ImportedModel> importModels(const std::filesystem::path& file,
     const aiScene& scene = readScene(importer, file);
     const ImportedLooks imported = importLooks(file, scene);
     const FileFacts facts{file, imported.uv_transforms, isGltf(file)};
-    const ModelContents contents{scene.mNumMeshes, materialCount(scene), textureCount(scene),
-                                 saysItsUnit(file)};
+    ModelContents contents{scene.mNumMeshes, materialCount(scene), textureCount(scene), saysItsUnit(file)};
     std::vector<ImportedModel> models;
     for (const std::string& node : nodes) {
         Welder welder(file.stem().string());
         addPart(welder, scene, node, facts);
         if (welder.trianglesSeen() == 0) refuseModel(file, kNoTriangles);
+        contents.coarseness = welder.coarseness();
         models.push_back({std::move(welder).take(), contents, imported.looks});
         dropUnusedVertices(models.back().mesh);  // those of dropped triangles
     }

@@ -83,6 +83,19 @@ TEST_F(Check, AUnitKeepsTheSizeOfAFileThatSaysNone) {
     EXPECT_THAT(both.err, HasSubstr("--height and --unit exclude each other"));
 }
 
+/// As maps are, in metres from the equator: numbers of files are read in single precision.
+TEST_F(Check, WhatLiesSoFarAwayThatItComesOutSteppedIsSaid) {
+    std::string far = boxText(6);
+    for (const auto& [from, to] : {std::pair<std::string, std::string>{"v 0", "v 4649776"},
+                                   std::pair<std::string, std::string>{"v 1", "v 4649777"}})
+        for (size_t at = 0; (at = far.find(from, at)) != std::string::npos; at += to.size())
+            far.replace(at, from.size(), to);
+    const ProgramRun run = check(far);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_THAT(run.out, HasSubstr("told to 0.5 only, and it comes out stepped: move it to the origin"));
+    EXPECT_THAT(check(boxText(6)).out, testing::Not(HasSubstr("stepped")));
+}
+
 TEST_F(Check, AFormatInMetresKeepsItsSizeAndTakesNoUnit) {
     const std::string file = writeGltfSet(folder_.path(), "set.gltf",
                                           R"([{"name":"crate","mesh":0,"scale":[0.5,0.25,0.5]}])", "[0]")
