@@ -196,7 +196,11 @@ typename FrameExporter<Backend, Real>::Saved FrameExporter<Backend, Real>::read(
 
 template <class Backend, class Real>
 void FrameExporter<Backend, Real>::restore(Scene& scene, const Saved& saved) {
-    surface_.restoreState(saved.surface, fracture(scene));
+    // Before the first crack the surface knows of no fragments, though parts of a body may lie apart.
+    if (saved.broken == 0)
+        surface_.reset();
+    else
+        surface_.restoreState(saved.surface, fracture(scene));
     surface_of_ = saved.broken;
     written_of_ = kNothingWritten;
 }
