@@ -259,9 +259,7 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     chooses = in_software && view.rasteriser == Rasteriser::kAuto && showsSolid(mesh, view);
-    if (chooses)
-        seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality),
-                  with_looks && mesh->looks()->isDoubleSided());
+    if (chooses) seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality), wantedOf(*mesh, view));
     clock.mark("seen");
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);
