@@ -9,6 +9,7 @@ layout(local_size_x = 128) in;
 #include "common/commands.glsl"
 #include "common/visible.glsl"
 #include "common/crack.glsl"
+#include "common/noise.glsl"
 #include "common/crack_cover.glsl"
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 const uint kLanes = 4u;
@@ -17,18 +18,21 @@ const uint kLanes = 4u;
 struct End {
     vec4 clip;
     vec2 window;  // px
-    float half_width, strength;
+    vec3 rest, seen, normal, to_eye;
+    float half_width, strength, slant;
 };
 
 End endOf(uint vertex, float wide, FragmentTransform t, uint fragment, uint other) {
     End end;
-    vec3 rest = restPosition(vertex), p = moved(t, rest), normal = rotate(t.rotation, restNormal(vertex));
-    vec3 to_eye = normalize(frame.eye.xyz - p);
-    end.clip = frame.view_projection * vec4(lifted(p, normal, to_eye), 1.0);
+    end.rest = restPosition(vertex);
+    end.seen = moved(t, end.rest);
+    end.normal = rotate(t.rotation, restNormal(vertex));
+    end.to_eye = normalize(frame.eye.xyz - end.seen);
+    end.clip = frame.view_projection * vec4(lifted(end.seen, end.normal, end.to_eye), 1.0);
     end.window = (end.clip.xy / max(end.clip.w, 1e-4) * 0.5 + 0.5) * frame.viewport.xy;
     float wanted = onScreen(wide, end.clip.w);
     end.half_width = 0.5 * max(wanted, kLeastPixels);
-    end.strength = strengthOf(wanted, dot(normal, to_eye), openingAt(rest, t, fragment, other));
+    end.strength = strengthOf(wanted, dot(end.normal, end.to_eye), openingAt(end.rest, t, fragment, other));
     return end;
 }
 
@@ -43,8 +47,8 @@ struct Ribbon {
 // `place`: x from the first end on, y across.
 bool isInside(Ribbon r, vec2 place) {
     float t = clamp(place.x / r.extent, 0.0, 1.0);
-    return place.x >= -0.5 * r.ends[0].half_width && place.x <= r.extent + 0.5 * r.ends[1].half_width &&
-           abs(place.y) <= mix(r.ends[0].half_width, r.ends[1].half_width, t) + 1.0;
+    return place.x >= -kOverlap * r.ends[0].half_width && place.x <= r.extent + kOverlap * r.ends[1].half_width &&
+           abs(place.y) <= (1.0 + noise_shape.y) * mix(r.ends[0].half_width, r.ends[1].half_width, t) + 1.0;
 }
 
 vec2 placeOf(Ribbon r, vec2 at) {
@@ -66,8 +70,11 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     // As far along the edge itself.
     float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
     t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
-    float left = 1.0 - crackCover(place.y, mix(r.ends[0].half_width, r.ends[1].half_width, t),
-                                  mix(r.ends[0].strength, r.ends[1].strength, t));
+    noise_footprint = 1.0 / onScreen(1.0, mix(r.ends[0].clip.w, r.ends[1].clip.w, t));
+    float ragged = noise(mix(r.ends[0].rest, r.ends[1].rest, t), 1.0 / noise_shape.x).w;
+    CrackPlace at = CrackPlace(place.y, place.x, r.extent - place.x);
+    float left = 1.0 - crackCover(at, mix(r.ends[0].half_width, r.ends[1].half_width, t), mix(r.ends[0].strength, r.ends[1].strength, t),
+                                  mix(r.ends[0].slant, r.ends[1].slant, t), ragged);
     uint steps = uint(-log2(max(left, 0.02)) * kCrackSteps + 0.5);
     if (steps == 0u) return;
     for (int i = 0; i < SAMPLES; ++i) {
@@ -80,7 +87,7 @@ void paint(Ribbon r, uint lane) {
     int axis = abs(r.along.x) >= abs(r.along.y) ? 0 : 1, other = 1 - axis;
     vec2 size = frame.viewport.xy;
     vec2 start = r.ends[0].window, end = r.ends[1].window;
-    float wide = max(r.ends[0].half_width, r.ends[1].half_width) + 1.0;
+    float wide = (1.0 + noise_shape.y) * max(r.ends[0].half_width, r.ends[1].half_width) + 1.0;
     float first = min(start[axis], end[axis]) - wide, last = max(start[axis], end[axis]) + wide;
     float slope = r.along[other] / r.along[axis], reach = 1.5 * wide + 1.0;
     for (int u = max(int(floor(first)), 0) + int(lane); u <= min(int(last), int(size[axis]) - 1); u += int(kLanes)) {
@@ -101,6 +108,7 @@ void drawLine(CrackLine line, uint lane) {
     r.ends[1] = endOf(edge.vertex_1, widthAt(line, 1, apart), t, fragment, other);
     if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
     if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
+    for (int k = 0; k < 2; ++k) r.ends[k].slant = slantOf(r.ends[1].seen - r.ends[0].seen, r.ends[k].normal, r.ends[k].to_eye);
     vec2 way = r.ends[1].window - r.ends[0].window;
     r.extent = max(length(way), 1e-3);
     r.along = length(way) > 1e-4 ? way / length(way) : vec2(1.0, 0.0);

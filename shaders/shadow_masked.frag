@@ -8,5 +8,5 @@
 in vec3 rest;
 
 void main() {
-    if (coveredSamples(drawnLook(), drawnLaid(vec3(0.0)), rest) == 0) discard;
+    if (coveredSamples(drawnLook(), drawnLaid(vec3(0.0))) == 0) discard;
 }

@@ -39,7 +39,7 @@ void main() {
 #ifdef LOOKS
     Looked look = drawnLook();
     Laid laid = drawnLaid(world_position);
-    int covered = coveredSamples(look, laid, rest);
+    int covered = coveredSamples(look, laid);
     if (covered == 0) discard;
     gl_SampleMask[0] = covered;
     if (!gl_FrontFacing) {

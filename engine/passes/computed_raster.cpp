@@ -6,13 +6,14 @@
 #include <span>
 #include <string>
 
+#include "engine/passes/crack_pass.h"
+
 namespace demolish::engine {
 namespace {
 
 constexpr GLint kSampleAt = 1, kShadowTexels = 7;  // shaders/common/raster.glsl
-constexpr GLint kCrackWidth = 0;
-constexpr int kCoarseTexels = 64;   // shaders/common/shadow.glsl
-constexpr GLuint kShadowViews = 3;  // the camera and two regions
+constexpr int kCoarseTexels = 64;                  // shaders/common/shadow.glsl
+constexpr GLuint kShadowViews = 3;                 // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kCrackGroups = 4096, kBallGroups = 64, kGritGroups = 2048, kColliderGroups = 256;
@@ -143,12 +144,13 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     clock.mark("coarse shadow");
 }
 
-void ComputedRaster::addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width) {
+void ComputedRaster::addCracks(const FractureMesh& mesh, const RenderTargets& targets,
+                               const SurfaceLook& look) {
     bindStorage(StorageBinding::kCrackList, mesh.stream(StreamId::kCrackEdges));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
     gl::Program& program = programsFor(targets).cracks;
-    program.set(kCrackWidth, width);
+    setCrackLook(program, look);
     program.use();
     glDispatchCompute(kCrackGroups, 1, 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);

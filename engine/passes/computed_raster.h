@@ -33,7 +33,7 @@ class ComputedRaster {
     void run(const FractureMesh& mesh, const SpherePass& balls, const ColliderPass& colliders,
              const RenderTargets& targets, const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
-    void addCracks(const FractureMesh& mesh, const RenderTargets& targets, float width);
+    void addCracks(const FractureMesh& mesh, const RenderTargets& targets, const SurfaceLook& look);
     /// The light pass has emptied what run() and addCracks() have put into the picture's samples, so that the
     /// next frame need not: clearing all of them took a twentieth of a frame's drawing.
     void leftEmpty() { visible_is_empty_ = true; }

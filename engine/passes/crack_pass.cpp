@@ -11,7 +11,7 @@ namespace demolish::engine {
 namespace {
 
 constexpr std::array<uint32_t, 6> kCorners{0, 1, 2, 2, 1, 3};
-constexpr GLint kWidth = 0;
+constexpr GLint kWidth = 0, kNoiseShape = 5;  // shaders/common/crack.glsl, crack_cover.glsl
 constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/common/gbuffer.glsl packs it
 
 }  // namespace
@@ -19,6 +19,11 @@ constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/comm
 CrackPass::CrackPass(const std::filesystem::path& shaders)
     : program_(shaders, {"crack.vert", "crack.frag"}),
       corners_(gl::Buffer::immutable(sizeof(kCorners), kCorners.data())) {}
+
+void setCrackLook(gl::Program& program, const SurfaceLook& look) {
+    program.set(kWidth, look.crack_width);
+    program.set(kNoiseShape, glm::vec2(look.noise_scale, look.noise_strength));
+}
 
 void CrackPass::drawLines(const FractureMesh& mesh, const SeenCracks* seen) {
     bindStorage(StorageBinding::kCrackList,
@@ -29,13 +34,14 @@ void CrackPass::drawLines(const FractureMesh& mesh, const SeenCracks* seen) {
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(seen->indexCount()), GL_UNSIGNED_INT, nullptr);
 }
 
-void CrackPass::draw(const FractureMesh& mesh, float width, uint32_t hidden_looks, const SeenCracks* seen) {
+void CrackPass::draw(const FractureMesh& mesh, const SurfaceLook& look, uint32_t hidden_looks,
+                     const SeenCracks* seen) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
     bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
-    program_.set(kWidth, width);
+    setCrackLook(program_, look);
     program_.set(kHiddenLooks, hidden_looks);
     program_.use();
     glEnable(GL_BLEND);

@@ -7,15 +7,20 @@
 #include "engine/gl/vertex_array.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/seen_cracks.h"
+#include "engine/scene/surface_look.h"
 
 namespace demolish::engine {
+
+/// What the crack shaders know of a look.
+void setCrackLook(gl::Program& program, const SurfaceLook& look);
 
 class CrackPass {
   public:
     explicit CrackPass(const std::filesystem::path& shaders);
-    /// Width in m; a line never gets thinner than about a pixel. The number of lines comes from the command
-    /// buffer; `seen`: no more of them than these, null: all.
-    void draw(const FractureMesh& mesh, float width, uint32_t hidden_looks, const SeenCracks* seen);
+    /// As wide and as ragged as `look` says; a line never gets thinner than about a pixel. The number of
+    /// lines comes from the command buffer; `seen`: no more of them than these, null: all.
+    void draw(const FractureMesh& mesh, const SurfaceLook& look, uint32_t hidden_looks,
+              const SeenCracks* seen);
 
   private:
     void drawLines(const FractureMesh& mesh, const SeenCracks* seen);

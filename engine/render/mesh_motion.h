@@ -37,16 +37,25 @@ class MeshMotion {
     const MeshTransform& transformOf(uint32_t fragment) const {
         return transforms_.as<MeshTransform>()[fragment];
     }
-    static glm::vec3 moved(const MeshTransform& t, const glm::vec3& p) {
-        constexpr float kShrinkStep = 1.0f / 256;
-        const float scale = 1 - kShrinkStep * static_cast<float>(t.age_shrink >> 24);
-        return rotated(t.rotation, scale * p) + t.translation;
+    static glm::mat4 matrixOf(const MeshTransform& t) {
+        glm::mat4 m(1);
+        for (int axis = 0; axis < 3; ++axis) {
+            glm::vec3 unit(0);
+            unit[axis] = scaleOf(t);
+            m[axis] = glm::vec4(rotated(t.rotation, unit), 0);
+        }
+        m[3] = glm::vec4(t.translation, 1);
+        return m;
     }
-    glm::vec3 placeOf(const MeshVertex& vertex) const {
-        return moved(transformOf(fragmentOf(vertex.cell)), vertex.position);
+    static glm::vec3 moved(const MeshTransform& t, const glm::vec3& p) {
+        return rotated(t.rotation, scaleOf(t) * p) + t.translation;
     }
 
   private:
+    static float scaleOf(const MeshTransform& t) {
+        constexpr float kShrinkStep = 1.0f / 256;
+        return 1 - kShrinkStep * static_cast<float>(t.age_shrink >> 24);
+    }
     gl::BufferReading slots_, transforms_;
 };
 

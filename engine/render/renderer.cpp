@@ -216,8 +216,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("grit");
     if (kind.glow) glow.draw(body, *mesh, *targets);
     if (showsSolid(mesh, view) && view.show_cracks)
-        cracks.draw(*mesh, view.look.crack_width, hiddenUnless(false, looksOf(view)),
-                    chooses ? &seen.cracks() : nullptr);
+        cracks.draw(*mesh, view.look, hiddenUnless(false, looksOf(view)), chooses ? &seen.cracks() : nullptr);
     clock.mark("cracks");
 }
 
@@ -251,7 +250,7 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
     castDustShadows(&mesh, view);
     computed->run(mesh, spheres, colliders, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality),
                   clock);
-    if (view.show_cracks) computed->addCracks(mesh, *targets, view.look.crack_width);
+    if (view.show_cracks) computed->addCracks(mesh, *targets, view.look);
     clock.mark("cracks");
     computeLight(&mesh, view, framebuffer, true);
     drawSparks(&mesh, view, framebuffer);
@@ -259,9 +258,7 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     chooses = in_software && view.rasteriser == Rasteriser::kAuto && showsSolid(mesh, view);
-    if (chooses)
-        seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality),
-                  with_looks && mesh->looks()->isDoubleSided());
+    if (chooses) seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality), wantedOf(*mesh, view));
     clock.mark("seen");
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Stretches of triangles go to all cores. Corners that follow each other are often the same, so that each
-// stretch remembers some.
+// stretch remembers some. What hides others is known once all have been looked at: a second round leaves out
+// what is hidden.
 #include "engine/render/seen_triangles.h"
 
 #include <tbb/parallel_for.h>
@@ -32,74 +33,108 @@ class Corners {
         Places& places = places_[row];
         if (index_[row] == index) return places;
         index_[row] = index;
-        const glm::vec3 world = motion_.placeOf(vertices_[index]);
-        for (size_t k = 0; k < pictures_.size(); ++k) places[k] = pictures_[k].placeOf(world);
+        const MeshVertex& vertex = vertices_[index];
+        follow(motion_.fragmentOf(vertex.cell));
+        for (size_t k = 0; k < pictures_.size(); ++k) places[k] = projections_[k].placeOf(vertex.position);
         return places;
     }
 
   private:
+    /// Corners that follow each other are mostly of one fragment.
+    void follow(uint32_t fragment) {
+        if (fragment == fragment_) return;
+        fragment_ = fragment;
+        const glm::mat4 motion = MeshMotion::matrixOf(motion_.transformOf(fragment));
+        for (size_t k = 0; k < pictures_.size(); ++k) projections_[k] = pictures_[k].projectionOf(motion);
+    }
+
     const MeshMotion& motion_;
     std::span<const MeshVertex> vertices_;
     std::span<const SampleGrid> pictures_;
     std::array<uint32_t, kRemembered> index_;
     std::array<Places, kRemembered> places_;
+    uint32_t fragment_ = kNone;
+    std::array<Projection, SeenTriangles::kMostPictures> projections_;
 };
 
+}  // namespace
+
 /// One of a mesh's two lists of triangles.
-struct Listed {
+struct SeenTriangles::Listed {
     std::span<const MeshVertex> vertices;
     std::span<const uint32_t> indices;
     bool both_sides;
 };
 
-void findIn(const Listed& listed, const MeshMotion& motion, std::span<const SampleGrid> pictures,
-            size_t first, SeenTriangles::Found& found) {
-    for (auto& list : found) list.clear();
-    Corners corners(motion, listed.vertices, pictures);
+struct SeenTriangles::Search {
+    const MeshMotion& motion;
+    std::span<const SampleGrid> pictures;
+    bool hidden;  ///< is asked for
+};
+
+void SeenTriangles::findIn(const Search& search, const Listed& listed, size_t first, Found& found) {
+    const std::span<const SampleGrid> pictures = search.pictures;
+    found.candidates.clear();
+    found.indices.resize(pictures.size());
+    for (auto& list : found.indices) list.clear();
+    Corners corners(search.motion, listed.vertices, pictures);
     const size_t end = std::min(listed.indices.size(), first + kStretch);
+    Cover cover;
     for (size_t i = first; i + 2 < end; i += 3) {
-        const uint32_t a = listed.indices[i], b = listed.indices[i + 1], c = listed.indices[i + 2];
-        const Places at_a = corners.at(a), at_b = corners.at(b), at_c = corners.at(c);
-        for (size_t k = 0; k < pictures.size(); ++k)
-            if (pictures[k].mayShow(at_a[k], at_b[k], at_c[k], listed.both_sides))
-                found[k].insert(found[k].end(), {a, b, c});
+        const uint32_t abc[3] = {listed.indices[i], listed.indices[i + 1], listed.indices[i + 2]};
+        const Places a = corners.at(abc[0]), b = corners.at(abc[1]), c = corners.at(abc[2]);
+        for (size_t k = 0; k < pictures.size(); ++k) {
+            const Cover::Kind kind = pictures[k].findCover(a[k], b[k], c[k], listed.both_sides, cover);
+            if (kind == Cover::Kind::kNothing) continue;
+            if (k > 0 || search.hidden)
+                found.indices[k].insert(found.indices[k].end(), abc, abc + 3);
+            else if (kind == Cover::Kind::kAnything || cover.is_sliver)
+                found.candidates.addShown(abc);
+            else
+                found.candidates.add(abc, {a[0], b[0], c[0]}, cover, pictures[0], nearest_);
+        }
     }
 }
 
-}  // namespace
-
-void SeenTriangles::find(const FractureMesh& mesh, std::span<const SampleGrid> pictures, bool both_sides) {
+void SeenTriangles::find(const FractureMesh& mesh, std::span<const SampleGrid> pictures,
+                         const Wanted& wanted) {
     lists_.resize(pictures.size());
+    nearest_.clear(wanted.hidden ? 0 : pictures[0].sampleCount());
     const MeshMotion motion(mesh);
-    const auto search = [&](const gl::Buffer& vertices, StreamId indices, uint32_t command, bool backs,
-                            TriangleList SeenList::*side) {
+    const Search search{motion, pictures, wanted.hidden};
+    const auto searchIn = [&](const gl::Buffer& vertices, StreamId indices, uint32_t command, bool both_sides,
+                              std::vector<Found>& stretches) {
         const gl::BufferReading corners(vertices), listed(mesh.stream(indices));
         const size_t count = std::min<size_t>(commandOf(mesh, command).count, listed.as<uint32_t>().size());
-        const Listed all{corners.as<MeshVertex>(), listed.as<uint32_t>().first(count), backs};
-        stretches_.resize((all.indices.size() + kStretch - 1) / kStretch);
-        tbb::parallel_for(size_t{0}, stretches_.size(), [&](size_t k) {
-            stretches_[k].resize(pictures.size());
-            findIn(all, motion, pictures, k * kStretch, stretches_[k]);
-        });
-        collect(side);
+        const Listed all{corners.as<MeshVertex>(), listed.as<uint32_t>().first(count), both_sides};
+        stretches.resize((all.indices.size() + kStretch - 1) / kStretch);
+        tbb::parallel_for(size_t{0}, stretches.size(),
+                          [&](size_t k) { findIn(search, all, k * kStretch, stretches[k]); });
     };
-    search(mesh.exteriorVertices(), StreamId::kExteriorIndices, kExteriorCommand, both_sides,
-           &SeenList::exterior);
-    search(mesh.stream(StreamId::kInteriorVertices), StreamId::kInteriorIndices, kInteriorCommand, false,
-           &SeenList::interior);
+    searchIn(mesh.exteriorVertices(), StreamId::kExteriorIndices, kExteriorCommand, wanted.both_sides,
+             outside_);
+    searchIn(mesh.stream(StreamId::kInteriorVertices), StreamId::kInteriorIndices, kInteriorCommand, false,
+             inside_);
+    for (std::vector<Found>* stretches : {&outside_, &inside_})
+        tbb::parallel_for(size_t{0}, stretches->size(), [&](size_t k) {
+            Found& found = (*stretches)[k];
+            found.candidates.keepSeen(nearest_, found.indices[0]);
+        });
+    collect(&SeenList::exterior, outside_);
+    collect(&SeenList::interior, inside_);
 }
 
-void SeenTriangles::collect(TriangleList SeenList::*side) {
+void SeenTriangles::collect(TriangleList SeenList::*side, const std::vector<Found>& stretches) {
     for (size_t k = 0; k < lists_.size(); ++k) {
         TriangleList& list = lists_[k].*side;
         size_t count = 0;
-        for (const Found& found : stretches_) count += found[k].size();
+        for (const Found& found : stretches) count += found.indices[k].size();
         list.count = static_cast<uint32_t>(count);
         if (list.indices.size() == 0) list.indices = gl::Buffer::resizable(kLeastBytes, GL_STREAM_DRAW);
         list.indices.resize(std::max(kLeastBytes, count * sizeof(uint32_t)));
         size_t at = 0;
-        for (const Found& found : stretches_) {
-            const auto bytes = std::as_bytes(std::span(found[k]));
+        for (const Found& found : stretches) {
+            const auto bytes = std::as_bytes(std::span(found.indices[k]));
             list.indices.upload(bytes, at);
             at += bytes.size();
         }

@@ -8,6 +8,7 @@
 
 #include "engine/gl/buffer.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/hidden_triangles.h"
 #include "engine/render/sample_grid.h"
 
 namespace demolish::engine {
@@ -25,20 +26,31 @@ struct SeenList {
 class SeenTriangles {
   public:
     static constexpr size_t kMostPictures = 3;
-    /// Indices that one stretch of triangles leaves, for each picture.
-    using Found = std::vector<std::vector<uint32_t>>;
+    struct Wanted {
+        bool both_sides = false;  ///< of the outside, backs are seen, too
+        bool hidden = true;       ///< of the first picture, also what lies behind other triangles
+        bool operator==(const Wanted&) const = default;
+    };
 
     /// Fills a list for each picture, of which there are kMostPictures at most. The mesh's buffers are read
-    /// where they lie, which waits for nothing in software. `both_sides`: of the outside, backs are seen,
-    /// too.
-    void find(const FractureMesh& mesh, std::span<const SampleGrid> pictures, bool both_sides);
+    /// where they lie, which waits for nothing in software.
+    void find(const FractureMesh& mesh, std::span<const SampleGrid> pictures, const Wanted& wanted);
     /// As of the last find().
     const SeenList& in(size_t picture) const { return lists_[picture]; }
 
   private:
-    void collect(TriangleList SeenList::*side);
+    /// What one stretch of triangles leaves.
+    struct Found {
+        Candidates candidates;                       ///< of the first picture, where hidden ones are left out
+        std::vector<std::vector<uint32_t>> indices;  ///< for each picture
+    };
+    struct Listed;
+    struct Search;
+    void findIn(const Search& search, const Listed& listed, size_t first, Found& found);
+    void collect(TriangleList SeenList::*side, const std::vector<Found>& stretches);
     std::vector<SeenList> lists_;
-    std::vector<Found> stretches_;
+    std::vector<Found> outside_, inside_;
+    NearestSurely nearest_;
 };
 
 }  // namespace demolish::engine

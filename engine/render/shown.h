@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/seen_triangles.h"
 #include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
@@ -70,6 +71,14 @@ inline SurfaceLook glassOf(const FrameView& view) {
 /// Whose outside looks as its model file says.
 inline bool showsModelLooks(const FractureMesh* mesh, const FrameView& view) {
     return showsSolid(mesh, view) && view.model_looks && mesh->looks() != nullptr;
+}
+
+/// Of a mesh that is drawn: what one can see through hides nothing.
+inline SeenTriangles::Wanted wantedOf(const FractureMesh& mesh, const FrameView& view) {
+    const LookBuffers* looks = showsModelLooks(&mesh, view) ? mesh.looks() : nullptr;
+    const bool has_holes = looks != nullptr && looks->isMasked();
+    return {.both_sides = looks != nullptr && looks->isDoubleSided(),
+            .hidden = has_holes || showsGlass(&mesh, view)};
 }
 
 }  // namespace demolish::engine

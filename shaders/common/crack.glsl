@@ -46,6 +46,12 @@ float onScreen(float wide, float w) {
     return wide * frame.viewport.y / (2.0 * frame.depth_range.z * max(w, frame.depth_range.x));
 }
 
+// Tangent of the angle by which the eye looks at a line from its left, along a surface with this normal.
+float slantOf(vec3 along, vec3 normal, vec3 to_eye) {
+    vec3 left = cross(normal, along);
+    return dot(left, to_eye) / max(length(left) * max(dot(normal, to_eye), 0.1), 1e-20);
+}
+
 // A line thinner than it can be drawn fades instead; cracks seen edge-on fade as well.
 float strengthOf(float wanted, float facing, float opening) {
     return clamp(wanted / kLeastPixels, 0.0, 1.0) * smoothstep(0.02, 0.25, facing) *

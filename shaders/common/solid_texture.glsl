@@ -93,10 +93,12 @@ Solid solidAt(vec3 rest) {
     vec4 cloud = noise(kTurn2 * rest, 0.13 * scale);
     vec3 p = unrepeated(rest);
     vec4 coarse = cells(kTurn1 * p, scale), fine = cells(kTurn2 * p, 2.3 * scale);
-    // Dark mica in small flakes that gather in clouds, feldspar in large crystals, quartz between.
-    float flake = smoothstep(0.0, 0.08, fine.a - 0.74 + 0.14 * cloud.w), edge = 1.0 - smoothstep(0.0, 0.10, coarse.b);
+    // Dark mica in small flakes that gather in clouds, feldspar in large crystals, quartz between. From where they are smaller
+    // than a pixel their steps widen until what is left is their share, or single ones would be dots of a pixel.
+    float pixel = pixelAt(rest) * scale, blur = min(1.15 * pixel, 0.8), broad = min(0.5 * pixel, 0.6);
+    float flake = smoothstep(-blur, 0.08 + blur, fine.a - 0.74 + 0.14 * cloud.w), edge = 1.0 - smoothstep(0.0, 0.10, coarse.b);
     Solid s;
-    s.other = max(flake, 0.8 * smoothstep(0.90, 0.93, coarse.a));
+    s.other = max(flake, 0.8 * smoothstep(0.90 - broad, 0.93 + broad, coarse.a));
     s.tone = 0.66 + 0.62 * coarse.a + 0.16 * (fine.a - 0.5) - 0.10 * edge + 0.06 * cloud.w;
     s.skin = 1.0;
     s.smoothed = 0.35 * coarse.a;

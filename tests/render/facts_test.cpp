@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <map>
+#include <numeric>
 
 #include "engine/image/compare.h"
 #include "engine/render/colour_ramp.h"
@@ -256,9 +257,9 @@ TEST_F(Facts, CracksLieOnTheBody) {
     EXPECT_LT(outside, 40u);  // pixels on the outline belong half to the body
 }
 
-/// Of the light of 40 rows of pixels across a crack down the middle of a white face, 200 px a metre: how much
-/// is gone, in whole pixels of the crack's inside.
-float pixelsHidden(Renderer& renderer, float opening) {
+/// Of each column of pixels across a crack down the middle of a white face, 200 px a metre: what share of its
+/// light is gone, mean of 40 rows. `aside`: rad, by which one looks from the left.
+std::vector<float> hiddenAcross(Renderer& renderer, float opening, float aside = 0) {
     Scene scene = wholeBlock();
     scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 2, .crack_width = opening});
     scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
@@ -272,17 +273,25 @@ float pixelsHidden(Renderer& renderer, float opening) {
     std::ranges::fill(scene.view.look.exterior_colour, 0.8f);
     scene.view.look.exterior_roughness = 1;
     scene.view.width = scene.view.height = 200;
-    scene.view.camera.eye = {20.5f, 0.5f, 0};
     scene.view.camera.target = {0.5f, 0.5f, 0};
+    scene.view.camera.eye = scene.view.camera.target + 20.0f * glm::vec3(std::cos(aside), 0, std::sin(aside));
     scene.view.camera.field_of_view = 2 * std::atan(0.5f / 20);
     const Image with = drawPicture(renderer, scene);
     scene.view.show_cracks = false;
     const Image without = drawPicture(renderer, scene);
-    float hidden = 0;
-    for (int y = 20; y < 60; ++y)
-        for (int x = 60; x < 140; ++x)  // what is blended is the root of the albedo
-            hidden += 1 - std::sqrt(decoded(with.at(x, y)[1]) / decoded(without.at(x, y)[1]));
-    return hidden / 40;
+    std::vector<float> hidden;
+    for (int x = 60; x < 140; ++x) {  // what is blended is the root of the albedo
+        hidden.push_back(0);
+        for (int y = 20; y < 60; ++y)
+            hidden.back() += (1 - std::sqrt(decoded(with.at(x, y)[1]) / decoded(without.at(x, y)[1]))) / 40;
+    }
+    return hidden;
+}
+
+/// In whole pixels of the crack's inside.
+float pixelsHidden(Renderer& renderer, float opening) {
+    const std::vector<float> hidden = hiddenAcross(renderer, opening);
+    return std::accumulate(hidden.begin(), hidden.end(), 0.0f);
 }
 
 TEST_F(Facts, CracksAreAsWideAsTheyHaveOpened) {
@@ -293,6 +302,17 @@ TEST_F(Facts, CracksAreAsWideAsTheyHaveOpened) {
         EXPECT_NEAR(pixelsHidden(renderer(), pixels / 200) / one, pixels, 0.1f);
     for (const float pixels : {0.4f, 0.8f, 1.2f})  // fainter where thinner
         EXPECT_NEAR(pixelsHidden(renderer(), pixels / 200) / one, pixels, 0.3f * pixels);
+}
+
+TEST_F(Facts, OfACrackSeenFromTheSideTheWallBeyondIsLit) {
+    const std::vector<float> straight = hiddenAcross(renderer(), 20.0f / 200);
+    EXPECT_NEAR(straight[33], straight[46], 0.02f);
+    const std::vector<float> aside = hiddenAcross(renderer(), 20.0f / 200, 0.8f);
+    const auto middle = aside.begin() + 40;
+    const float near_side = *std::max_element(aside.begin(), middle);
+    EXPECT_GT(near_side, 0.8f * straight[40]);
+    EXPECT_LT(*(middle + 5), 0.85f * near_side) << "farther right, where the wall is near";
+    EXPECT_GT(*(middle + 5), 0.1f);
 }
 
 TEST_F(Facts, BackgroundIsTheSky) {

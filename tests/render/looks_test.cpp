@@ -270,6 +270,19 @@ TEST_F(LooksTest, WhatIsBlendedLetsThroughAsMuchAsItIsNotOpaque) {
         EXPECT_NEAR(greenAt(opacity), opacity * gloss + 0.8 * (1 - opacity), 0.03) << "the furnace behind it";
 }
 
+/// Root of the mean square of what the bytes of these rows and columns differ by from their mean.
+double spreadOf(const Image& image, int first, int end) {
+    double sum = 0, squares = 0;
+    for (int y = first; y < end; ++y)
+        for (int x = first; x < end; ++x) {
+            const double value = image.at(x, y)[1];
+            sum += value;
+            squares += value * value;
+        }
+    const double count = (end - first) * (end - first), mean = sum / count;
+    return std::sqrt(squares / count - mean * mean);
+}
+
 /// Root of the mean square of what its pixels differ by from their mean, in the middle.
 double grainOf(const std::vector<Image>& averaged) {
     double sum = 0, squares = 0;
@@ -285,14 +298,41 @@ double grainOf(const std::vector<Image>& averaged) {
     return std::sqrt(squares / (64 * 64) - mean * mean);
 }
 
-TEST_F(LooksTest, PicturesThatAFilmAveragesSmoothWhatIsBlended) {
+Scene blendedCube(float opacity) {
     FileMaterial material;
     material.base_colour[1] = material.base_colour[2] = 0;
-    material.base_colour[3] = 0.4f;
+    material.base_colour[3] = opacity;
     material.alpha_cutoff = demolish::kBlends;
     Scene scene = cutScene(cube(), looksOf(material, {}));
     putIntoFurnace(scene.view, glm::vec3(0.8f));
     lookAtSide(scene.view);
+    return scene;
+}
+
+/// The same picture, each square of 4 x 4 pixels as one.
+Image coarser(const Image& image) {
+    Image small{image.width / 4, image.height / 4, {}};
+    small.pixels.resize(size_t{4} * static_cast<size_t>(small.width * small.height));
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            double sum = 0;
+            for (int k = 0; k < 16; ++k) sum += image.at(4 * x + k % 4, 4 * y + k / 4)[1];
+            small.pixels[size_t{4} * static_cast<size_t>(y * small.width + x) + 1] =
+                static_cast<uint8_t>(sum / 16 + 0.5);
+        }
+    return small;
+}
+
+TEST_F(LooksTest, WhatIsBlendedHasNoGrainsInASinglePicture) {
+    for (const float opacity : {0.4f, 0.55f}) {
+        const Image image = drawPicture(renderer(), blendedCube(opacity));
+        const double of_pixels = spreadOf(image, 32, 96), of_squares = spreadOf(coarser(image), 9, 23);
+        EXPECT_LT(of_squares, 0.18 * of_pixels) << "a quarter where no pixel knows of the others";
+    }
+}
+
+TEST_F(LooksTest, PicturesThatAFilmAveragesSmoothWhatIsBlended) {
+    Scene scene = blendedCube(0.4f);
     std::vector<Image> pictures;
     for (int k = 0; k < 8; ++k) {
         scene.view.noise_turn = static_cast<float>(k) / 8;

@@ -75,10 +75,13 @@ TEST_F(Seen, WhatMovesIsFoundAnew) {
     expectSamePicture(scene);
 }
 
-uint32_t seenOf(const FractureMesh& mesh, float scale) {
-    const SampleGrid grid(glm::mat4(glm::mat3(scale)), 64, 64);
+/// Seen along z, from where it is 1.
+uint32_t seenOf(const FractureMesh& mesh, float scale, bool hidden = true, int size = 64) {
+    glm::mat4 to_clip{glm::mat3(scale)};
+    to_clip[3].z = 0.5f;
+    const SampleGrid grid(to_clip, size, size);
     SeenTriangles seen;
-    seen.find(mesh, {&grid, 1}, false);
+    seen.find(mesh, {&grid, 1}, {.hidden = hidden});
     return seen.in(0).exterior.count + seen.in(0).interior.count;
 }
 
@@ -87,6 +90,13 @@ TEST_F(Seen, BacksAndWhatIsTooSmallAreLeftOut) {
     const uint32_t near = seenOf(*scene.mesh, 0.5f), far = seenOf(*scene.mesh, 1e-3f);
     EXPECT_GT(near, 0u);
     EXPECT_LT(far, near / 20);
+}
+
+TEST_F(Seen, WhatLiesBehindOthersIsLeftOut) {
+    const Scene scene = makeScene("broken_ball");
+    const uint32_t all = seenOf(*scene.mesh, 0.5f, true, 256), shown = seenOf(*scene.mesh, 0.5f, false, 256);
+    EXPECT_GT(shown, 0u);
+    EXPECT_LT(shown, 0.8 * all);
 }
 
 /// Lines between the halves of a block, of which the second is moved by `gap`.

@@ -85,10 +85,22 @@ TEST(SampleGrid, OfAThinTriangleEverySampleOnItsWayCounts) {
 
 TEST(SampleGrid, PlacesAreThoseOfTheViewport) {
     const SampleGrid grid(glm::mat4(2), kWidth, kHeight);  // w = 2: perspective
-    const PicturePoint p = grid.placeOf({0.5f, -1, 0});
+    const PicturePoint p = grid.projectionOf(glm::mat4(1)).placeOf({0.5f, -1, 0});
     EXPECT_FLOAT_EQ(p.x, 0.75f * kWidth);
     EXPECT_FLOAT_EQ(p.y, 0);
     EXPECT_FLOAT_EQ(p.w, 2);
+}
+
+TEST(SampleGrid, FarFromTheOriginPlacesAreLessSure) {
+    const SampleGrid grid(glm::mat4(1), kWidth, kHeight);
+    const auto moved = [&](float by) {
+        glm::mat4 motion(1);
+        motion[3].x = by;
+        return grid.projectionOf(motion).placeOf({0.5f - by, 0, 0});
+    };
+    EXPECT_FLOAT_EQ(moved(16).x, moved(0).x);
+    EXPECT_LT(moved(0).unsure, 1.0f / 300);
+    EXPECT_GT(moved(1e4f).unsure, 1e4f * 6e-8f * kWidth / 2);
 }
 
 }  // namespace
