@@ -17,35 +17,33 @@ class RigidRunner<CudaBackend, Real> {
 
     /// As on the CPU; does not wait. `follows`: nothing that steps read but the state has been written since
     /// the step before.
-    void run(CudaBackend& backend, const Step& step, uint32_t n, bool follows) {
+    void run(CudaBackend& backend, const Step& step, const ContactSteps& steps, bool follows) {
         makeRoom(backend, step.work);
         GraphKey key = keyOf(step);
-        key.insert(key.end(), {n, step.before});
+        key.insert(key.end(), {steps.substeps(), step.before});
         graphs_.run(backend, key, [&] {
             uint32_t previous = step.before;
-            for (uint32_t done = 0; done < n;) {
-                const uint32_t stride = std::min(kRigidStride, n - done);
-                gather(backend, step, previous, stride, follows || done > 0);
+            for (uint32_t k = 0; k < steps.count(); ++k) {
+                const uint32_t stride = steps.length(k);
+                gather(backend, step, previous, stride, follows || k > 0);
                 move(backend, step, previous, stride, false);
                 previous = stride;
-                done += stride;
             }
         });
     }
-    /// steps(n), which starts n substeps of `runner` too, each whole contact step as a graph.
-    template <class Runner, class Steps>
-    void repeat(CudaBackend& backend, const Step& step, const Runner& runner, uint32_t n,
-                const Steps& steps) {
-        static_assert(kRigidStride % 2 == 0, "a graph must end on the state it started from");
+    /// As on the CPU, with substeps of `runner`. A graph must end on the state it started from: steps of an
+    /// odd number of substeps are none.
+    template <class Runner, class Take>
+    void runCarrying(CudaBackend& backend, const Step& step, const Runner& runner, const ContactSteps& steps,
+                     const Take& take) {
         makeRoom(backend, step.work);
-        if (n >= kRigidStride) {
-            GraphKey key = keyOf(step);
-            const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
-            key.insert(key.end(), substep.begin(), substep.end());
-            for (; n >= kRigidStride; n -= kRigidStride)
-                graphs_.run(backend, key, [&] { steps(kRigidStride); });
+        for (uint32_t k = 0; k < steps.count(); ++k) {
+            const uint32_t stride = steps.length(k);
+            if (stride % 2 == 0)
+                graphs_.run(backend, carryingKey(step, runner, stride), [&] { take(stride, k > 0); });
+            else
+                take(stride, k > 0);
         }
-        if (n > 0) steps(n);
     }
     void gather(CudaBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool follows) {
         launchGather(backend, follows, gatherOf(step, previous, stride), roundedUp(step.work.active_at_most),
@@ -101,6 +99,16 @@ class RigidRunner<CudaBackend, Real> {
 
   private:
     static constexpr uint32_t kLeastLarge = 16;
+
+    /// The state that an odd step has turned is part of it.
+    template <class Runner>
+    GraphKey carryingKey(const Step& step, const Runner& runner, uint32_t stride) const {
+        GraphKey key = keyOf(step);
+        const GraphKey substep = runner.keyOf(step.data, step.contacts, step.params, step.ledger);
+        key.insert(key.end(), substep.begin(), substep.end());
+        key.push_back(stride);
+        return key;
+    }
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
         const size_t needed = RigidLoads<Real>::needed(work.active_at_most);

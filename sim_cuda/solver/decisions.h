@@ -29,8 +29,9 @@ class Decisions {
 
     /// Decides for the present state, which must be complete (Stepper::placeRigid), and whose contact lists
     /// must be good. `anew`: for a frame's start, or other fragments; so many substeps have passed since the
-    /// last time. soon: s until the next decision at the latest. Waits.
-    void decide(bool anew, uint32_t passed, double soon);
+    /// last time. soon: s until the next decision at the latest. stride: substeps of the next contact step.
+    /// Waits.
+    void decide(bool anew, uint32_t passed, double soon, uint32_t stride);
 
     /// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and
     /// what comes near a sleeper within `soon` s wakes it. May wait.
@@ -53,18 +54,18 @@ class Decisions {
     void resume(const DecisionState& state);
 
   private:
-    void bookSoftening();
+    void bookSoftening(uint32_t stride);
 
     DeviceScene<Backend, Real>& scene_;
     DecisionState state_;
 };
 
 template <class Backend, class Real>
-void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon) {
+void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon, uint32_t stride) {
     auto& regimes = scene_.regimes;
     regimes.assign(scene_.data, scene_.lists, scene_.fragments.clusters, scene_.fragments.motion,
                    scene_.params, anew, passed, soon);
-    if (scene_.setup.params.ledger && regimes.movesRigid()) bookSoftening();
+    if (scene_.setup.params.ledger && regimes.movesRigid()) bookSoftening(stride);
     state_.last = scene_.substeps;
     state_.due = regimes.hitsLater() ? scene_.substeps + regimes.decisionInterval() : DecisionState::kNever;
     state_.shot_started = 0;
@@ -72,13 +73,13 @@ void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon) {
 }
 
 template <class Backend, class Real>
-void Decisions<Backend, Real>::bookSoftening() {
+void Decisions<Backend, Real>::bookSoftening(uint32_t stride) {
     const RigidConstants<Real> constants = scene_.regimes.rigidConstants();
     MeasureEnergy<Real> bonded{scene_.arrays(), {}, scene_.params, {}, {}, {}, {}, true};
     MeasureEnergy<Real> carried = bonded, rigid = bonded;
     carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);
-    rigid.params = rigidParams(scene_.params, kRigidStride, kRigidStride);
+    rigid.params = rigidParams(scene_.params, stride, stride);
     scene_.backend.forEach(
         scene_.tables.counts.total,
         BookSoftening<Real>{bonded, carried, rigid, scene_.fragments.clusters.fragment(),

@@ -16,6 +16,7 @@
 
 #include "sim_cuda/api/solver.h"
 #include "sim_cuda/solver/checkpoint.h"
+#include "sim_cuda/solver/contact_steps.h"
 #include "sim_cuda/solver/decisions.h"
 #include "sim_cuda/solver/list_schedule.h"
 #include "sim_cuda/solver/look_interval.h"
@@ -63,8 +64,8 @@ class FrameLoop {
     bool frameUnfinished() const { return frame_.has_value(); }
     /// Everything is as it was before an unfinished frame.
     void giveUpFrame();
-    /// At most one stretch, of n substeps, and nothing around it.
-    StepStatus runStretch(uint32_t n);
+    /// One stretch, of substeps, and nothing around it.
+    StepStatus runStretch(const Stretch& part);
     /// Those whose time has come take part from now on.
     void startProjectiles();
     /// use() with contact lists that are good for the present state; those of the run stay, and with them
@@ -78,18 +79,34 @@ class FrameLoop {
 
   private:
     struct FrameUnderWay {
-        uint32_t substeps = 0, remaining = 0;
+        ContactSteps steps;
+        uint32_t remaining = 0;      ///< substeps
         bool moved = false;          ///< anything, so far
         bool split = false;          ///< preset pieces have come apart
         uint32_t list_rebuilds = 0;  ///< so far
         LoopState before;
+
+        uint32_t at() const { return steps.substeps() - remaining; }  ///< substeps
     };
 
     bool staysQuiet(uint32_t n) const;
     void beginFrame(uint32_t n);
     StepStatus runFrame(const FrameWatch& watch);
     Stretch stretch() const;
+    /// Of the frame under way: to the ends of as many contact steps, or as far as the next start of a
+    /// projectile or the last end before the next decision.
+    Stretch nextStretch() const;
+    /// Substeps that no stretch exceeds.
+    uint32_t longestStretch() const { return stretch().length() / kRigidStride * longestStep(); }
+    uint32_t longestStep() const {
+        return frame_ ? std::max(kRigidStride, frame_->steps.longest()) : kRigidStride;
+    }
     uint32_t untilNextStart(uint32_t at_most) const;
+    /// At most all that remain of the frame: 0 also where the decision is due within a contact step, whose
+    /// end is too late for it.
+    uint32_t untilDecision() const {
+        return frame_->steps.wholeWithin(frame_->at(), decisions_.substepsUntilDue(frame_->remaining));
+    }
     void decide(bool frame_starts, uint32_t remaining);
     void decideIfDue(uint32_t remaining);
     /// Those of preset pieces that are hit within the next stretch come apart; new lists, if some did. s
@@ -144,13 +161,15 @@ typename FrameLoop<Backend, Real>::Frame FrameLoop<Backend, Real>::advance(uint3
     }
     if (frame_->remaining > 0) return {};
     const FrameUnderWay frame = *std::exchange(frame_, std::nullopt);
-    decisions_.noteFrame(frame.substeps);
-    return {status, false, frame.substeps, frame.list_rebuilds};
+    decisions_.noteFrame(frame.steps.substeps());
+    return {status, false, frame.steps.substeps(), frame.list_rebuilds};
 }
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
-    frame_ = {n, n, false, false, 0, state()};
+    frame_ = FrameUnderWay{ContactSteps(n), n, false, false, 0, state()};
+    if (frame_->steps.longest() > ContactSteps(decisions_.lastFrame()).longest())
+        lists_.demand();  // they were made for shorter stretches
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
@@ -204,12 +223,12 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
             continue;
         }
         frame_->moved = true;
-        const uint32_t part = untilNextStart(decisions_.substepsUntilDue(std::min(n, stretch().length())));
-        leadHeld(part);
+        const Stretch part = nextStretch();
+        leadHeld(part.length());
         const StepStatus status = runStretch(part);
         if (status != StepStatus::kOk) return status;
-        n -= part;
-        if (watch && n > 0 && !watch(1 - static_cast<double>(n) / frame_->substeps)) return status;
+        n -= part.length();
+        if (watch && n > 0 && !watch(1 - static_cast<double>(n) / frame_->steps.substeps())) return status;
     }
     quiet_ = !frame_->moved;
     if (quiet_) return StepStatus::kOk;
@@ -219,12 +238,12 @@ StepStatus FrameLoop<Backend, Real>::runFrame(const FrameWatch& watch) {
 
 /// The look in it decides for its end, and has to see as far as the end of the next.
 template <class Backend, class Real>
-StepStatus FrameLoop<Backend, Real>::runStretch(uint32_t n) {
+StepStatus FrameLoop<Backend, Real>::runStretch(const Stretch& part) {
     freshenLists();
-    const uint32_t first = std::min(n, stretch().first), second = n - first, next = stretch().length();
-    runAwake(first);
-    look(second + next);
-    runAwake(second);
+    const uint32_t next = longestStretch();
+    runAwake(part.first);
+    look(part.second + next);
+    runAwake(part.second);
     const auto answer = look_.wait();
     const bool is_good = answer.status == StepStatus::kOk;
     if (lists_.judge(answer.left_paths, is_good, next, scene_.lists.horizon())) followStrayed(next);
@@ -236,6 +255,17 @@ template <class Backend, class Real>
 Stretch FrameLoop<Backend, Real>::stretch() const {
     if (!movesBonds()) return kRigidStretch;
     return scene_.tables.time_step < kShortSubstep ? kShortBondedStretch : kBondedStretch;
+}
+
+template <class Backend, class Real>
+Stretch FrameLoop<Backend, Real>::nextStretch() const {
+    const Stretch nominal = stretch();
+    const auto until = [&](uint32_t substeps) {
+        return frame_->steps.untilEnd(substeps / kRigidStride, frame_->at());
+    };
+    const uint32_t length = untilNextStart(std::min(until(nominal.length()), untilDecision())),
+                   first = std::min(length, until(nominal.first));
+    return {first, length - first};
 }
 
 template <class Backend, class Real>
@@ -251,7 +281,7 @@ void FrameLoop<Backend, Real>::decideIfDue(uint32_t remaining) {
         buildLists();
         if (decisions_.isNeededByNewLists(lists_.remaining(scene_.lists.horizon(), remaining)))
             decide(false, remaining);
-    } else if (decisions_.substepsUntilDue(remaining) == 0) {
+    } else if (untilDecision() == 0) {
         decide(false, remaining);
     }
 }
@@ -265,7 +295,8 @@ void FrameLoop<Backend, Real>::decide(bool frame_starts, uint32_t remaining) {
     const Release release = releasePieces(lists_.remaining(scene_.lists.horizon(), remaining));
     if (frame_starts || release.splits) scene_.markHolds(remaining * scene_.tables.time_step);
     decisions_.decide(frame_starts || release.splits, frame_starts ? decisions_.lastFrame() : 0,
-                      lists_.remaining(scene_.lists.horizon(), remaining));
+                      lists_.remaining(scene_.lists.horizon(), remaining),
+                      frame_->steps.lengthAt(frame_->at()));
     decisions_.hasten(release.next, kRigidStretch.length());
 }
 
@@ -295,7 +326,7 @@ template <class Backend, class Real>
 void FrameLoop<Backend, Real>::buildLists() {
     stepper_.placeRigid(scene_);
     stepper_.listsChange();
-    scene_.lists.use(lists_.next(decisions_.somethingRigid(), decisions_.shotStarted()));
+    scene_.lists.use(lists_.next(decisions_.somethingRigid(), decisions_.shotStarted(), longestStep()));
     scene_.lists.build(scene_.state(), scene_.data.particles.constants.view(), scene_.data.bonds.in());
     lists_.built();
     if (frame_) ++frame_->list_rebuilds;

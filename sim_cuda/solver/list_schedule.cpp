@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "sim_cuda/physics/rigid_motion.h"
 #include "sim_cuda/solver/look_interval.h"
 
 namespace demolish {
@@ -12,18 +13,19 @@ namespace {
 /// costs a coarser grid and longer rows. Substeps that they shall last at least: two stretches.
 constexpr double kHorizonLives = 2;
 constexpr uint32_t kLeastHorizon = 2 * kRigidStretch.length();
-/// Substeps from a hit, right after a look, until the lists know of it, in the longest stretch.
-constexpr uint32_t kBlindSubsteps =
-    std::max({kBondedStretch.blind(), kShortBondedStretch.blind(), kRigidStretch.blind()});
+/// Contact steps from a hit, right after a look, until the lists know of it, in the longest stretch.
+constexpr uint32_t kBlindSteps =
+    std::max({kBondedStretch.blind(), kShortBondedStretch.blind(), kRigidStretch.blind()}) / kRigidStride;
 
 }  // namespace
 
-NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_started) {
+NeighbourSettings ListSchedule::next(bool something_is_rigid, bool projectile_started,
+                                     uint32_t longest_step) {
     NeighbourSettings settings = something_is_rigid ? kRigidNeighbours : NeighbourSettings{};
     if (!projectile_started) state_.life = std::max(state_.age, state_.life / 2);
     const double wanted = kHorizonLives * std::max(state_.life, kLeastHorizon) * time_step_;
     settings.longest_horizon = std::min(settings.longest_horizon, wanted);
-    settings.blind_time = kBlindSubsteps * time_step_;
+    settings.blind_time = kBlindSteps * longest_step * time_step_;
     return settings;
 }
 

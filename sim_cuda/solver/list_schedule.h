@@ -24,8 +24,9 @@ class ListSchedule {
     void demand() { state_.due = 1; }
     void pass(uint32_t substeps) { state_.age += substeps; }
 
-    /// For the build that is due. A projectile's start says nothing about how long lists last.
-    NeighbourSettings next(bool something_is_rigid, bool projectile_started);
+    /// For the build that is due. A projectile's start says nothing about how long lists last. longest_step:
+    /// substeps of a contact step, at most.
+    NeighbourSettings next(bool something_is_rigid, bool projectile_started, uint32_t longest_step);
     void built();
 
     /// What a look has found, with `next` substeps to come before the answer of the next one. True: lists

@@ -6,7 +6,7 @@
 namespace demolish {
 
 /// Substeps of one stretch: `first`, then a look at the state whose answer travels during the `second` ones.
-/// Even, so that the state ends where it began.
+/// In whole contact steps.
 struct Stretch {
     uint32_t first, second;
     constexpr uint32_t length() const { return first + second; }

@@ -6,6 +6,7 @@
 
 #include "sim_cuda/backend/cpu_backend.h"
 #include "sim_cuda/kernels/rigid_step.h"
+#include "sim_cuda/solver/contact_steps.h"
 #include "sim_cuda/solver/solver_data.h"
 
 namespace demolish {
@@ -69,21 +70,20 @@ class RigidRunner<CpuBackend, Real> {
   public:
     using Step = RigidStepOf<CpuBackend, Real>;
 
-    /// n substeps' time, in contact steps of kRigidStride substeps and a shorter last one.
-    void run(CpuBackend& backend, const Step& step, uint32_t n, bool) {
+    /// All of them, one after the other.
+    void run(CpuBackend& backend, const Step& step, const ContactSteps& steps, bool) {
         uint32_t previous = step.before;
-        for (uint32_t done = 0; done < n;) {
-            const uint32_t stride = std::min(kRigidStride, n - done);
-            gather(backend, step, previous, stride, done > 0);
+        for (uint32_t k = 0; k < steps.count(); ++k) {
+            const uint32_t stride = steps.length(k);
+            gather(backend, step, previous, stride, k > 0);
             move(backend, step, previous, stride, false);
             previous = stride;
-            done += stride;
         }
     }
-    /// steps(n), which starts n substeps of the runner too.
-    template <class Runner, class Steps>
-    void repeat(CpuBackend&, const Step&, const Runner&, uint32_t n, const Steps& steps) {
-        steps(n);
+    /// take(stride, follows) for each contact step: it starts as many substeps of the runner too.
+    template <class Runner, class Take>
+    void runCarrying(CpuBackend&, const Step&, const Runner&, const ContactSteps& steps, const Take& take) {
+        for (uint32_t k = 0; k < steps.count(); ++k) take(steps.length(k), k > 0);
     }
     /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.

@@ -45,7 +45,7 @@ void settle(DeviceScene<Backend, Real>& scene, FrameLoop<Backend, Real>& loop,
             static_cast<Real>(std::min(1.0, share / kSettleRampShare)) * free_params.gravity;
         for (int stretch = 0; stretch < 5; ++stretch) {
             if (progress && !progress(share, "Settling")) throw Cancelled();
-            if (loop.runStretch(kBondedStretch.length()) != StepStatus::kOk)
+            if (loop.runStretch(kBondedStretch) != StepStatus::kOk)
                 throw NumericalError(
                     "The bodies blew up while settling: see that none stands in another, or raise "
                     "--substeps.");

@@ -55,9 +55,9 @@ class Stepper {
         return {scene.data, scene.lists.contacts(),    scene.params,   scene.regimes.rigid(),
                 constants,  scene.setup.params.ledger, contact_stride_};
     }
-    void runRigid(Scene& scene, uint32_t n, bool follows);
-    void runTogether(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
-    void runApart(Scene& scene, const RigidStep& step, uint32_t n, bool follows);
+    void runRigid(Scene& scene, const ContactSteps& steps, bool follows);
+    void runTogether(Scene& scene, const RigidStep& step, const ContactSteps& steps, bool follows);
+    void runApart(Scene& scene, const RigidStep& step, const ContactSteps& steps, bool follows);
 
     SubstepRunner<Backend, Real> runner_;
     RigidRunner<Backend, Real> rigid_runner_;
@@ -85,7 +85,7 @@ void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
     const auto& regimes = scene.regimes;
     const bool follows = std::exchange(lists_stand_, true);
     if (regimes.on() && regimes.movesRigid()) {
-        runRigid(scene, n, follows);
+        runRigid(scene, ContactSteps(n), follows);
     } else {
         if (!regimes.on() || regimes.movesBonds())
             runner_.run(scene.backend, scene.data, scene.lists.contacts(), scene.params,
@@ -96,15 +96,16 @@ void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
 }
 
 template <class Backend, class Real>
-void Stepper<Backend, Real>::runRigid(Scene& scene, uint32_t n, bool follows) {
+void Stepper<Backend, Real>::runRigid(Scene& scene, const ContactSteps& steps, bool follows) {
     const RigidConstants<Real> constants = scene.regimes.rigidConstants();
     const RigidStep step = rigidStep(scene, constants);
     if (!scene.regimes.movesBonds())
-        rigid_runner_.run(scene.backend, step, n, follows);
+        rigid_runner_.run(scene.backend, step, steps, follows);
     else
-        scene.regimes.carries() ? runTogether(scene, step, n, follows) : runApart(scene, step, n, follows);
+        scene.regimes.carries() ? runTogether(scene, step, steps, follows)
+                                : runApart(scene, step, steps, follows);
     rigid_lags_ = true;
-    contact_stride_ = n % kRigidStride == 0 ? kRigidStride : n % kRigidStride;
+    contact_stride_ = steps.length(steps.count() - 1);
 }
 
 /// Contact steps with the substeps between their halves: a rigid body answers to the sum of what its carried
@@ -113,19 +114,16 @@ void Stepper<Backend, Real>::runRigid(Scene& scene, uint32_t n, bool follows) {
 /// carried particles from half a step before it to half a step after it (each but the first, which makes the
 /// mean exact). Else contacts would lose energy that nobody books.
 template <class Backend, class Real>
-void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, uint32_t n, bool follows) {
+void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, const ContactSteps& steps,
+                                         bool follows) {
     Backend& backend = scene.backend;
-    rigid_runner_.repeat(backend, step, runner_, n, [&](uint32_t substeps) {
-        for (uint32_t done = 0; done < substeps;) {
-            const uint32_t stride = std::min(kRigidStride, substeps - done);
-            StepParams<Real> params = scene.params;
-            params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
-            rigid_runner_.gather(backend, step, stride, stride, follows || done > 0);
-            runner_.runOne(backend, scene.data, step.contacts, params, step.ledger, true);
-            runner_.runOn(backend, scene.data, step.contacts, scene.params, step.ledger, stride - 1);
-            rigid_runner_.moveCarrying(backend, step, stride);
-            done += stride;
-        }
+    rigid_runner_.runCarrying(backend, step, runner_, steps, [&](uint32_t stride, bool follows_one) {
+        StepParams<Real> params = scene.params;
+        params.carry_time = (Real(1) - Real(0.5) * static_cast<Real>(stride)) * params.dt;
+        rigid_runner_.gather(backend, step, stride, stride, follows || follows_one);
+        runner_.runOne(backend, scene.data, step.contacts, params, step.ledger, true);
+        runner_.runOn(backend, scene.data, step.contacts, scene.params, step.ledger, stride - 1);
+        rigid_runner_.moveCarrying(backend, step, stride);
     });
 }
 
@@ -133,13 +131,16 @@ void Stepper<Backend, Real>::runTogether(Scene& scene, const RigidStep& step, ui
 /// the same time. Pairs of the two that are listed all the same are left out, or it would matter who came
 /// first.
 template <class Backend, class Real>
-void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, uint32_t n, bool follows) {
+void Stepper<Backend, Real>::runApart(Scene& scene, const RigidStep& step, const ContactSteps& steps,
+                                      bool follows) {
     Backend& backend = scene.backend;
     StepParams<Real> params = scene.params;
     params.leaves_out = 1;
     backend.sideBySide(
-        [&] { runner_.run(backend, scene.data, step.contacts, params, step.ledger, n, follows); },
-        [&] { rigid_runner_.run(backend, step, n, follows); });
+        [&] {
+            runner_.run(backend, scene.data, step.contacts, params, step.ledger, steps.substeps(), follows);
+        },
+        [&] { rigid_runner_.run(backend, step, steps, follows); });
 }
 
 /// Of all particles, as if they were moved with their bonds.

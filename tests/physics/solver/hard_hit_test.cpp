@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string>
 
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/regimes_of.h"
@@ -88,6 +89,29 @@ TEST_F(HardHit, InContactStepsIsFoundInEveryMoment) {
         EXPECT_NEAR(energySum(energy), before, 1e-4 * impact) << frame;
     }
     EXPECT_GT(most_held, 0.1 * impact);
+}
+
+/// Where a contact step is longer than the one before it what presses changes its energy (physics B.1), so
+/// that none is much longer than another, however many substeps a frame has.
+TEST_F(HardHit, InContactStepsIsFoundWhateverTheSubstepsOfAFrame) {
+    for (const uint32_t substeps : {11u, 21u, 23u, 31u, 40u}) {
+        for (const double arrives : {0.05, 0.051, 0.052, 0.053, 0.054, 0.055}) {
+            SCOPED_TRACE(std::to_string(substeps) + " substeps, after " + std::to_string(arrives));
+            SceneSetup setup = cellBesideAColumn(arrives);
+            setup.bodies.resize(1);
+            setup.bodies[0].body = latticeBody(2, 2, 2, 0.1);
+            setup.params.frame_time = substeps / (60.0 * setup.params.substeps);
+            auto solver = makeSolver(setup);
+            solver->measure();
+            const double before = energySum(solver->stats().energy);
+            for (double time = 0; time < 0.12; time += setup.params.frame_time)
+                ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            solver->measure();
+            EXPECT_EQ(solver->stats().rigid_fragments, 1u);
+            EXPECT_GT(solver->stats().energy.damping, 0.05 * before) << "it has landed";
+            EXPECT_NEAR(energySum(solver->stats().energy), before, 2e-3 * before);
+        }
+    }
 }
 
 /// Bodies and lists of a decision are no part of a snapshot.

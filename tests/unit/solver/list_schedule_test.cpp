@@ -6,6 +6,7 @@
 
 #include <utility>
 
+#include "sim_cuda/physics/rigid_motion.h"
 #include "sim_cuda/solver/look_interval.h"
 
 namespace demolish::tests {
@@ -56,28 +57,28 @@ TEST(ListSchedule, NextOnesLastTwiceAsLongAsListsHaveLastedOfLate) {
     ListSchedule lists = fresh();
     for (int k = 0; k < 5; ++k) {  // a life of 10,000 at the start is halved with each build
         lists.pass(500);
-        lists.next(false, false);
+        lists.next(false, false, kRigidStride);
         lists.built();
     }
     lists.pass(500);
-    EXPECT_DOUBLE_EQ(lists.next(false, false).longest_horizon, 2 * 500 * kStep);
+    EXPECT_DOUBLE_EQ(lists.next(false, false, kRigidStride).longest_horizon, 2 * 500 * kStep);
 }
 
 TEST(ListSchedule, AProjectileSaysNothingAboutHowLongTheyLast) {
     ListSchedule lists = fresh();
     lists.pass(1);
-    EXPECT_EQ(lists.next(false, true).longest_horizon, NeighbourSettings{}.longest_horizon);
+    EXPECT_EQ(lists.next(false, true, kRigidStride).longest_horizon, NeighbourSettings{}.longest_horizon);
     EXPECT_EQ(lists.state().life, ListSchedule::State{}.life);
 }
 
 TEST(ListSchedule, TheyLastTwoStretchesAtLeastAndRigidBodiesHaveTheirOwnBounds) {
     ListSchedule lists = fresh();
     NeighbourSettings settings;
-    for (int k = 0; k < 20; ++k) settings = lists.next(false, false);
+    for (int k = 0; k < 20; ++k) settings = lists.next(false, false, kRigidStride);
     EXPECT_DOUBLE_EQ(settings.longest_horizon, 2 * 2 * kRigidStretch.length() * kStep);
     ListSchedule other = fresh();
-    EXPECT_EQ(other.next(true, true).longest_horizon, kRigidNeighbours.longest_horizon);
-    EXPECT_EQ(other.next(true, true).skin_share, kRigidNeighbours.skin_share);
+    EXPECT_EQ(other.next(true, true, kRigidStride).longest_horizon, kRigidNeighbours.longest_horizon);
+    EXPECT_EQ(other.next(true, true, kRigidStride).skin_share, kRigidNeighbours.skin_share);
 }
 
 TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
@@ -90,8 +91,8 @@ TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
 }
 
 TEST(ListSchedule, ListsReckonWithTheTimeInWhichAHitIsNotKnown) {
-    EXPECT_GE(fresh().next(false, false).blind_time, kBondedStretch.blind() * kStep);
-    EXPECT_GE(fresh().next(true, false).blind_time, kRigidStretch.blind() * kStep);
+    EXPECT_GE(fresh().next(false, false, kRigidStride).blind_time, kBondedStretch.blind() * kStep);
+    EXPECT_GE(fresh().next(true, false, kRigidStride).blind_time, kRigidStretch.blind() * kStep);
     EXPECT_EQ((Stretch{30, 10}.blind()), 50u) << "a hit after the look, the next one, and its answer";
 }
 
