@@ -36,17 +36,26 @@ struct BondedWork {
 
 /// Half substeps, more than any lag (Flight).
 inline constexpr int32_t kMostLag = 64;
-/// What a rigid body leaves to the one that goes on with its fragment, in one word: its contacts, and its
-/// flight.
-DEM_FN uint32_t memoryOf(const RigidBody& body) {
-    return body.contacts | static_cast<uint32_t>(body.flight.lag + kMostLag) << 24 | body.flight.free << 31;
+/// What a rigid body leaves to the one that goes on with its fragment; null: nothing.
+struct BodyMemory {
+    uint32_t contacts_and_flight = 0;
+    uint32_t standing = 0;  ///< as in RigidBody
+};
+DEM_FN BodyMemory memoryOf(const RigidBody& body) {
+    return {body.contacts | static_cast<uint32_t>(body.flight.lag + kMostLag) << 24 | body.flight.free << 31,
+            body.standing};
 }
-DEM_FN uint32_t rememberedContacts(uint32_t memory) {
-    return memory & 0xffffffu;
+DEM_FN uint32_t rememberedContacts(const BodyMemory& memory) {
+    return memory.contacts_and_flight & 0xffffffu;
 }
-DEM_FN Flight rememberedFlight(uint32_t memory) {
-    return {static_cast<int32_t>(memory >> 24 & 0x7fu) - kMostLag, memory >> 31};
+DEM_FN Flight rememberedFlight(const BodyMemory& memory) {
+    const uint32_t word = memory.contacts_and_flight;
+    return {static_cast<int32_t>(word >> 24 & 0x7fu) - kMostLag, word >> 31};
 }
+
+/// Contacts of a fragment that are as stiff as a single one of it would be, all at once: the step is stable
+/// far beyond.
+inline constexpr uint32_t kContactsPerShare = 4;
 
 /// A warp moves a fragment of so many active particles or fewer, a block one of more.
 inline constexpr uint32_t kShortRigidRow = 64;
@@ -59,7 +68,7 @@ struct RigidWork {
     Span<const uint32_t> large;               ///< entries with more than kShortRigidRow places, in any order
     Span<const uint32_t> counts;              ///< kWorkWords
     Span<RigidBody> body;                     ///< per slot
-    Span<uint32_t> memory;                    ///< per slot: memoryOf() its body; 0: none yet
+    Span<BodyMemory> memory;                  ///< per slot: memoryOf() its body; 0: none yet
     Span<const Vec3<double>> arm;             ///< per particle: from the centre at the start, m
     Span<const Quat<double>> start_rotation;  ///< per particle, at the start
     Span<const uint32_t> label;               ///< per particle: its fragment's slot

@@ -5,6 +5,7 @@
 #include "sim_cuda/data/ledger.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/measure_energy.h"
+#include "sim_cuda/kernels/rigid_load.h"
 
 namespace demolish {
 
@@ -13,6 +14,7 @@ namespace demolish {
 template <class Real>
 struct BookSoftening {
     MeasureEnergy<Real> bonded, carried, rigid;  ///< the same state, as each kind of pair sees it
+    RigidWork work;
     Span<const uint32_t> label, regime, former;
     Span<Vec4<Real>> ledger;
 
@@ -59,7 +61,8 @@ struct BookSoftening {
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
         forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
             if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost += bonded.colliderEnergy(before, c, bound) - rigid.colliderEnergy(after, c, bound);
+                lost += bonded.colliderEnergy(before, c, bound, TurnsAlone<Real>{}) -
+                        rigid.colliderEnergy(after, c, bound, TurnsFragment<Real>{work});
         });
         return lost;
     }

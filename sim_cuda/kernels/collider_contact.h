@@ -170,7 +170,8 @@ DEM_FN Pressed<Real> pressedOn(const CornersIn<Real>& corners, const StepParams<
 /// What is set against a push on a collider.
 template <class Real>
 struct Turning {
-    Real inverse_mass{};  ///< 1/kg, against a push along the normal at the centre of pressure,
+    Real each_inverse{};  ///< 1/kg, of what each contact with a collider bears,
+    Real inverse_mass{};  ///< against a push along the normal at the centre of pressure,
     Real slip_inverse{};  ///< and across it,
     Real most_inverse{};  ///< and at most at any corner
     Real inertia{};       ///< kg m^2, that rolls at least
@@ -184,9 +185,12 @@ struct TurnsAlone {
     DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const { return asQuat(own.state.rotation); }
     DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
         const Real mass = own.constants.inverseMass(), turn = own.constants.inverse_inertia;
-        return {madd(turn, length2(cross(at.arm, at.normal)), mass),
+        return {mass,
+                madd(turn, length2(cross(at.arm, at.normal)), mass),
                 Real(0.5) * madd(turn, length2(at.arm), mass),
-                madd(turn, own.constants.floor_radius * own.constants.floor_radius, mass), Real(0), Real(0)};
+                madd(turn, own.constants.floor_radius * own.constants.floor_radius, mass),
+                Real(0),
+                Real(0)};
     }
 };
 
@@ -256,7 +260,7 @@ DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Re
                                   const OwnParticle<Real>& own, const Pressed<Real>& at,
                                   const Turning<Real>& turning, Real approach, const Vec4<Real>& kept) {
     const Real radius = own.constants.contact_radius;
-    const PairInertia<Real> against = againstWall(own.constants);
+    const PairInertia<Real> against{turning.each_inverse, own.constants.inverse_inertia};
     const Real full = fullStiffness(wall, params, against, Real(1) / against.inverse_mass);
     const Real stable = Real(kStableShare) / (at.springs * turning.most_inverse * (params.dt * params.dt));
     const Real softest = noStifferThan(softestFrom<kStep>(wall, params, full, approach, kept), stable);
@@ -274,7 +278,8 @@ DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Re
         minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
     law.resting = law.shear_resting = Real(0);
     law.rolling = at.rolling * law.rolling;
-    law.inertia = maxOf(law.inertia, turning.inertia);
+    const Real shared = Real(1) / own.constants.inverseMass();
+    law.inertia = maxOf(ownMass(againstWall(own.constants), params, radius, shared).inertia, turning.inertia);
     law.radius = maxOf(law.radius, turning.radius);
     return law;
 }

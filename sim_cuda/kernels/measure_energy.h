@@ -40,7 +40,7 @@ struct MeasureEnergy {
     StepParams<Real> params;
     Vec3<double> gravity;                ///< m/s^2
     Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps or is rigid
-    Span<const uint32_t> memory;         ///< of rigid bodies, per slot
+    Span<const BodyMemory> memory;       ///< of rigid bodies, per slot
     bool lets_go = false;     ///< of contacts, what they lose if their force ends with the last kick
     bool knows_rigid = true;  ///< the ledger holds what is of contact steps, where something is rigid
 
@@ -112,7 +112,7 @@ struct MeasureEnergy {
         }
         if (own.constants.isHeld()) return sum;
         forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-            sum += static_cast<double>(colliderEnergy(own, c, bound));
+            sum += static_cast<double>(colliderEnergy(own, c, bound, TurnsAlone<Real>{}));
         });
         return sum;
     }
@@ -154,18 +154,19 @@ struct MeasureEnergy {
             params, counted(pressed, former - unloaded), touch.spring);
     }
 
-    DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c,
-                               const TangentPlane<Real>& bound) const {
+    /// `turned_with`: as a step would have it that asked for the law.
+    template <class TurnedWith>
+    DEM_FN Real colliderEnergy(const OwnParticle<Real>& own, uint32_t c, const TangentPlane<Real>& bound,
+                               const TurnedWith& turned_with) const {
         const Vec4<Real> spring = arrays.collider_spring[c * params.total + own.id];
         const bool is_far = bound.distance > own.constants.floor_radius;
         if (is_far || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
         const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
-        const TurnsAlone<Real> alone;
         const Pressed<Real> at =
-            pressedOn<false>(arrays.corners, params, own, alone.orientation(own), c, tangent);
+            pressedOn<false>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
         if (!(at.depth > Real(0))) return Real(0);
-        const TouchLaw<Real> law = pressingLaw<StepKind::kSubstep>(
-            wallLaw(arrays, params, own.owner, c), params, own, at, alone(own, at), Real(0), spring);
+        const TouchLaw<Real> law = pressingLaw<TurnedWith::kStep>(
+            wallLaw(arrays, params, own.owner, c), params, own, at, turned_with(own, at), Real(0), spring);
         return touchEnergy(law, params, at.depth, xyz(spring));
     }
 };

@@ -36,6 +36,7 @@ struct RigidLoads {
     static size_t needed(uint32_t places) { return 2 * size_t{places}; }
     DEM_FN RigidLoad<Real>& ofRows(uint32_t place) const { return memory[2 * size_t{place}]; }
     DEM_FN RigidLoad<Real>& ofColliders(uint32_t place) const { return memory[2 * size_t{place} + 1]; }
+    DEM_FN uint32_t standing(uint32_t place) const { return ofColliders(place).touching; }
     DEM_FN RigidLoad<Real> at(uint32_t place) const {
         RigidLoad<Real> sum = ofRows(place);
         sum += ofColliders(place);
@@ -119,11 +120,12 @@ inline constexpr double kRollingRadiusShare = 0.5;
 /// fifth): less and a piece that leans beyond what rolling resistance holds creeps for seconds.
 inline constexpr double kRollingGrip = 4;
 
-/// Contacts that a fragment stands on of which none has been counted yet: the particles of a face of it, or
-/// nearly so.
-DEM_FN double contactsUncounted(const RigidBody& body) {
-    const double root = body.least_share;
-    return root * squareRoot(squareRoot(root));
+/// Contacts with colliders among which the mass of a fragment is shared. What touches already when its bonds
+/// come to rest goes on as soft as any contact: the harder it pressed in a longer step, the more leapfrog
+/// would change its energy (physics B.1).
+DEM_FN double standShare(const RigidBody& body) {
+    if (body.starts != 0) return body.contact_share;
+    return maxOf(body.least_stand, double(body.standing) / kContactsPerShare);
 }
 
 /// A rigid fragment's contact with a collider: its share of what the whole sets against a push there, over
@@ -140,20 +142,22 @@ struct TurnsFragment {
     DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
         const RigidBody& body = work.body[work.label[own.id]];
         const Sym3& j = body.inverse_inertia;
-        const Vec3<double> arm = asDouble(xyz(own.state.position) + at.arm) - body.centre,
-                           normal = asDouble(at.normal),
+        const Vec3<double> seed = asDouble(xyz(own.state.position)) - body.centre,
+                           arm = seed + asDouble(at.arm), normal = asDouble(at.normal),
                            lever = rotate(conjugate(body.turned), cross(arm, normal));
-        const double contacts = body.contacts > 0 ? body.contacts : contactsUncounted(body);
+        const double contacts = body.contacts > 0 ? body.contacts : kContactsPerShare * body.least_stand,
+                     standing = body.standing > 0 ? body.standing : kContactsPerShare * body.least_stand;
         const double diagonal = j.xx * j.xx + j.yy * j.yy + j.zz * j.zz;
         // At least the greatest principal value; of a ball the trace is 7.5 / (m R^2).
         const double norm = squareRoot(diagonal + 2 * (j.xy * j.xy + j.yz * j.yz + j.zx * j.zx));
         const double ball = 7.5 * body.inverse_mass / (j.xx + j.yy + j.zz);
         const double height = dot(arm, normal);
-        const double far = squareRoot(length2(arm)) + double(own.constants.floor_radius);
+        const double far = squareRoot(length2(seed)) + double(own.constants.floor_radius);
         const double lies = height * height > ball ? ball / (height * height) : 1.0;
-        return {Real(contacts * (body.inverse_mass + dot(lever, multiply(j, lever)))),
+        return {Real(standShare(body) / body.contact_share) * own.constants.inverseMass(),
+                Real(contacts * (body.inverse_mass + dot(lever, multiply(j, lever)))),
                 own.constants.inverseMass(),
-                Real(contacts * (body.inverse_mass + 0.5 * far * far * (j.xx + j.yy + j.zz))),
+                Real(standing * (body.inverse_mass + 0.5 * far * far * (j.xx + j.yy + j.zz))),
                 Real(kRollingGrip / ((1.0 + body.contacts) * norm)),
                 Real(kRollingRadiusShare * lies * squareRoot(ball))};
     }

@@ -22,13 +22,15 @@ DEM_FN uint32_t laneCount(uint32_t places) {
 /// About the fragment's centre.
 struct RigidSums {
     Vec3<double> force, torque;  ///< N, N m
-    uint32_t touching = 0;       ///< contacts that give it
-    uint32_t coming = 0;         ///< contacts that the next step will bring
+    uint32_t touching = 0;       ///< contacts that give it,
+    uint32_t standing = 0;       ///< and how many of them with colliders
+    uint32_t coming = 0;         ///< contacts with colliders that the next step will bring
 };
 DEM_FN void add(RigidSums& into, const RigidSums& other) {
     into.force = into.force + other.force;
     into.torque = into.torque + other.torque;
     into.touching += other.touching;
+    into.standing += other.standing;
     into.coming += other.coming;
 }
 
@@ -46,9 +48,6 @@ DEM_FN void placeParticle(const StateOut<Real>& out, uint32_t i, const Vec3<doub
 /// Contacts among which the mass of a fragment of `particles` is shared at least, and of a projectile.
 inline constexpr uint32_t kLeastShare = 4;
 
-/// From so many contacts for each of the least share on it grows: the step is stable far beyond.
-inline constexpr uint32_t kContactsPerShare = 4;
-
 /// A flat landing brings many contacts in one step. A contact that became softer with each of them would lose
 /// what it holds, and what had met the first ones stiffer than so many allow would be thrown back: so many
 /// are counted upon, the root of the particles, whether they touch or not.
@@ -58,10 +57,22 @@ DEM_FN uint32_t leastShare(uint32_t particles) {
     return root;
 }
 
-/// The mass of the fragment is shared among them from now on.
-DEM_FN void countContacts(RigidBody& body, uint32_t contacts) {
+/// Contacts with colliders of a flat landing: the particles of a face, or nearly so.
+DEM_FN double contactsOfFace(uint32_t particles) {
+    const double root = squareRoot(double(particles));
+    return root * squareRoot(squareRoot(root));
+}
+/// Contacts with colliders among which the mass of a fragment of so many particles is shared at least.
+inline constexpr double kLeastStand = 0.5;
+DEM_FN double leastStand(uint32_t particles) {
+    return maxOf(kLeastStand, contactsOfFace(particles) / kContactsPerShare);
+}
+
+/// The mass of the fragment is shared among them from now on. `standing`: those with colliders.
+DEM_FN void countContacts(RigidBody& body, uint32_t contacts, uint32_t standing) {
     const uint32_t wanted = contacts / kContactsPerShare;
     body.contacts = contacts;
+    body.standing = standing;
     body.contact_share = wanted > body.least_share ? wanted : body.least_share;
 }
 
@@ -145,7 +156,7 @@ struct StepRigid {
             const Vec3<double> torque =
                 axpy(carried_share, asDouble(felt.torque), asDouble(load.wrench.torque));
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            add(sums, {force, torque + cross(arm, force), load.touching, 0});
+            add(sums, {force, torque + cross(arm, force), load.touching, loads.standing(seat.place), 0});
         }
         return sums;
     }
@@ -159,13 +170,13 @@ struct StepRigid {
         body.starts = 0;
         if (body.isHeld()) {
             lead(body, stride * substep);
-            return countContacts(body, total.touching);
+            return countContacts(body, total.touching, total.standing);
         }
         const double fallen = substep * fallenSubsteps(body.flight, previous, stride, total.touching > 0);
         if (isLight(body.inverse_mass * total.force)) body.flight.free = 1;
         advance(body, push() * total.force, push() * total.torque, fallen * asDouble(params.gravity),
                 stride * substep);
-        countContacts(body, total.touching + total.coming);
+        countContacts(body, total.touching + total.coming, total.standing + total.coming);
     }
     /// What touches gives less than half of what gravity does (m/s^2): the body falls on.
     DEM_FN bool isLight(const Vec3<double>& given) const {

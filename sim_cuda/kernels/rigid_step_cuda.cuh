@@ -19,6 +19,7 @@ __device__ __forceinline__ RigidSums warpTotal(RigidSums sums, uint32_t lanes) {
     for (uint32_t step = lanes / 2; step > 0; step /= 2)
         add(sums, {exchanged(sums.force, step), exchanged(sums.torque, step),
                    __shfl_xor_sync(0xffffffffu, sums.touching, step),
+                   __shfl_xor_sync(0xffffffffu, sums.standing, step),
                    __shfl_xor_sync(0xffffffffu, sums.coming, step)});
     return sums;
 }

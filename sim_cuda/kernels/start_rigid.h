@@ -13,7 +13,7 @@ template <class Real>
 struct StartBodies {
     FragmentRows rows;
     Span<const uint32_t> label, regime, former;
-    Span<const uint32_t> memory;  ///< per slot, of the last step
+    Span<const BodyMemory> memory;  ///< per slot, of the last step
     StateIn<Real> state;
     Span<const ParticleConstants<Real>> constants;
     Span<const RigidMotion> motion;  ///< per slot of a body's fragment
@@ -34,9 +34,9 @@ struct StartBodies {
             body[slot] = ofProjectile(slot);
         }
         body[slot].starts = former[slot] == wordOf(Regime::kBonded) ? 1 : 0;
-        if (former[slot] != wordOf(Regime::kRigid)) return;
-        body[slot].flight = rememberedFlight(memory[slot]);
-        countContacts(body[slot], rememberedContacts(memory[slot]));
+        const BodyMemory last = former[slot] == wordOf(Regime::kRigid) ? memory[slot] : memoryOf({});
+        body[slot].flight = rememberedFlight(last);
+        countContacts(body[slot], rememberedContacts(last), last.standing);
     }
 
   private:
@@ -50,6 +50,7 @@ struct StartBodies {
         start.inverse_inertia = inverted(spin[rows.first[slot]].inertia);
         start.inverse_mass = 1 / pose[rows.first[slot]].now.mass;
         start.least_share = leastShare(rows.size[slot]);
+        start.least_stand = leastStand(rows.size[slot]);
         return start;
     }
     /// It hangs on the lowest of what is held of it, and nothing pushes it.
@@ -60,6 +61,7 @@ struct StartBodies {
         start.velocity = asDouble(xyz(state.velocity[leader]));
         start.spin = asDouble(xyz(state.spin[leader]));
         start.least_share = leastShare(rows.size[slot]);
+        start.least_stand = leastStand(rows.size[slot]);
         return start;
     }
     DEM_FN RigidBody ofProjectile(uint32_t slot) const {
@@ -72,6 +74,7 @@ struct StartBodies {
         start.inverse_inertia = {inverse, inverse, inverse, 0, 0, 0};
         start.inverse_mass = double(constants[slot].inverseMass());
         start.least_share = kLeastShare;
+        start.least_stand = kLeastShare;
         return start;
     }
 };
@@ -81,7 +84,8 @@ struct StartBodies {
 struct SplitRigid {
     Span<const uint32_t> label, owner;
     Span<const uint32_t> splits;  ///< per body: 1 of those that come apart
-    Span<uint32_t> regime, memory;
+    Span<uint32_t> regime;
+    Span<BodyMemory> memory;
     Span<CalmClock> clock;
 
     DEM_FN void operator()(uint32_t i) const {
@@ -108,7 +112,7 @@ struct SettleRegimes {
     StateOut<Real> state, other;  ///< the memory behind `in`; the other instant
     Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label, regime, former;
-    Span<const uint32_t> memory;  ///< per slot, of the last step: bodies themselves are in no snapshot
+    Span<const BodyMemory> memory;  ///< per slot, of the last step: bodies themselves are in no snapshot
     Span<const RigidBody> body;
     Span<Vec3<double>> arm;
     Span<Quat<double>> start_rotation;

@@ -76,7 +76,6 @@ struct WriteWork {
     Span<const uint32_t> flags;  ///< of fragments, as FlagIslands leaves them
     Span<const RigidBody> body;
     Span<const Vec3<double>> arm;
-    Span<const uint32_t> memory;  ///< per slot: of the last step
     Span<const ParticleConstants<Real>> own_constants;
     Span<uint32_t> active, fragment, first, last, bonded;
     Span<uint32_t> large;                       ///< entries with long rows, in any order
@@ -114,10 +113,8 @@ struct WriteWork {
         constants[k] = regime[slot] == wordOf(Regime::kBonded) ? own.seenByOther() : own;
         in_substeps[k] = own;
         if (regime[slot] != wordOf(Regime::kRigid)) return;
-        RigidBody start = body[slot];
-        countContacts(start, rememberedContacts(memory[slot]));
-        constants[k] = sharedConstants(start, arm[k], own);
-        in_substeps[k] = carriedConstants(start, constants[k], own);
+        constants[k] = sharedConstants(body[slot], arm[k], own);
+        in_substeps[k] = carriedConstants(body[slot], constants[k], own);
     }
     DEM_FN void tellLengths() const {
         words[kActiveCount] = sum(0, places.total);

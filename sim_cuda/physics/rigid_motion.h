@@ -41,7 +41,9 @@ struct RigidBody {
     double inverse_mass = 0;     ///< 1/kg
     uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
     uint32_t least_share = 1;    ///< and how many at least
-    uint32_t contacts = 0;       ///< that gave it something in the step before, or will in the next one
+    double least_stand = 1;      ///< the same of contacts with colliders
+    uint32_t contacts = 0;       ///< that gave it something in the step before, or will in the next one,
+    uint32_t standing = 0;       ///< and how many of them with colliders
     uint32_t starts = 0;         ///< 1: the step before was a substep of its particles
     Flight flight;
 

@@ -80,11 +80,11 @@ void Decisions<Backend, Real>::bookSoftening(uint32_t stride) {
     carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);
     rigid.params = rigidParams(scene_.params, stride, stride);
-    scene_.backend.forEach(
-        scene_.tables.counts.total,
-        BookSoftening<Real>{bonded, carried, rigid, scene_.fragments.clusters.fragment(),
-                            scene_.regimes.regime(), scene_.regimes.former(), scene_.data.ledger.span()},
-        "book softening");
+    scene_.backend.forEach(scene_.tables.counts.total,
+                           BookSoftening<Real>{bonded, carried, rigid, scene_.regimes.rigid(),
+                                               scene_.fragments.clusters.fragment(), scene_.regimes.regime(),
+                                               scene_.regimes.former(), scene_.data.ledger.span()},
+                           "book softening");
 }
 
 template <class Backend, class Real>

@@ -24,8 +24,8 @@ void withMeetingThreads(uint32_t total, const Visit& visit) {
 /// A decision, by the slot of each fragment.
 struct Decision {
     Span<const uint32_t> regime, flags;
-    Span<const uint32_t> meets;  ///< per particle; empty: particles have been moved since
-    Span<uint32_t> body_memory;  ///< of rigid fragments, from step to step
+    Span<const uint32_t> meets;    ///< per particle; empty: particles have been moved since
+    Span<BodyMemory> body_memory;  ///< of rigid fragments, from step to step
 };
 
 template <class Backend, class Real>
@@ -132,7 +132,6 @@ void MovedLists<Backend, Real>::write(const MeetingsIn<Real>& meetings, const Pl
                                 decision.flags,
                                 body_.view(),
                                 arm_.view(),
-                                decision.body_memory,
                                 meetings.constants,
                                 active_.span(),
                                 fragment_.span(),

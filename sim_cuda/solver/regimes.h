@@ -114,7 +114,7 @@ class Regimes {
         visit(body_memory_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
-    Span<const uint32_t> bodyMemory() const { return body_memory_.view(); }
+    Span<const BodyMemory> bodyMemory() const { return body_memory_.view(); }
     Span<const uint32_t> former() const { return former_.view(); }  ///< before the last decision
 
   private:
@@ -137,7 +137,8 @@ class Regimes {
     uint32_t calm_substeps_, rest_substeps_, crumb_;
     Buffer<double> calm_speed2_;
     Buffer<WakeLaw<Real>> wake_;
-    Buffer<uint32_t> regime_, former_, island_, flags_, meets_, speeds_, body_memory_;
+    Buffer<uint32_t> regime_, former_, island_, flags_, meets_, speeds_;
+    Buffer<BodyMemory> body_memory_;
     Buffer<CalmClock> clock_;
     MovedLists<Backend, Real> moved_;
     typename Backend::Reader reader_;
@@ -188,8 +189,9 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     }
     calm_speed2_ = backend.uploaded(calm);
     wake_ = backend.uploaded(wake);
-    for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &speeds_, &body_memory_})
+    for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &speeds_})
         *words = backend.template allocate<uint32_t>(total);
+    body_memory_ = backend.template allocate<BodyMemory>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     moved_.allocate(tables);
     backend.synchronize();  // the host copies go out of scope

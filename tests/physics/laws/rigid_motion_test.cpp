@@ -79,10 +79,12 @@ TEST(Flight, IsRememberedWithItsSign) {
     for (const int32_t lag : {-9, 0, 9}) {
         RigidBody body;
         body.contacts = 77;
+        body.standing = 70;
         body.flight = {lag, 1};
         EXPECT_EQ(rememberedFlight(memoryOf(body)).lag, lag);
         EXPECT_EQ(rememberedFlight(memoryOf(body)).free, 1u);
         EXPECT_EQ(rememberedContacts(memoryOf(body)), 77u);
+        EXPECT_EQ(memoryOf(body).standing, 70u);
     }
 }
 

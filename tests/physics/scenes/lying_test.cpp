@@ -73,8 +73,8 @@ TEST(Lying, WhatIsDrawnOfRestingPiecesLiesOnTheFloor) {
         std::printf("%s: %zu pieces on the floor, %.3f h deep at most, %.4f h on the mean; %u awake\n",
                     row.scene, depths.size(), worst, mean, stats.awake_particles);
         EXPECT_GT(depths.size(), 10u);
-        EXPECT_LT(worst, 0.5) << row.scene;
-        EXPECT_LT(mean, 0.08) << row.scene;
+        EXPECT_LT(worst, 0.25) << row.scene;
+        EXPECT_LT(mean, 0.025) << row.scene;
     }
 }
 
