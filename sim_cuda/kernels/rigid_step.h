@@ -63,7 +63,7 @@ DEM_FN double contactsOfFace(uint32_t particles) {
     return root * squareRoot(squareRoot(root));
 }
 /// Contacts with colliders among which the mass of a fragment of so many particles is shared at least.
-inline constexpr double kLeastStand = 0.5;
+inline constexpr double kLeastStand = 1;
 DEM_FN double leastStand(uint32_t particles) {
     return maxOf(kLeastStand, contactsOfFace(particles) / kContactsPerShare);
 }

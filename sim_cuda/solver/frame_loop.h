@@ -263,7 +263,9 @@ Stretch FrameLoop<Backend, Real>::nextStretch() const {
     const auto until = [&](uint32_t substeps) {
         return frame_->steps.untilEnd(substeps / kRigidStride, frame_->at());
     };
-    const uint32_t length = untilNextStart(std::min(until(nominal.length()), untilDecision())),
+    // What is due within the contact step right after a decision has been decided by it.
+    const uint32_t decided = std::max(untilDecision(), until(kRigidStride)),
+                   length = untilNextStart(std::min(until(nominal.length()), decided)),
                    first = std::min(length, until(nominal.first));
     return {first, length - first};
 }
@@ -277,13 +279,11 @@ void FrameLoop<Backend, Real>::runAwake(uint32_t n) {
 
 template <class Backend, class Real>
 void FrameLoop<Backend, Real>::decideIfDue(uint32_t remaining) {
-    if (lists_.due()) {
-        buildLists();
-        if (decisions_.isNeededByNewLists(lists_.remaining(scene_.lists.horizon(), remaining)))
-            decide(false, remaining);
-    } else if (untilDecision() == 0) {
+    const bool new_lists = lists_.due(), is_due = untilDecision() == 0;
+    if (new_lists) buildLists();
+    if (is_due ||
+        (new_lists && decisions_.isNeededByNewLists(lists_.remaining(scene_.lists.horizon(), remaining))))
         decide(false, remaining);
-    }
 }
 
 /// remaining: substeps of the frame that are still to come. The next decision comes with the next contact
