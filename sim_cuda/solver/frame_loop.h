@@ -173,7 +173,7 @@ void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
     stepper_.listsChange();
     frame_start_.keep(scene_);
     startProjectiles();
-    leadHeld(std::min(n, stretch().length()));
+    leadHeld(std::min(n, kRigidStretch.length()));  // what the last decision counted is in no snapshot
     if (!scene_.regimes.on()) return;
     freshenLists();
     decide(true, n);
