@@ -203,23 +203,6 @@ TEST_F(Paths, ARunGoesOnFromASnapshotToTheSameBits) {
     EXPECT_EQ(solver->stateHash(), hash);
 }
 
-/// What leads in a curve is as fast as the next stretch needs it: its length follows from the state alone,
-/// not from what moved before the start was put back.
-TEST_F(Paths, AStartThatIsPutBackGoesOnAsANewRun) {
-    SceneSetup setup = hammer();
-    setup.anchors[0].path = {{{0.3, {0.6, 0, 0}, {0, 0, -1}}}, false};
-    auto fresh = makeSolver(with(setup, {true, true})), used = makeSolver(with(setup, {true, true}));
-    const Snapshot start = used->save();
-    advance(*used, 3);
-    used->restore(start);
-    for (int frame = 0; frame < 25; ++frame) {
-        advance(*used, 1);
-        advance(*fresh, 1);
-        ASSERT_EQ(used->stateHash(), fresh->stateHash()) << frame;
-    }
-    EXPECT_GT(fresh->stats().bonds_broken, 0u);
-}
-
 TEST_F(PathsOnTheCpu, TheNumberOfThreadsChangesNoBit) {
     uint64_t hash[2];
     for (const size_t threads : {1u, 2u}) {
