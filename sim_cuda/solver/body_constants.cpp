@@ -66,23 +66,32 @@ static double strengthOf(const BodyInstance& instance, const SofteningReport& re
            bondStrength(material.beta, material.density, report.wave_speed, material.critical_velocity);
 }
 
+/// Pa: with it the body is as stiff as the material.
+static double realBondModulus(const Material& material) {
+    return material.bond_law == BondLaw::kSpheres ? material.youngs_modulus
+                                                  : material.youngs_modulus / effectiveModulusOf(material, 1);
+}
+
+/// Pa: the most that the step bears.
+static double softenedBondModulus(const BodyInstance& instance, double safety, double trial_omega,
+                                  double dt) {
+    if (trial_omega > 0) return bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
+    // No bonds: c_eff = kappa sf h / dt with the kappa of solid bodies (E.1).
+    const Material& material = instance.material;
+    const double speed = 0.68 * safety * instance.body->spacing / dt;
+    return material.density * speed * speed / effectiveModulusOf(material, 1);
+}
+
 BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
                             double dt) {
     const Material& material = instance.material;
     const double safety = std::min(params.step_safety, dampedStepShare(material.damping_ratio));
     BodyConstants constants;
     SofteningReport& report = constants.report;
-    if (!params.soften)
-        report.bond_modulus = material.bond_law == BondLaw::kSpheres
-                                  ? material.youngs_modulus
-                                  : material.youngs_modulus / effectiveModulusOf(material, 1);
-    else if (trial_omega > 0)
-        report.bond_modulus = bondModulusForStep(kTrialModulus, trial_omega, safety, dt);
-    else {  // no bonds: c_eff = kappa sf h / dt
-            // with the kappa of solid bodies (E.1)
-        const double speed = 0.68 * safety * instance.body->spacing / dt;
-        report.bond_modulus = material.density * speed * speed / effectiveModulusOf(material, 1);
-    }
+    report.bond_modulus = realBondModulus(material);
+    if (params.soften)
+        report.bond_modulus =
+            std::min(report.bond_modulus, softenedBondModulus(instance, safety, trial_omega, dt));
     report.effective_modulus = effectiveModulusOf(material, report.bond_modulus);
     report.wave_speed = waveSpeed(report.effective_modulus, material.density);
     report.strength = strengthOf(instance, report);

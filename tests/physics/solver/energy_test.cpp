@@ -45,6 +45,24 @@ TEST_F(Energy, TheLedgerClosesThroughAnImpact) {
     EXPECT_GT(broken, 0.1);
 }
 
+/// Were they as stiff as their steps would bear, they would lie on less than a last digit of their size.
+TEST_F(Energy, TheLedgerClosesForCellsOfTwentyMetres) {
+    SceneSetup setup = freeBody(latticeBody(1, 2, 1, 20));
+    setup.bodies[0].position = {0, 0.1, 0};
+    setup.bodies[0].rotation = {0, 0, 0.008, 0.99997};
+    setup.params.colliders.push_back(Plane{});
+    setup.params.gravity = {0, -9.81, 0};
+    setup.params.substeps = 422;
+    auto solver = makeSolver(setup);
+    solver->measure();
+    const double before = energySum(solver->stats().energy), height = solver->stats().energy.potential;
+    for (int frame = 0; frame < 60; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    const double fallen = height - solver->stats().energy.potential;
+    EXPECT_GT(fallen, 0.03 * 9.81 * solver->stats().mass) << "it has landed";
+    EXPECT_NEAR(energySum(solver->stats().energy), before, 0.01 * fallen);
+}
+
 /// Mean error of drops that differ a little, at a step so many times finer and the same wave speed. One drop
 /// alone tells little: two thirds of its bonds break, and other ones at every step.
 double meanError(uint32_t finer) {

@@ -33,6 +33,17 @@ TEST(SolverSetup, RowsHoldEveryBondTwiceAndSorted) {
         EXPECT_EQ(tables.slots[tables.slot_of_bond[b]].other, setup.bodies[0].body->bonds[b].j);
 }
 
+TEST(SolverSetup, NoBodyIsStifferThanItsMaterial) {
+    const auto modulus = [](double edge, uint32_t substeps) {
+        SceneSetup setup = freeBody(latticeBody(1, 2, 1, edge));
+        setup.params.substeps = substeps;
+        return buildSceneTables(setup, {}).body[0].report.effective_modulus;
+    };
+    const double real = freeBody(latticeBody(1, 2, 1, 1)).bodies[0].material.youngs_modulus;
+    EXPECT_NEAR(modulus(20, 422), real, 1e-9 * real) << "its step would bear 4000 times as much";
+    EXPECT_LT(modulus(0.05, 422), 0.1 * real);
+}
+
 TEST(SolverSetup, ContactRadiiNeverOverlapAtRest) {
     const auto body = latticeBody(5, 4, 6, 0.1, 0.3);
     const auto radii = contactRadii(*body);
