@@ -20,7 +20,8 @@ class FragmentMotion {
     using Buffer = typename Backend::template Buffer<T>;
 
     /// rest_position: per particle in bodies, m, in the frame that orientation 1 belongs to. body_particles:
-    /// how many particles each body has, in order. across: fragments may be of several bodies.
+    /// how many particles each body has, in order. across: fragments may be of several bodies, of which none
+    /// is whole by itself.
     FragmentMotion(Backend& backend, const std::vector<Vec4<Real>>& rest_position,
                    const std::vector<uint32_t>& body_particles, bool across);
 
@@ -73,7 +74,8 @@ FragmentMotion<Backend, Real>::FragmentMotion(Backend& backend, const std::vecto
       count_(static_cast<uint32_t>(rest_position.size())),
       largest_body_(across ? count_ : *std::max_element(body_particles.begin(), body_particles.end())),
       rest_position_(backend.uploaded(rest_position)),
-      body_particles_(backend.uploaded(body_particles)),
+      body_particles_(
+          backend.uploaded(across ? std::vector<uint32_t>(body_particles.size()) : body_particles)),
       owner_(backend.uploaded(ownersOf(body_particles))),
       former_size_(backend.template allocate<uint32_t>(count_)),
       age_(backend.template allocate<uint32_t>(count_)),

@@ -67,11 +67,18 @@ class Fragments : public Clusters<Backend, Real> {
             of_bodies_->clusters.update(rows, data.bonds.link.view(), data.particles.owner.view());
     }
     /// A frame has passed.
-    void advanceAges() { drawn().motion.advanceAges(drawn().clusters.rows()); }
+    void advanceAges() {
+        forEachClusters([](auto& some) { some.motion.advanceAges(some.clusters.rows()); });
+    }
     /// Mass and pose of each, of the present state.
     void gather(const SolverData<Backend, Real>& data) {
-        Clusters<Backend, Real>::gather(data);
-        if (of_bodies_) of_bodies_->gather(data);
+        forEachClusters([&](auto& some) { some.gather(data); });
+    }
+    /// Calls visit(clusters): what moves as one, and what is drawn where that is another matter.
+    template <class Visit>
+    void forEachClusters(const Visit& visit) {
+        visit(static_cast<Clusters<Backend, Real>&>(*this));
+        if (of_bodies_) visit(*of_bodies_);
     }
     /// Both at once: particles were put elsewhere and bonds set otherwise.
     void follow(const SolverData<Backend, Real>& data) {

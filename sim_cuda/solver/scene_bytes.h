@@ -19,7 +19,7 @@ void writeScene(ByteStream& out, DeviceScene<Backend, Real>& scene) {
     visitFixedBuffers(scene, [&](auto& buffer) { write(buffer.view()); });
     write(contacts.neighbour.view().part(0, contacts.used));
     write(contacts.spring.view().part(0, contacts.used));
-    out.writeVector(scene.fragments.drawn().motion.saveState());
+    scene.fragments.forEachClusters([&](auto& some) { out.writeVector(some.motion.saveState()); });
 }
 
 /// Throws std::out_of_range when the bytes are of another scene; part of them has been taken over then.
@@ -37,7 +37,8 @@ void readScene(ByteStream& in, DeviceScene<Backend, Real>& scene) {
     auto& contacts = scene.lists.contacts();
     readInto(contacts.neighbour.span().part(0, contacts.used));
     readInto(contacts.spring.span().part(0, contacts.used));
-    scene.fragments.drawn().motion.restoreState(in.readVector<std::byte>());
+    scene.fragments.forEachClusters(
+        [&](auto& some) { some.motion.restoreState(in.readVector<std::byte>()); });
 }
 
 }  // namespace demolish
