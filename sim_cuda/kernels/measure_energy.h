@@ -41,14 +41,13 @@ struct MeasureEnergy {
     Vec3<double> gravity;                ///< m/s^2
     Span<const uint32_t> label, regime;  ///< of fragments; none: nothing sleeps or is rigid
     Span<const BodyMemory> memory;       ///< of rigid bodies, per slot
-    bool lets_go = false;     ///< of contacts, what they lose if their force ends with the last kick
-    bool knows_rigid = true;  ///< the ledger holds what is of contact steps, where something is rigid
+    bool lets_go = false;  ///< of contacts, what they lose if their force ends with the last kick
 
     DEM_FN MechanicalSums operator()(uint32_t i) const {
         MechanicalSums sums;
         const OwnParticle<Real> own = loadOwn(arrays, i);
         if (!own.constants.takesPart()) return sums;
-        const bool counts = isMoved(i, Regime::kBonded) || (knows_rigid && isMoved(i, Regime::kRigid));
+        const bool counts = isMoved(i, Regime::kBonded) || isMoved(i, Regime::kRigid);
         Vec4<Real> booked = counts ? arrays.ledger[i] : Vec4<Real>{};
         sums.damping = static_cast<double>(bookedDamping(booked));
         sums.friction = static_cast<double>(bookedFriction(booked));
@@ -166,7 +165,7 @@ struct MeasureEnergy {
             pressedOn<false>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
         if (!(at.depth > Real(0))) return Real(0);
         const TouchLaw<Real> law = pressingLaw<TurnedWith::kStep>(
-            wallLaw(arrays, params, own.owner, c), params, own, at, turned_with(own, at), Real(0), spring);
+            wallLaw(arrays, params, own.owner, c), params, own, at, turned_with(own, at), {}, spring);
         return touchEnergy(law, params, at.depth, xyz(spring));
     }
 };

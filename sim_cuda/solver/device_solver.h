@@ -173,8 +173,12 @@ double DeviceSolver<Backend, Real>::fire(const Projectile& projectile) {
 
 template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::measure() {
-    loop_.withGoodLists(
-        [&] { books_.setMechanical(energy_.measure(scene_, loop_.stepper()), projectiles_.work()); });
+    const uint32_t undecided = loop_.undecidedFrame();
+    if (undecided > 0) loop_.beginFrame(undecided);
+    loop_.withGoodLists([&] {
+        books_.setMechanical(energy_.measure(scene_, loop_.stepper(), undecided > 0), projectiles_.work());
+    });
+    if (undecided > 0) loop_.giveUpFrame();
 }
 
 template <class Backend, class Real>

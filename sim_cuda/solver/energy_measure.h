@@ -12,8 +12,10 @@ template <class Backend, class Real>
 class EnergyMeasure {
   public:
     /// Dry steps give the velocities after the next kick and what its first half dissipates; then all is put
-    /// back. The contact lists must be good. Waits.
-    MechanicalSums measure(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper);
+    /// back. The contact lists must be good. decided_now: how fragments are moved has been decided for this
+    /// measurement alone, and what that dissipates is part of it. Waits.
+    MechanicalSums measure(DeviceScene<Backend, Real>& scene, Stepper<Backend, Real>& stepper,
+                           bool decided_now);
 
   private:
     Checkpoint<Backend, Real> present_;
@@ -21,11 +23,11 @@ class EnergyMeasure {
 
 template <class Backend, class Real>
 MechanicalSums EnergyMeasure<Backend, Real>::measure(DeviceScene<Backend, Real>& scene,
-                                                     Stepper<Backend, Real>& stepper) {
+                                                     Stepper<Backend, Real>& stepper, bool decided_now) {
     auto& data = scene.data;
     const uint32_t now = data.current;
     present_.keep(scene);
-    scene.backend.fill(data.ledger.span(), Vec4<Real>{});
+    if (!decided_now) scene.backend.fill(data.ledger.span(), Vec4<Real>{});
     stepper.runDry(scene);
     const Double3 g = scene.setup.params.gravity;
     MeasureEnergy<Real> energy{
@@ -35,7 +37,6 @@ MechanicalSums EnergyMeasure<Backend, Real>::measure(DeviceScene<Backend, Real>&
         energy.label = scene.fragments.clusters.fragment();
         energy.regime = scene.regimes.regime();
         energy.memory = scene.regimes.bodyMemory();
-        energy.knows_rigid = scene.regimes.listsStand();
     }
     const MechanicalSums sums = scene.backend.reduce(scene.tables.counts.total, MechanicalSums{}, energy,
                                                      SumInto<MechanicalSums>{}, "measure energies");

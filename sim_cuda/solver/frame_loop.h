@@ -20,20 +20,11 @@
 #include "sim_cuda/solver/decisions.h"
 #include "sim_cuda/solver/list_schedule.h"
 #include "sim_cuda/solver/look_interval.h"
+#include "sim_cuda/solver/loop_state.h"
 #include "sim_cuda/solver/state_look.h"
 #include "sim_cuda/solver/stray_paths.h"
 
 namespace demolish {
-
-/// What changes on the host while stepping.
-struct LoopState {
-    uint64_t substeps = 0;  ///< since the start
-    uint64_t quiet = 0;     ///< 1: nothing has moved in the last frame, nor will unless it is shot at
-    uint64_t contact_stride = kRigidStride;  ///< substeps of the last contact step
-    Projectiles::State projectiles;
-    ListSchedule::State lists;
-    DecisionState decisions;
-};
 
 /// Owns what decides the order of the work: when lists are built, regimes decided, looks taken.
 template <class Backend, class Real>
@@ -62,8 +53,15 @@ class FrameLoop {
     /// a bad status everything is as it was.
     Frame advance(uint32_t n, const FrameWatch& watch);
     bool frameUnfinished() const { return frame_.has_value(); }
+    /// Sets the state aside and decides how each fragment is moved in a frame of n substeps.
+    void beginFrame(uint32_t n);
     /// Everything is as it was before an unfinished frame.
     void giveUpFrame();
+    /// Substeps of the last frame, whose state has been put back without what was decided for it; else 0.
+    uint32_t undecidedFrame() const {
+        const auto& regimes = scene_.regimes;
+        return frame_ || !regimes.on() || regimes.listsStand() ? 0 : decisions_.lastFrame();
+    }
     /// One stretch, of substeps, and nothing around it.
     StepStatus runStretch(const Stretch& part);
     /// Those whose time has come take part from now on.
@@ -90,7 +88,6 @@ class FrameLoop {
     };
 
     bool staysQuiet(uint32_t n) const;
-    void beginFrame(uint32_t n);
     StepStatus runFrame(const FrameWatch& watch);
     Stretch stretch() const;
     /// Of the frame under way: to the ends of as many contact steps, or as far as the next start of a
@@ -174,7 +171,7 @@ void FrameLoop<Backend, Real>::beginFrame(uint32_t n) {
     frame_start_.keep(scene_);
     startProjectiles();
     leadHeld(std::min(n, kRigidStretch.length()));  // what the last decision counted is in no snapshot
-    if (!scene_.regimes.on()) return;
+    if (!scene_.regimes.on()) return scene_.startBonded(n * scene_.tables.time_step);
     freshenLists();
     decide(true, n);
 }

@@ -28,8 +28,7 @@ class Stepper {
     /// One substep of what is moved with its bonds, and the kick of a contact step of what is rigid, that are
     /// no steps of the run: scene.state() is that after the substep, and by how much the other changes
     /// velocities lies in SubstepArrays::carried until endDry(). The ledger books the first half of the
-    /// kicks. Where an earlier state was put back and nothing has been decided since, the kick of what is
-    /// rigid is not known, nor what it dissipates.
+    /// kicks. Before anything has been decided all is moved with its bonds.
     void runDry(Scene& scene);
     void endDry(Scene& scene);
 

@@ -114,7 +114,27 @@ TEST_F(HardHit, InContactStepsIsFoundWhateverTheSubstepsOfAFrame) {
     }
 }
 
-/// Bodies and lists of a decision are no part of a snapshot.
+/// Bodies and lists of a decision are no part of a snapshot: it is made for the measurement.
+TEST_F(HardHit, AStatePutBackIsMeasuredInTheMiddleOfAHitAsItWas) {
+    SceneSetup setup = cellBesideAColumn(0.05);
+    setup.bodies.resize(1);
+    setup.bodies[0].body = latticeBody(2, 2, 2, 0.1);
+    setup.bodies[0].material.restitution = 0.1;
+    auto solver = makeSolver(setup), other = makeSolver(setup);
+    double most_taken = 0;
+    for (int frame = 0; frame < 40; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        if (frame < 10) continue;
+        ASSERT_EQ(solver->stats().rigid_fragments, 1u);
+        solver->measure();
+        const EnergyLedger now = solver->stats().energy;
+        most_taken = std::max(most_taken, now.elastic);
+        other->restore(solver->save());
+        other->measure();
+        EXPECT_NEAR(energySum(other->stats().energy), energySum(now), 1e-4 * 240) << frame;
+    }
+    EXPECT_GT(most_taken, 1) << "it has landed meanwhile";
+}
 TEST_F(HardHit, AStatePutBackIsMeasuredBeforeAnythingIsDecided) {
     SceneSetup setup = cellBesideAColumn(0.05);
     setup.bodies.resize(1);
