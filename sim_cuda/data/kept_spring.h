@@ -40,6 +40,17 @@ DEM_FN KeptTouch<Real> touchOf(const Vec4<Real>& kept, const Vec3<Real>& normal)
     const Real along = dot(xyz(kept), normal);
     return {axpy(-along, normal, xyz(kept)), softestOf(kept), maxOf(along, Real(0))};
 }
+/// Against a collider nothing is ever found unseen: there the sign tells a touch that began as a hard
+/// landing.
+template <class Real>
+DEM_FN Vec4<Real> markedHard(Vec4<Real> kept, bool is_hard) {
+    if (is_hard) kept.w = -kept.w;
+    return kept;
+}
+template <class Real>
+DEM_FN bool isHardLanding(const Vec4<Real>& kept) {
+    return kept.w < Real(0);
+}
 template <class Real>
 DEM_FN bool hasBeenSofter(const Vec4<Real>& kept) {
     return softestOf(kept) > Real(0);

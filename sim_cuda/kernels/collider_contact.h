@@ -3,6 +3,7 @@
 // springs side by side. What they press with acts at their centre of pressure, and so do friction and damper.
 // A particle without corners is a sphere.
 #pragma once
+#include "sim_cuda/kernels/landing.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
 namespace demolish {
@@ -230,50 +231,38 @@ DEM_FN Real leastToMesh(const ColliderSet<Real>& colliders, uint32_t c, const Ow
                                lowPart(state.position, state.velocity, state.spin));
 }
 
-/// A bonded body gives back two thirds of the speed of a landing that breaks nothing: its floor is hard, and
-/// the wave comes back from its top. Landings slower than PairLaw::gentle meet a floor that is soft, with a
-/// damper near the body's own impedance, so that the wave goes out into it. From this share of that speed on
-/// they are landings: what stands must not sink.
-inline constexpr double kLandingShare = 0.08;
-/// Stiffness of such a contact and the share of the full damper.
-inline constexpr double kGentleStiffness = 0.02, kGentleDamping = 0.5;
+/// All springs of a contact together never get stiffer than a share over dt^2, in terms of what answers at
+/// the corner that gives way most (a flat cell turns easily under its corners), nor its damper greater than
+/// another over dt, in terms of what answers where it presses. Steps are stable while the first and twice the
+/// second, added over all that holds a particle, stay below 4. In contact steps that may be spent on one
+/// contact, and a restitution of 0.1 asks for it; in substeps half of it is left to bonds: a wall of two
+/// cells between its floor, its bond and a ball gained six times what the ball had brought.
+template <StepKind kStep>
+inline constexpr double kStableShare = kStep == StepKind::kSubstep ? 1.2 : 2.4;
+template <StepKind kStep>
+inline constexpr double kStableDamping = kStep == StepKind::kSubstep ? 0.4 : 0.8;
 
-/// N/m that the law may not exceed: what has been kept since the touch began, or what one that begins now at
-/// `approach` (m/s) makes of `full`.
-template <StepKind kStep, class Real>
-DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& params, Real full, Real approach,
-                        const Vec4<Real>& kept) {
-    const bool lands = kStep == StepKind::kSubstep && params.hertz == 0 && holdsNothing(kept) &&
-                       approach > Real(kLandingShare) * wall.gentle && approach < wall.gentle;
-    return lands ? Real(kGentleStiffness) * full : softestOf(kept);
-}
-
-/// All springs of a contact together never get stiffer than kStableShare over dt^2, in terms of what answers
-/// at the corner that gives way most (a flat cell turns easily under its corners), nor its damper greater
-/// than kStableDamping over dt, in terms of what answers where it presses. Steps are stable while the first
-/// is below 4 - 2 times the second.
-inline constexpr double kStableShare = 2.4, kStableDamping = 0.8;
-
-/// The law of what is pressed on: springs and damper of all its points. `approach`: m/s, along the normal.
+/// The law of what is pressed on: springs and damper of all its points.
 template <StepKind kStep, class Real>
 DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Real>& params,
                                   const OwnParticle<Real>& own, const Pressed<Real>& at,
-                                  const Turning<Real>& turning, Real approach, const Vec4<Real>& kept) {
+                                  const Turning<Real>& turning, const Landing<Real>& landing,
+                                  const Vec4<Real>& kept) {
     const Real radius = own.constants.contact_radius;
     const PairInertia<Real> against{turning.each_inverse, own.constants.inverse_inertia};
     const Real full = fullStiffness(wall, params, against, Real(1) / against.inverse_mass);
-    const Real stable = Real(kStableShare) / (at.springs * turning.most_inverse * (params.dt * params.dt));
-    const Real softest = noStifferThan(softestFrom<kStep>(wall, params, full, approach, kept), stable);
-    const bool gentle = kStep == StepKind::kSubstep && softest > Real(0) &&
-                        !(softest > Real(1.001 * kGentleStiffness) * full);
+    const Real stable =
+        Real(kStableShare<kStep>) / (at.springs * turning.most_inverse * (params.dt * params.dt));
+    const Real softest = noStifferThan(softestFrom<kStep>(wall, params, full, landing, kept), stable);
     TouchLaw<Real> law =
         contactTouchLaw<kStep>(wall, params, maxOf(at.depth, Real(0)), radius, against, softest);
     law.softens = true;
     law.elastic = at.springs * law.elastic;
-    law.normal_damping = minOf(
-        contactDamping(wall, params, gentle ? Real(kGentleDamping * kGentleDamping) * full : law.stiffness,
-                       contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
-        Real(kStableDamping) / (turning.inverse_mass * params.dt));
+    law.normal_damping =
+        minOf(contactDamping(
+                  wall, params, dampedStiffness<kStep>(wall, full, softest, law.stiffness, landing.is_hard),
+                  contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
+              Real(kStableDamping<kStep>) / (turning.inverse_mass * params.dt));
     law.shear_damping =
         minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
     law.resting = law.shear_resting = Real(0);
@@ -321,16 +310,17 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     const Vec3<Real> across = axpy(down, at.normal, at.arm);
     const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
     const Real approach = -dot(velocity, at.normal);
-    const auto law_now = [&] {
-        return pressingLaw<kStep>(wallLaw(arrays, params, own.owner, c), params, own, at,
-                                  turned_with(own, at), approach, spring);
+    const PairLaw<Real>& wall = wallLaw(arrays, params, own.owner, c);
+    const auto law_now = [&](const Landing<Real>& landing) {
+        return pressingLaw<kStep>(wall, params, own, at, turned_with(own, at), landing, spring);
     };
     if (!(at.depth > Real(0))) {
-        releaseTouch<kLedger>(kLedger ? law_now() : TouchLaw<Real>{}, at.change, before, spring, Real(1),
-                              tally);
+        releaseTouch<kLedger>(kLedger ? law_now({approach}) : TouchLaw<Real>{}, at.change, before, spring,
+                              Real(1), tally);
         return {{}, at.gap < Real(kStepsAhead) * params.dt * approach};
     }
-    const TouchLaw<Real> law = law_now();
+    const Landing<Real> landing = landingOf<kStep>(wall, arrays, params, own, at.normal, approach, spring);
+    const TouchLaw<Real> law = law_now(landing);
     PairMotion<Real> pair;
     pair.velocity_i = velocity;
     pair.spin_i = xyz(own.state.spin);
@@ -339,7 +329,7 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     effect.damping = seenFrom(across, effect.damping);
     effect.friction = seenFrom(across, effect.friction);
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
-    spring = packed(touchAfter(law, effect, before), at.normal);
+    spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.is_hard);
     return {seenFrom(across, effect.load), false};
 }
 

@@ -5,6 +5,7 @@
 #include "sim_cuda/data/bonds.h"
 #include "sim_cuda/data/colliders.h"
 #include "sim_cuda/data/corners.h"
+#include "sim_cuda/data/fragment_velocity.h"
 #include "sim_cuda/data/particles.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/physics/touch_law.h"
@@ -62,6 +63,7 @@ struct SubstepArrays {
     Span<Vec4<Real>> carried;  ///< two a particle: force and torque that a carried one felt in the substeps
                                ///< since the last contact step, added up; none: nothing is carried
     Span<Vec4<Real>> carried_tally;  ///< four a particle, for the ledger: of that, what damps and what rubs
+    FragmentVelocities<Real> fragments;
     BondedWork work;
 };
 

@@ -58,6 +58,7 @@ struct DeviceScene {
           release(backend, from, tables.owners()),
           held(backend, from, tables),
           params(makeStepParams<Real>(from.params, tables, mesh_steps.view())) {
+        data.label = fragments.clusters.fragment();
         uploadLaws(from.projectiles);
         lists.setBuried(tables.buried);
     }
@@ -79,6 +80,15 @@ struct DeviceScene {
         if (!held.on()) return;
         held.mark(fragments.clusters.fragment(), time(), time() + seconds);
         regimes.noteHolds(held.holds());
+    }
+
+    /// A frame of `seconds` starts in which everything is moved with its bonds.
+    void startBonded(double seconds) {
+        markHolds(seconds);
+        backend.forEach(tables.counts.in_bodies,
+                        data.startVelocities(fragments.clusters.rows(), fragments.motion.poses(),
+                                             held.on() ? held.holds() : HoldsIn{}),
+                        "start velocities");
     }
 
     /// For `release`, with good contact lists. soon: s until the next decision at the latest.

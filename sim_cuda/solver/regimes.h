@@ -361,7 +361,9 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
                                   counts_of_.in_bodies,
                                   frame_starts,
                                   holds_};
-    backend_.forEach(total, InTurn{choose, start}, "choose regimes and start bodies");
+    StartVelocities<Real> velocities = data.startVelocities(rows, motion.poses(), holds_);
+    velocities.moved = {regime_.view(), former_.view(), moved_.bodies(), frame_starts};
+    backend_.forEach(total, InTurn{choose, InTurn{start, velocities}}, "choose regimes and start bodies");
     backend_.forEach(
         total,
         SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),

@@ -8,6 +8,7 @@
 
 #include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/kernels/own_particle.h"
+#include "sim_cuda/kernels/start_velocities.h"
 #include "sim_cuda/solver/scene_tables.h"
 
 namespace demolish {
@@ -39,6 +40,9 @@ struct SolverData {
     Buffer<ParticleConstants<Real>> masses;  ///< of particles in bodies, where some are held: their own ones
     BondArrays<Backend, Real> bonds;
     Buffer<Vec4<Real>> collider_spring, ledger;
+    Buffer<Vec4<Real>> fragment_start;   ///< as in FragmentVelocities
+    Buffer<uint64_t> fragment_added[2];  ///< likewise
+    Span<const uint32_t> label;          ///< likewise
     Buffer<CornerRow<Real>> corner_row;
     Buffer<Vec4<Real>> corner;
     Buffer<BodyLaw<Real>> body_laws;
@@ -64,6 +68,18 @@ struct SolverData {
     /// The same where carried particles may be among those moved.
     SubstepArrays<Real> arraysInSubsteps(ContactArrays<Backend, Real>& contacts);
 
+    /// poses: of the present state. Everything is moved with its bonds, unless the caller says otherwise.
+    StartVelocities<Real> startVelocities(const FragmentRows& rows, Span<const PoseSums> poses,
+                                          const HoldsIn& holds) {
+        return {rows,
+                label,
+                poses,
+                holds,
+                fragment_start.span(),
+                {fragment_added[0].span(), fragment_added[1].span()},
+                {}};
+    }
+
   private:
     void uploadParticles(Backend& backend, const SceneTables& tables);
     void uploadBonds(Backend& backend, const SceneTables& tables);
@@ -78,6 +94,9 @@ SolverData<Backend, Real>::SolverData(Backend& backend, const SceneTables& table
     const uint32_t total = tables.counts.total;
     collider_spring = backend.template allocate<Vec4<Real>>(std::max<size_t>(1, size_t{colliders} * total));
     ledger = backend.template allocate<Vec4<Real>>(total);
+    fragment_start = backend.template allocate<Vec4<Real>>(total);
+    for (Buffer<uint64_t>& added : fragment_added)
+        added = backend.template allocate<uint64_t>(3 * size_t{total});
 }
 
 template <class Backend, class Real>
@@ -196,26 +215,28 @@ void SolverData<Backend, Real>::put(Backend& backend, uint32_t i, const LoadedSt
 
 template <class Backend, class Real>
 SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Real>& contacts) {
-    return {particles.in(current),
-            particles.out(1 - current),
-            particles.constants.view(),
-            particles.owner.view(),
-            bonds.row_start.view(),
-            contacts.row_start.view(),
-            bonds.rest.view(),
-            contacts.neighbour.view(),
-            body_laws.view(),
-            pair_laws.view(),
-            wall_laws.view(),
-            {corner_row.view(), corner.view()},
-            bonds.link.span(),
-            bonds.spring.span(),
-            contacts.spring.span(),
-            collider_spring.span(),
-            ledger.span(),
-            carried,
-            carried_tally,
-            work};
+    return {
+        particles.in(current),
+        particles.out(1 - current),
+        particles.constants.view(),
+        particles.owner.view(),
+        bonds.row_start.view(),
+        contacts.row_start.view(),
+        bonds.rest.view(),
+        contacts.neighbour.view(),
+        body_laws.view(),
+        pair_laws.view(),
+        wall_laws.view(),
+        {corner_row.view(), corner.view()},
+        bonds.link.span(),
+        bonds.spring.span(),
+        contacts.spring.span(),
+        collider_spring.span(),
+        ledger.span(),
+        carried,
+        carried_tally,
+        {label, fragment_start.view(), fragment_added[1 - current].view(), fragment_added[current].span()},
+        work};
 }
 
 template <class Backend, class Real>

@@ -94,5 +94,18 @@ TEST_F(Bounce, OfBondedBlocksIsTheSameWhereNothingCanBreak) {
             }
 }
 
+/// What comes faster may break, so that its floor is hard until it has come to a stop: of a wave that is then
+/// on its way through the block no floor law takes more.
+TEST_F(Bounce, OfBondedBlocksIsLessThanHalfOfAFastLanding) {
+    for (const uint32_t cells : {2u, 8u, 64u, 512u})
+        for (const Fall& fall : kFalls) {
+            const Rise rise = riseOf(falling(cells, fall, 3, 5));
+            std::printf("%4u bonded cells, %-6s at 3 m/s: %.3f, energy %.4f, broken %u\n", cells, fall.name,
+                        rise.share, rise.closure, rise.broken);
+            EXPECT_LT(rise.share, 0.45) << cells << " cells, " << fall.name;
+            EXPECT_NEAR(rise.closure, 1, 0.002) << cells << " cells, " << fall.name;
+        }
+}
+
 }  // namespace
 }  // namespace demolish::tests

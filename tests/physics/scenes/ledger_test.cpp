@@ -101,6 +101,24 @@ TEST(LedgerOfLongCells, ClosesWhereTheyLandOnTheirCorners) {
     }
 }
 
+/// Between its floor, its bond and a ball a cell is held from three sides at once.
+TEST(LedgerOfLongCells, ClosesWhereABallPressesThemOnTheirFloor) {
+    const auto file = std::filesystem::path(testing::TempDir()) / "wall.obj";
+    writeWall(file);
+    ShotOptions options;
+    options.model = file.string();
+    options.device = "cpu";
+    options.material = "stone";
+    options.impact_velocity = 0.9033;
+    options.particles = 2;
+    options.seed = 1919;
+    for (const double seconds : {0.1, 1.0}) {
+        const SceneOutcome outcome = outcomeOf(makeShot(options, "paper"), seconds);
+        std::printf("after %g s: closure %.4f\n", seconds, outcome.closure);
+        EXPECT_NEAR(outcome.closure, 1, 0.02) << seconds;
+    }
+}
+
 /// What lies in contact steps is pulled and pushed for the same time, also where a frame ends with a short
 /// one.
 TEST(LedgerOfShortSteps, ClosesWhereAFrameIsNoMultipleOfTenSubsteps) {

@@ -175,14 +175,16 @@ TEST_F(RoundColliders, ABodyThatFallsOntoASphereWakes) {
     setup.params.substeps = 100;
     auto solver = makeSolver(setup);
     bool was_rigid = false, woke = false;
+    double fastest_up = 0;  // m/s
     while (solver->stats().time < 0.45) {
         ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
         was_rigid = was_rigid || solver->stats().bonded_particles == 0;
         woke = woke || (was_rigid && solver->stats().bonded_particles > 0);
+        fastest_up = std::max(fastest_up, speedUp(*solver));
     }
     EXPECT_TRUE(woke);
     EXPECT_EQ(solver->stats().bonds_broken, 0u);
-    EXPECT_GT(speedUp(*solver), 0) << "it bounces";
+    EXPECT_GT(fastest_up, 0) << "it bounces";
 }
 
 }  // namespace
