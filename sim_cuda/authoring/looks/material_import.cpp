@@ -14,7 +14,9 @@
 #include <optional>
 #include <utility>
 
+#include "sim_cuda/authoring/looks/gltf_pictures.h"
 #include "sim_cuda/authoring/looks/image_import.h"
+#include "sim_cuda/authoring/looks/mtl_options.h"
 
 namespace demolish {
 namespace {
@@ -31,8 +33,14 @@ struct TextureSlot {
 class MaterialReader {
   public:
     /// `uv_sets`: that the meshes of this material have.
-    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, ImageImport& images)
-        : material_(material), is_gltf_(is_gltf), uv_sets_(uv_sets), images_(images) {}
+    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, const MtlOptions& options,
+                   ImageImport& images)
+        : material_(material),
+          name_(material.GetName().C_Str()),
+          is_gltf_(is_gltf),
+          uv_sets_(uv_sets),
+          options_(options),
+          images_(images) {}
 
     LookMaterial read() {
         readMaps();
@@ -71,30 +79,38 @@ class MaterialReader {
     ImageUse use(std::initializer_list<TextureSlot> slots) {
         for (const TextureSlot& slot : slots) {
             aiString path;
-            if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
+            material_.GetTexture(slot.type, 0, &path);
+            const MtlPicture* with_options = options_.find(name_, slot.type);
+            const std::string name = with_options != nullptr ? with_options->name : path.C_Str();
+            if (name.empty()) continue;
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
             // Of a file whose only set is its number 1, assimp keeps the number and moves the set to 0.
             if (uv_sets_ < 2) uv_set = 0;
             if (uv_set < 0 || uv_set > 1) {
-                images_.note(std::string("the texture '") + path.C_Str() +
-                             "' lies on a third set of UVs and is left out");
+                images_.note("the texture '" + name + "' lies on a third set of UVs and is left out");
                 return {};
             }
-            noteHowLaid(slot.type, path.C_Str(), laid_[size_t(uv_set)]);
+            noteHowLaid(slot.type, name, with_options, laid_[size_t(uv_set)]);
             material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
             material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
-            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
+            return {images_.imageOf(name), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
                     static_cast<uint8_t>(uv_set)};
         }
         return {};
     }
     /// The first picture of a set says how all of them are laid over it: the colours, where there are any.
-    void noteHowLaid(aiTextureType type, const std::string& name, std::optional<UvTransform>& laid) {
+    void noteHowLaid(aiTextureType type, const std::string& name, const MtlPicture* with_options,
+                     std::optional<UvTransform>& laid) {
         aiUVTransform transform;
         const bool is_said =
             is_gltf_ && material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS;
-        const UvTransform own = is_said ? uvTransformOfGltf(transform) : UvTransform{};
+        const UvTransform own = is_said                   ? uvTransformOfGltf(transform)
+                                : with_options != nullptr ? with_options->laid
+                                                          : UvTransform{};
+        if (with_options != nullptr)
+            for (const std::string& option : with_options->unfollowed)
+                images_.note("the option " + option + " of the texture '" + name + "' is not followed");
         if (!laid) laid = own;
         if (*laid != own)
             images_.note("the texture '" + name +
@@ -159,6 +175,8 @@ class MaterialReader {
         float scale = 1, strength = 1;
         material_.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
         material_.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), strength);
+        for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_HEIGHT})
+            if (const MtlPicture* picture = options_.find(name_, type)) scale = picture->bump;
         setNumbers(&look_.normal_scale, {scale}, 10);
         setNumbers(&look_.occlusion_strength, {strength}, 1);
     }
@@ -192,8 +210,10 @@ class MaterialReader {
     }
 
     const aiMaterial& material_;
+    const std::string name_;
     bool is_gltf_;
     int uv_sets_;
+    const MtlOptions& options_;
     ImageImport& images_;
     LookMaterial look_;
     std::array<std::optional<UvTransform>, 2> laid_;
@@ -227,6 +247,7 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
         looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
+    const MtlOptions options(model);
     std::vector<std::array<UvTransform, 2>> uv_transforms;
     bool any = looks->has_colours;
     const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
@@ -235,10 +256,15 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
         uv_transforms.emplace_back();
         const auto used = uv_sets.find(m);
         if (used == uv_sets.end()) continue;
-        MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, images);
+        MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, options, images);
         looks->materials[m] = reader.read();
         uv_transforms[m] = reader.uvTransforms();
-        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
+        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]) ||
+              options.names(scene.mMaterials[m]->GetName().C_Str());
+    }
+    for (const std::string& note : gltfPicturesLeftOut(model)) {
+        images.note(note);
+        any = true;
     }
     if (!any) return {};
     looks->images = images.takeImages();

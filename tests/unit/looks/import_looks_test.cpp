@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <set>
+#include <tuple>
 
 #include "sim_cuda/api/model_file.h"
 #include "tests/unit/looks/look_files.h"
@@ -140,6 +141,65 @@ TEST_F(ImportLooks, PicturesOfOneMaterialThatAreLaidUnlikeFollowTheColours) {
     for (const auto& corners : model.mesh.corners)
         for (const CornerAttributes& corner : corners) most = std::max(most, corner.uv.x);
     EXPECT_NEAR(most, 4, 1e-5);
+}
+
+/// u' = s u + o, v' likewise; v of OBJ grows upwards. Numbers that are left out stay as they are.
+TEST_F(ImportLooks, PicturesAreRepeatedAndMovedAsOptionsOfAnMtlSay) {
+    write("skin.png", test::pngOf(2, 2, test::fourTexels()));
+    const auto file = write("cube.obj", test::cubeObj("cube.mtl"));
+    const auto laidBy = [&](const std::string& options) {
+        write("cube.mtl", "newmtl skin\nKd 1 1 1\nmap_Kd " + options + " skin.png\n");
+        return importModel(file);
+    };
+    const ImportedModel plain = laidBy("");
+    for (const auto& [options, scale, offset] :
+         {std::tuple{"-s 4 2 1 -o 0.1 0.2 0", Float2{4, 2}, Float2{0.1f, 0.2f}},
+          {"-clamp on -s 4 2", Float2{4, 2}, Float2{0, 0}},
+          {"-o 0.25", Float2{1, 1}, Float2{0.25f, 0}}}) {
+        const ImportedModel laid = laidBy(options);
+        ASSERT_NE(laid.looks, nullptr) << options;
+        EXPECT_TRUE(laid.looks->notes.empty()) << laid.looks->notes[0];
+        EXPECT_EQ(laid.looks->images.size(), 1u) << options;
+        for (size_t t = 0; t < plain.mesh.corners.size(); ++t)
+            for (size_t k = 0; k < 3; ++k) {
+                const Float2 uv = plain.mesh.corners[t][k].uv;
+                EXPECT_NEAR(laid.mesh.corners[t][k].uv.x, scale.x * uv.x + offset.x, 1e-5) << options;
+                EXPECT_NEAR(laid.mesh.corners[t][k].uv.y, scale.y * uv.y + offset.y, 1e-5) << options;
+            }
+    }
+    EXPECT_THAT(laidBy("-mm 0.1 2").looks->notes,
+                ElementsAre("the option -mm of the texture 'skin.png' is not followed"));
+}
+
+TEST_F(ImportLooks, BumpsOfAnMtlAreAsStrongAsItSays) {
+    const std::vector<uint8_t> flat = {128, 128, 255, 255, 128, 128, 255, 255,
+                                       128, 128, 255, 255, 128, 128, 255, 255};
+    write("bent skin.png", test::pngOf(2, 2, flat));
+    write("cube.mtl", "newmtl skin\nKd 1 0 0\nmap_Bump -bm 0.5 bent skin.png\n");
+    const ImportedModel model = importModel(write("cube.obj", test::cubeObj("cube.mtl")));
+    ASSERT_NE(model.looks, nullptr);
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_EQ(look.normal_map.image, 0u);
+    EXPECT_EQ(look.normal_scale, 0.5f);
+}
+
+TEST_F(ImportLooks, PicturesOfAGltfThatOnlyAnExtensionNamesAreSaid) {
+    const auto saying = [&](const std::string& texture) {
+        return importModel(
+                   write("cube.glb",
+                         test::cubeGlb(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
+                                       test::pngOf(2, 2, test::fourTexels()), false, "[{" + texture + "}]")))
+            .looks;
+    };
+    const auto webp = saying(R"("extensions":{"EXT_texture_webp":{"source":0}})");
+    ASSERT_NE(webp, nullptr);
+    EXPECT_THAT(webp->notes, ElementsAre("the texture 'number 0' is WebP, which is not read "
+                                         "(EXT_texture_webp): a plain colour instead; export it as PNG or "
+                                         "JPEG"));
+    const auto both = saying(R"("source":0,"extensions":{"EXT_texture_webp":{"source":0}})");
+    ASSERT_NE(both, nullptr);
+    EXPECT_TRUE(both->notes.empty());
+    EXPECT_EQ(both->images.size(), 1u);
 }
 
 TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {

@@ -101,7 +101,8 @@ std::string cubeObj(const std::string& mtl_file) {
     return text.str();
 }
 
-std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours) {
+std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours,
+                    const std::string& textures) {
     std::string positions, normals, uvs, second_uvs, colours, indices;
     uint16_t number = 0;
     for (const CubeCorner& c : cubeCorners()) {
@@ -125,7 +126,8 @@ std::string cubeGlb(const std::string& material, const std::string& picture, boo
         << R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_texture_transform"],"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[)"
         << R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":5)"
         << (with_colours ? R"(,"COLOR_0":3)" : "") << R"(},"indices":4,"material":0}]}],"materials":[)"
-        << material << R"(],"textures":[{"source":0}],"images":[{"bufferView":5,"mimeType":"image/png"}],)"
+        << material << R"(],"textures":)" << textures
+        << R"(,"images":[{"bufferView":5,"mimeType":"image/png"}],)"
         << R"("accessors":[)"
         << accessor(0, 5126, 24, "VEC3", R"(,"min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5])") << ','
         << accessor(1, 5126, 24, "VEC3") << ',' << accessor(2, 5126, 24, "VEC2") << ','
