@@ -14,7 +14,7 @@
 #include <optional>
 #include <utility>
 
-#include "sim_cuda/authoring/looks/gltf_pictures.h"
+#include "sim_cuda/authoring/looks/gltf_left_out.h"
 #include "sim_cuda/authoring/looks/image_import.h"
 #include "sim_cuda/authoring/looks/mtl_options.h"
 
@@ -30,15 +30,20 @@ struct TextureSlot {
     uint8_t channel = 0;
 };
 
+/// What the meshes of a material have.
+struct UseOfMaterial {
+    int uv_sets = 0;
+    bool is_faint = false;  ///< opacities below 1 at the vertices
+};
+
 class MaterialReader {
   public:
-    /// `uv_sets`: that the meshes of this material have.
-    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, const MtlOptions& options,
-                   ImageImport& images)
+    MaterialReader(const aiMaterial& material, bool is_gltf, const UseOfMaterial& use,
+                   const MtlOptions& options, ImageImport& images)
         : material_(material),
           name_(material.GetName().C_Str()),
           is_gltf_(is_gltf),
-          uv_sets_(uv_sets),
+          use_(use),
           options_(options),
           images_(images) {}
 
@@ -86,7 +91,7 @@ class MaterialReader {
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
             // Of a file whose only set is its number 1, assimp keeps the number and moves the set to 0.
-            if (uv_sets_ < 2) uv_set = 0;
+            if (use_.uv_sets < 2) uv_set = 0;
             if (uv_set < 0 || uv_set > 1) {
                 images_.note("the texture '" + name + "' lies on a third set of UVs and is left out");
                 return {};
@@ -138,7 +143,8 @@ class MaterialReader {
 
     void readColours() {
         aiColor4D colour(1, 1, 1, 1);
-        if (material_.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS)
+        // Of a glTF that tells specular and glossiness, the base colour is not meant.
+        if (isGlossy() || material_.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS)
             material_.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
         const bool has_map = look_.base_map.image != kNoImage;
         // Exporters write black or assimp's grey beside a picture and do not mean it.
@@ -153,6 +159,11 @@ class MaterialReader {
         const bool black = glow.r == 0 && glow.g == 0 && glow.b == 0;
         if (!is_gltf_ && black && look_.emission_map.image != kNoImage) glow = aiColor4D(1, 1, 1, 1);
         setNumbers(look_.emission, {glow.r * intensity, glow.g * intensity, glow.b * intensity}, 100);
+    }
+
+    bool isGlossy() const {
+        float glossiness = 0;
+        return is_gltf_ && material_.Get(AI_MATKEY_GLOSSINESS_FACTOR, glossiness) == aiReturn_SUCCESS;
     }
 
     static bool isAssimpsGrey(const aiColor4D& colour) {
@@ -172,6 +183,13 @@ class MaterialReader {
         setNumbers(&look_.metallic, {metallic}, 1);
         setNumbers(&look_.roughness, {roughness}, 1);
         look_.roughness = std::max(look_.roughness, kLeastRoughness);
+        if (isGlossy()) {
+            float glossiness = 0;
+            material_.Get(AI_MATKEY_GLOSSINESS_FACTOR, glossiness);
+            setNumbers(&look_.metallic, {0}, 1);
+            setNumbers(&look_.roughness, {1 - glossiness}, 1);
+            look_.roughness = std::max(look_.roughness, kLeastRoughness);
+        }
         float scale = 1, strength = 1;
         material_.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
         material_.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), strength);
@@ -197,6 +215,7 @@ class MaterialReader {
         if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
     }
     bool hasHoles() const {
+        if (use_.is_faint) return true;
         if (look_.base_map.image == kNoImage) return false;
         const std::vector<uint8_t>& texels = images_.at(look_.base_map.image).texels;
         for (size_t i = 3; i < texels.size(); i += 4)
@@ -212,12 +231,20 @@ class MaterialReader {
     const aiMaterial& material_;
     const std::string name_;
     bool is_gltf_;
-    int uv_sets_;
+    UseOfMaterial use_;
     const MtlOptions& options_;
     ImageImport& images_;
     LookMaterial look_;
     std::array<std::optional<UvTransform>, 2> laid_;
 };
+
+/// Of colours without opacity assimp leaves it at 0.
+bool isFaint(const aiMesh& mesh) {
+    if (!mesh.HasVertexColors(0)) return false;
+    const aiColor4D *begin = mesh.mColors[0], *end = begin + mesh.mNumVertices;
+    return std::any_of(begin, end, [](const aiColor4D& c) { return c.a != 0; }) &&
+           std::any_of(begin, end, [](const aiColor4D& c) { return c.a < 1; });
+}
 
 bool saysColour(const LookMaterial& look) {
     const auto* c = look.base_colour;
@@ -239,11 +266,12 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
     for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
     const bool is_gltf = ending == ".gltf" || ending == ".glb";
     auto looks = std::make_shared<ModelLooks>();
-    std::map<unsigned, int> uv_sets;  // of the materials that are used
+    std::map<unsigned, UseOfMaterial> uses;  // of the materials that are used
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
-        int& sets = uv_sets[mesh.mMaterialIndex];
-        sets = std::max(sets, static_cast<int>(mesh.GetNumUVChannels()));
+        UseOfMaterial& use = uses[mesh.mMaterialIndex];
+        use.uv_sets = std::max(use.uv_sets, static_cast<int>(mesh.GetNumUVChannels()));
+        use.is_faint = use.is_faint || isFaint(mesh);
         looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
@@ -254,21 +282,25 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
     for (unsigned m = 0; m < count; ++m) {
         looks->materials.emplace_back();
         uv_transforms.emplace_back();
-        const auto used = uv_sets.find(m);
-        if (used == uv_sets.end()) continue;
+        const auto used = uses.find(m);
+        if (used == uses.end()) continue;
         MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, options, images);
         looks->materials[m] = reader.read();
         uv_transforms[m] = reader.uvTransforms();
         any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]) ||
               options.names(scene.mMaterials[m]->GetName().C_Str());
     }
-    for (const std::string& note : gltfPicturesLeftOut(model)) {
-        images.note(note);
-        any = true;
-    }
-    if (!any) return {};
+    const GltfLeftOut left = gltfLeftOut(model);
+    for (const std::string& note : left.pictures) images.note(note);
+    any = any || !left.pictures.empty();
     looks->images = images.takeImages();
     looks->notes = images.takeNotes();
+    looks->notes.insert(looks->notes.end(), left.nodes.begin(), left.nodes.end());
+    if (!any) {
+        looks->materials.clear();
+        uv_transforms.clear();
+        if (looks->notes.empty()) looks = nullptr;
+    }
     return {std::move(looks), std::move(uv_transforms)};
 }
 

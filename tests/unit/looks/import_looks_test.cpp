@@ -219,6 +219,34 @@ TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
               kBlends);
 }
 
+/// Of an older extension, which tells specular and glossiness in place of metal and roughness.
+TEST_F(ImportLooks, GlossyMaterialsOfGltfKeepTheirColour) {
+    const ImportedModel model = importModel(write(
+        "cube.glb",
+        test::cubeGlb(
+            R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,0.5,0,1],"glossinessFactor":0.75}}})",
+            test::pngOf(2, 2, test::fourTexels()), false,
+            R"([{"source":0}],"extensionsUsed":["KHR_materials_pbrSpecularGlossiness"])")));
+    ASSERT_NE(model.looks, nullptr);
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_THAT(look.base_colour, ElementsAre(1, 0.5f, 0, 1));
+    EXPECT_EQ(look.metallic, 0);
+    EXPECT_EQ(look.roughness, 0.25f);
+}
+
+TEST_F(ImportLooks, OpacitiesAtTheVerticesAreKeptWhereTheyAreMeant) {
+    const auto looking = [&](const std::string& material, float opacity) {
+        const ImportedModel model =
+            importModel(write("cube.glb", test::cubeGlb(material, test::pngOf(2, 2, test::fourTexels()), true,
+                                                        R"([{"source":0}])", opacity)));
+        return model.looks->materials[model.mesh.corners[0][0].material].alpha_cutoff;
+    };
+    EXPECT_EQ(looking(R"({"alphaMode":"BLEND"})", 0.25f), kBlends);
+    EXPECT_EQ(looking(R"({"alphaMode":"MASK","alphaCutoff":0.75})", 0.25f), 0.75f);
+    EXPECT_EQ(looking(R"({"alphaMode":"BLEND"})", 1), 0);
+    EXPECT_EQ(looking("{}", 0.25f), 0) << "opaque, says the file";
+}
+
 TEST_F(ImportLooks, ColoursOfGltfAreLinear) {
     const std::string glb = test::cubeGlb("{}", test::pngOf(2, 2, test::fourTexels()), true);
     const ImportedModel model = importModel(write("cube.glb", glb));

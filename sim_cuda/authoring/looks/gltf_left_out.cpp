@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The file's JSON is looked through a second time, and only where it names such an extension.
-#include "sim_cuda/authoring/looks/gltf_pictures.h"
+// The file's JSON is looked through a second time, and only where it names one of them.
+#include "sim_cuda/authoring/looks/gltf_left_out.h"
 
 #include <algorithm>
 #include <array>
@@ -47,8 +47,11 @@ std::string jsonOf(const std::filesystem::path& model) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+constexpr const char* kInstancing = "EXT_mesh_gpu_instancing";
+
 bool namesAny(const std::string& text) {
-    return std::any_of(std::begin(kExtensions), std::end(kExtensions),
+    return text.find(kInstancing) != std::string::npos || text.find("\"targets\"") != std::string::npos ||
+           std::any_of(std::begin(kExtensions), std::end(kExtensions),
                        [&](const auto& one) { return text.find(one.name) != std::string::npos; });
 }
 
@@ -56,6 +59,17 @@ const Json& member(const Json& object, const char* name) {
     static const Json kNothing;
     const auto at = object.is_object() ? object.find(name) : object.end();
     return at == object.end() ? kNothing : *at;
+}
+
+bool standsForMany(const Json& node) {
+    return !member(member(node, "extensions"), kInstancing).is_null();
+}
+
+bool morphs(const Json& node) {
+    const Json& weights = member(node, "weights");
+    return weights.is_array() && std::any_of(weights.begin(), weights.end(), [](const Json& weight) {
+               return weight.is_number() && weight.get<double>() != 0;
+           });
 }
 
 std::string nameOf(const Json& images, const Json& source) {
@@ -71,23 +85,30 @@ std::string nameOf(const Json& images, const Json& source) {
 
 }  // namespace
 
-std::vector<std::string> gltfPicturesLeftOut(const std::filesystem::path& model) {
+GltfLeftOut gltfLeftOut(const std::filesystem::path& model) {
     if (!isGltf(model)) return {};
     const std::string text = jsonOf(model);
     if (!namesAny(text)) return {};
     const Json file = Json::parse(text, nullptr, false);
-    std::vector<std::string> notes;
+    GltfLeftOut left;
     for (const Json& texture : member(file, "textures")) {
         if (!member(texture, "source").is_null()) continue;  // another form of it is there
         for (const auto& [name, format] : kExtensions) {
             const Json& other = member(member(texture, "extensions"), name);
             if (other.is_null()) continue;
-            notes.push_back("the texture '" + nameOf(member(file, "images"), member(other, "source")) +
-                            "' is " + format + ", which is not read (" + name +
-                            "): a plain colour instead; export it as PNG or JPEG");
+            left.pictures.push_back(
+                "the texture '" + nameOf(member(file, "images"), member(other, "source")) + "' is " + format +
+                ", which is not read (" + name + "): a plain colour instead; export it as PNG or JPEG");
         }
     }
-    return notes;
+    const Json& nodes = member(file, "nodes");
+    if (std::any_of(nodes.begin(), nodes.end(), standsForMany))
+        left.nodes.push_back(std::string("nodes that stand for many (") + kInstancing +
+                             ") are taken once each; export them one by one");
+    if (std::any_of(nodes.begin(), nodes.end(), morphs))
+        left.nodes.push_back(
+            "weights that nodes give to morph targets are not followed; give them to the meshes");
+    return left;
 }
 
 }  // namespace demolish

@@ -9,6 +9,10 @@
 namespace demolish {
 
 /// One sentence each, without full stop; none for other formats.
-std::vector<std::string> gltfPicturesLeftOut(const std::filesystem::path& model);
+struct GltfLeftOut {
+    std::vector<std::string> pictures, nodes;
+};
+
+GltfLeftOut gltfLeftOut(const std::filesystem::path& model);
 
 }  // namespace demolish
