@@ -124,7 +124,7 @@ std::vector<Piece> piecesOf(const TriangleMesh& mesh) {
                  finest = (triangles < most ? kSmall : kLarge) * all.halfArea();
     HalvedTriangles halved(mesh);
     double least = all.halfArea();
-    for (double finer = kFiner * least; finer >= finest && finer > 0; finer *= kFiner) {
+    for (double finer = kFiner * least; finer >= finest && finer > 0 && finer < kEndless; finer *= kFiner) {
         if (halved.count(finer) > (finer >= large ? most_of_large : most)) break;
         least = finer;
     }

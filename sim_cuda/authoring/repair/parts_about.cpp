@@ -22,7 +22,7 @@ struct PartCrossing {
 
 /// Points with y and z in common.
 struct Line {
-    double y, z;        // m
+    double y, z;         // m
     size_t first, past;  // points
     bool is_grazed = false;
     std::vector<PartCrossing> crossings;
