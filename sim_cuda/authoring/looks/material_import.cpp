@@ -30,6 +30,21 @@ struct TextureSlot {
     uint8_t channel = 0;
 };
 
+/// By what it tells of how pictures are laid.
+enum class Format {
+    kGltf,
+    kWithRepeats,  ///< DAE, FBX
+    kOther
+};
+
+Format formatOf(const std::filesystem::path& model) {
+    std::string ending = model.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".gltf" || ending == ".glb"  ? Format::kGltf
+           : ending == ".dae" || ending == ".fbx" ? Format::kWithRepeats
+                                                  : Format::kOther;
+}
+
 /// What the meshes of a material have.
 struct UseOfMaterial {
     int uv_sets = 0;
@@ -38,11 +53,12 @@ struct UseOfMaterial {
 
 class MaterialReader {
   public:
-    MaterialReader(const aiMaterial& material, bool is_gltf, const UseOfMaterial& use,
+    MaterialReader(const aiMaterial& material, Format format, const UseOfMaterial& use,
                    const MtlOptions& options, ImageImport& images)
         : material_(material),
           name_(material.GetName().C_Str()),
-          is_gltf_(is_gltf),
+          format_(format),
+          is_gltf_(format == Format::kGltf),
           use_(use),
           options_(options),
           images_(images) {}
@@ -107,12 +123,7 @@ class MaterialReader {
     /// The first picture of a set says how all of them are laid over it: the colours, where there are any.
     void noteHowLaid(aiTextureType type, const std::string& name, const MtlPicture* with_options,
                      std::optional<UvTransform>& laid) {
-        aiUVTransform transform;
-        const bool is_said =
-            is_gltf_ && material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS;
-        const UvTransform own = is_said                   ? uvTransformOfGltf(transform)
-                                : with_options != nullptr ? with_options->laid
-                                                          : UvTransform{};
+        const UvTransform own = with_options != nullptr ? with_options->laid : laidAs(type, name);
         if (with_options != nullptr)
             for (const std::string& option : with_options->unfollowed)
                 images_.note("the option " + option + " of the texture '" + name + "' is not followed");
@@ -121,6 +132,15 @@ class MaterialReader {
             images_.note("the texture '" + name +
                          "' is laid otherwise than the others of its material, and "
                          "follows them");
+    }
+    UvTransform laidAs(aiTextureType type, const std::string& name) {
+        aiUVTransform transform;
+        if (format_ == Format::kOther ||
+            material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) != aiReturn_SUCCESS)
+            return {};
+        if (is_gltf_) return uvTransformOfGltf(transform);
+        if (transform.mRotation != 0) images_.note("the turn of the texture '" + name + "' is not followed");
+        return uvTransformOfRepeats(transform);
     }
     static TextureWrap wrapOf(int mode) {
         return mode == aiTextureMapMode_Mirror                                    ? TextureWrap::kMirror
@@ -230,6 +250,7 @@ class MaterialReader {
 
     const aiMaterial& material_;
     const std::string name_;
+    Format format_;
     bool is_gltf_;
     UseOfMaterial use_;
     const MtlOptions& options_;
@@ -262,9 +283,6 @@ bool namesTexture(const aiMaterial& material) {
 }  // namespace
 
 ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& scene) {
-    std::string ending = model.extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    const bool is_gltf = ending == ".gltf" || ending == ".glb";
     auto looks = std::make_shared<ModelLooks>();
     std::map<unsigned, UseOfMaterial> uses;  // of the materials that are used
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
@@ -284,7 +302,7 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
         uv_transforms.emplace_back();
         const auto used = uses.find(m);
         if (used == uses.end()) continue;
-        MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, options, images);
+        MaterialReader reader(*scene.mMaterials[m], formatOf(model), used->second, options, images);
         looks->materials[m] = reader.read();
         uv_transforms[m] = reader.uvTransforms();
         any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]) ||

@@ -280,6 +280,32 @@ TEST_F(ImportLooks, ColladaWithAPictureBesideIt) {
     EXPECT_EQ(model.looks->images[0].texels, test::fourTexels());
 }
 
+/// As Maya writes them.
+TEST_F(ImportLooks, PicturesAreRepeatedAndMovedAsColladaSays) {
+    write("skin.png", test::pngOf(2, 2, test::fourTexels()));
+    const std::string plain = test::cubeDae("skin.png"), empty = R"(<texture texture="samp" texcoord="UV"/>)";
+    const auto laidBy = [&](const std::string& extra) {
+        std::string text = plain;
+        text.replace(text.find(empty), empty.size(),
+                     R"(<texture texture="samp" texcoord="UV"><extra><technique profile="MAYA">)" + extra +
+                         "</technique></extra></texture>");
+        return importModel(write("cube.dae", text));
+    };
+    const ImportedModel whole = importModel(write("cube.dae", plain));
+    const ImportedModel laid =
+        laidBy("<repeatU>4</repeatU><repeatV>2</repeatV><offsetU>0.25</offsetU><offsetV>0.5</offsetV>");
+    EXPECT_TRUE(laid.looks->notes.empty());
+    for (size_t t = 0; t < whole.mesh.corners.size(); ++t)
+        for (size_t k = 0; k < 3; ++k) {
+            EXPECT_NEAR(laid.mesh.corners[t][k].uv.x, 4 * whole.mesh.corners[t][k].uv.x + 0.25f, 1e-5);
+            EXPECT_NEAR(laid.mesh.corners[t][k].uv.y, 2 * whole.mesh.corners[t][k].uv.y + 0.5f, 1e-5);
+        }
+    expectCubeUvs(laidBy("<repeatU>1</repeatU><repeatV>1</repeatV>").mesh);
+    expectCubeUvs(laidBy("<repeatU>0</repeatU>").mesh);
+    EXPECT_THAT(laidBy("<rotateUV>30</rotateUV>").looks->notes,
+                ElementsAre("the turn of the texture 'skin.png' is not followed"));
+}
+
 TEST_F(ImportLooks, ColoursOfPlyAreMeantForTheScreen) {
     std::string text =
         "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
