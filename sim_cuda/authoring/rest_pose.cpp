@@ -92,8 +92,8 @@ std::optional<Posed> posedByJoints(const aiScene& scene, const aiMesh& mesh) {
 void applySkin(const aiScene& scene, unsigned number) {
     constexpr double kRounding = 1e-5;  // of the mesh's size
     aiMesh& mesh = *scene.mMeshes[number];
-    const aiNode* node = nodeOf(*scene.mRootNode, number);
-    if (mesh.mNumBones == 0 || node == nullptr) return;
+    const aiNode* node = mesh.mNumBones > 0 ? nodeOf(*scene.mRootNode, number) : nullptr;
+    if (node == nullptr) return;
     const auto back = inverse(placeOf(*node));
     const auto posed = posedByJoints(scene, mesh);
     if (!back || !posed) return;
