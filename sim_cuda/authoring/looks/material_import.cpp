@@ -235,7 +235,7 @@ class MaterialReader {
         if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
     }
     bool hasHoles() const {
-        if (use_.is_faint) return true;
+        if (is_gltf_ && use_.is_faint) return true;
         if (look_.base_map.image == kNoImage) return false;
         const std::vector<uint8_t>& texels = images_.at(look_.base_map.image).texels;
         for (size_t i = 3; i < texels.size(); i += 4)
