@@ -75,7 +75,8 @@ std::string sizeLine(const ModelCheck& check) {
 std::string looksLine(const ModelCheck& check) {
     std::string line =
         counted(check.contents.materials, "material") + ", " + counted(check.contents.textures, "texture");
-    if (!check.looks) return line + "; the file says no colours, so the outside is the material's";
+    if (!check.looks || check.looks->materials.empty())
+        return line + "; the file says no colours, so the outside is the material's";
     uint32_t width = 0, height = 0;
     size_t bytes = 0;
     for (const LookImage& image : check.looks->images) {

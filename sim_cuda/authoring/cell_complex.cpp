@@ -26,9 +26,9 @@ struct KeyList {
     std::vector<uint32_t> entry_of_cell_vertex;  // into keys, kNoCell at the start cube
 };
 
-KeyList listKeys(const VoronoiCells& cells, const GatheredPieces& pieces) {
+KeyList listKeys(const VoronoiCells& cells, std::vector<VertexKey>&& of_pieces) {
     KeyList list;
-    list.keys = pieces.keys;
+    list.keys = std::move(of_pieces);
     list.cell_vertex_start.push_back(0);
     for (uint32_t cell = 0; cell < cells.size(); ++cell) {
         for (const auto& others : cells[cell].vertices) {
@@ -66,11 +66,12 @@ class ComplexBuilder {
             while (growCubes(exterior_.cellsThatOutgrowTheirCube())) {
             }
             GatheredPieces pieces = exterior_.gather();
-            KeyList list = listKeys(cells_, pieces);
+            const size_t corners = pieces.keys.size();
+            KeyList list = listKeys(cells_, std::move(pieces.keys));
             NumberedVertices numbered = numberVertices(space_, list.keys);
             for (uint32_t& entry : list.entry_of_cell_vertex)
                 if (entry != kNoCell) entry = numbered.ids[entry];
-            numbered.ids.resize(pieces.keys.size());
+            numbered.ids.resize(corners);
             InteriorFaces interior =
                 makeInteriorFaces({queries_, seeds_, cells_, pieces, numbered.vertices, numbered.ids,
                                    list.cell_vertex_start, list.entry_of_cell_vertex});

@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 
 #include "sim_cuda/authoring/double3.h"
 
@@ -13,32 +14,45 @@ namespace {
 /// Of the spacing: what a hull may lack in a direction that is looked at.
 constexpr double kTolerance = 2e-3;
 
-/// Unit vectors to the points of a grid on the faces of a cube, 386 of them. Square roots are all it takes,
-/// so that they are the same everywhere.
-std::vector<Double3> directions() {
-    constexpr int kHalf = 4;
-    std::vector<Double3> all;
-    for (int x = -kHalf; x <= kHalf; ++x)
-        for (int y = -kHalf; y <= kHalf; ++y)
-            for (int z = -kHalf; z <= kHalf; ++z)
-                if (std::max({std::abs(x), std::abs(y), std::abs(z)}) == kHalf)
-                    all.push_back(normalized({double(x), double(y), double(z)}));
-    return all;
-}
+/// Unit vectors to the points of a grid on the faces of a cube. Square roots are all it takes, so that they
+/// are the same everywhere. By coordinate, so that several are looked at at once.
+constexpr size_t kDirections = 386;
+struct Directions {
+    std::array<double, kDirections> x, y, z;
+
+    Directions() {
+        constexpr int kHalf = 4;
+        size_t d = 0;
+        for (int i = -kHalf; i <= kHalf; ++i)
+            for (int j = -kHalf; j <= kHalf; ++j)
+                for (int k = -kHalf; k <= kHalf; ++k) {
+                    if (std::max({std::abs(i), std::abs(j), std::abs(k)}) != kHalf) continue;
+                    const Double3 unit = normalized({double(i), double(j), double(k)});
+                    x[d] = unit.x, y[d] = unit.y, z[d] = unit.z;
+                    ++d;
+                }
+    }
+    double along(size_t d, const Double3& p) const { return p.x * x[d] + p.y * y[d] + p.z * z[d]; }
+};
 
 /// How far a set of points reaches in each direction, and which of them does.
 struct Support {
-    std::vector<double> reach;
-    std::vector<uint32_t> point;
+    std::array<double, kDirections> reach;
+    std::array<uint64_t, kDirections> point;
 };
-Support supportOf(const std::vector<Double3>& points, const std::vector<Double3>& directions) {
-    Support support{std::vector<double>(directions.size(), -1e300), std::vector<uint32_t>(directions.size())};
-    for (size_t d = 0; d < directions.size(); ++d)
-        for (uint32_t p = 0; p < points.size(); ++p)
-            if (const double reach = dot(points[p], directions[d]); reach > support.reach[d]) {
-                support.reach[d] = reach;
-                support.point[d] = p;
-            }
+Support supportOf(const std::vector<Double3>& points, const Directions& directions) {
+    Support support;
+    support.reach.fill(-1e300);
+    support.point.fill(0);
+    for (uint64_t p = 0; p < points.size(); ++p) {
+        const Double3 at = points[p];
+        for (size_t d = 0; d < kDirections; ++d) {
+            const double reach = directions.along(d, at);
+            const bool is_farther = reach > support.reach[d];
+            support.reach[d] = is_farther ? reach : support.reach[d];
+            support.point[d] = is_farther ? p : support.point[d];
+        }
+    }
     return support;
 }
 
@@ -55,10 +69,11 @@ std::vector<std::vector<uint32_t>> verticesOfCells(const CellComplex& complex) {
             of_cell[cell].insert(of_cell[cell].end(), complex.loop_vertices.begin() + first,
                                  complex.loop_vertices.begin() + last);
     }
-    for (auto& vertices : of_cell) {
+    tbb::parallel_for(size_t{0}, of_cell.size(), [&](size_t cell) {
+        auto& vertices = of_cell[cell];
         std::sort(vertices.begin(), vertices.end());
         vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    }
+    });
     return of_cell;
 }
 
@@ -66,19 +81,20 @@ std::vector<std::vector<uint32_t>> verticesOfCells(const CellComplex& complex) {
 
 /// One after the other: whichever point reaches farthest beyond those that are there.
 std::vector<Double3> hullCorners(const std::vector<Double3>& points, double tolerance) {
-    static const std::vector<Double3> kDirections = directions();
-    const Support hull = supportOf(points, kDirections);
-    std::vector<double> reached(kDirections.size(), -1e300);
+    static const Directions directions;
+    const Support hull = supportOf(points, directions);
+    std::array<double, kDirections> reached;
+    reached.fill(-1e300);
     std::vector<Double3> corners;
     while (corners.size() < kMostCorners) {
         size_t worst = 0;
-        for (size_t d = 1; d < reached.size(); ++d)
+        for (size_t d = 1; d < kDirections; ++d)
             if (hull.reach[d] - reached[d] > hull.reach[worst] - reached[worst]) worst = d;
         if (points.empty() || !(hull.reach[worst] - reached[worst] > tolerance)) break;
         const Double3 corner = points[hull.point[worst]];
         corners.push_back(corner);
-        for (size_t d = 0; d < reached.size(); ++d)
-            reached[d] = std::max(reached[d], dot(corner, kDirections[d]));
+        for (size_t d = 0; d < kDirections; ++d)
+            reached[d] = std::max(reached[d], directions.along(d, corner));
     }
     return corners;
 }

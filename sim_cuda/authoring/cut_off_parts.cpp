@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cells are looked through in parallel by union-find over vertex ids; what is found is rare and handled in
-// order.
+// Cells are looked through in parallel by union-find over vertex ids; who gets what is settled in order.
 #include "sim_cuda/authoring/cut_off_parts.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <span>
 #include <tuple>
@@ -96,36 +96,91 @@ class VertexSets {
     std::vector<uint32_t> members_;
 };
 
-/// Cells with surface whose border is not connected, ascending.
-std::vector<uint32_t> findSplitCells(const CellComplex& complex, const Borders& borders) {
+struct Part {
+    uint32_t cell;
+    double volume;   // m^3
+    uint32_t owner;  // kUnresolved while it is not known where it goes
+    std::map<std::pair<uint32_t, uint32_t>, double> shared;  // m^2, by cell and part beyond; if cut off
+};
+
+struct Place {
+    uint32_t vertex, part;
+};
+
+/// A cell with surface whose border is not connected. Parts are numbered within the cell.
+struct SplitCell {
+    uint32_t cell;
+    std::vector<Part> parts;
+    std::vector<Place> places;  // by vertex
+};
+
+/// After `sets` has joined the cell. `part_of_root`: by vertex, kUnresolved before and after.
+SplitCell partsOf(const CellComplex& complex, const Borders& borders, uint32_t cell, VertexSets& sets,
+                  std::vector<uint32_t>& part_of_root) {
+    SplitCell split{cell, {}, {}};
+    auto& parts = split.parts;
+    const Double3 seed = complex.seeds[cell];
+    const auto partOf = [&](uint32_t vertex) {
+        uint32_t& part = part_of_root[sets.rootOf(vertex)];
+        if (part == kUnresolved) {
+            part = uint32_t(parts.size());
+            parts.push_back({cell, 0, cell, {}});
+        }
+        return part;
+    };
+    for (const uint32_t vertex : sets.members()) split.places.push_back({vertex, partOf(vertex)});
+    const auto at = [&](uint32_t vertex) { return complex.vertices[vertex].position - seed; };
+    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, double sign) {
+        parts[partOf(a)].volume += sign * dot(at(a), cross(at(b), at(c))) / 6;
+    };
+    for (uint32_t p = borders.first_piece[cell]; p < borders.first_piece[cell + 1]; ++p) {
+        const auto loop = loopOf(complex, complex.pieces[p]);
+        for (size_t k = 2; k < loop.size(); ++k) add(loop[0], loop[k - 1], loop[k], 1);
+    }
+    for (uint32_t f = borders.first_face[cell]; f < borders.first_face[cell + 1]; ++f) {
+        const ComplexFace& face = complex.faces[borders.faces[f]];
+        for (uint32_t t = face.first_triangle; t < face.first_triangle + face.triangle_count; ++t) {
+            const auto& [a, b, c] = complex.face_triangles[t];
+            add(a, b, c, face.cell_a == cell ? 1 : -1);
+        }
+    }
+    const auto main = std::max_element(parts.begin(), parts.end(),
+                                       [](const Part& a, const Part& b) { return a.volume < b.volume; });
+    for (auto part = parts.begin(); part != parts.end(); ++part)
+        if (part != main && part->volume > 0) part->owner = kUnresolved;
+    for (const uint32_t vertex : sets.members()) part_of_root[sets.rootOf(vertex)] = kUnresolved;
+    std::sort(split.places.begin(), split.places.end(),
+              [](const Place& a, const Place& b) { return a.vertex < b.vertex; });
+    return split;
+}
+
+/// Ascending.
+std::vector<SplitCell> findSplitCells(const CellComplex& complex, const Borders& borders) {
+    constexpr size_t kBlocks = 8;  // few, for the arrays by vertex are long
     const size_t cell_count = complex.seeds.size();
-    std::vector<char> is_split(cell_count, 0);
-    const size_t grain = cell_count / 8 + 1;  // the arrays of VertexSets are long: few blocks
-    tbb::parallel_for(size_t(0), (cell_count + grain - 1) / grain, [&](size_t block) {
+    std::vector<std::vector<SplitCell>> of_block(kBlocks);
+    tbb::parallel_for(size_t(0), kBlocks, [&](size_t block) {
         VertexSets sets(complex.vertices.size());
-        const size_t end = std::min((block + 1) * grain, cell_count);
-        for (size_t cell = block * grain; cell < end; ++cell) {
+        std::vector<uint32_t> part_of_root(complex.vertices.size(), kUnresolved);
+        const size_t end = (block + 1) * cell_count / kBlocks;
+        for (size_t cell = block * cell_count / kBlocks; cell < end; ++cell) {
             if (borders.first_piece[cell] == borders.first_piece[cell + 1]) continue;  // convex
-            is_split[cell] = sets.join(complex, borders, uint32_t(cell)) > 1;
+            if (sets.join(complex, borders, uint32_t(cell)) > 1)
+                of_block[block].push_back(partsOf(complex, borders, uint32_t(cell), sets, part_of_root));
         }
     });
-    std::vector<uint32_t> split;
-    for (uint32_t cell = 0; cell < cell_count; ++cell)
-        if (is_split[cell] != 0) split.push_back(cell);
+    std::vector<SplitCell> split;
+    for (auto& some : of_block)
+        split.insert(split.end(), std::make_move_iterator(some.begin()), std::make_move_iterator(some.end()));
     return split;
 }
 
 /// The parts of split cells, and to whom they go.
 class CutOffParts {
   public:
-    CutOffParts(const CellComplex& complex, const Borders& borders, const std::vector<uint32_t>& split)
-        : complex_(complex),
-          borders_(borders),
-          part_of_root_(complex.vertices.size(), kUnresolved),
-          places_of_cell_(complex.seeds.size()) {
-        VertexSets sets(complex.vertices.size());
-        for (const uint32_t cell : split) listParts(cell, sets);
-        sortPlaces(split);
+    CutOffParts(const CellComplex& complex, std::vector<SplitCell>&& split)
+        : complex_(complex), places_of_cell_(complex.seeds.size()) {
+        for (SplitCell& cell : split) take(std::move(cell));
         findOwners();
     }
 
@@ -138,17 +193,6 @@ class CutOffParts {
     }
 
   private:
-    struct Part {
-        uint32_t cell;
-        double volume;   // m^3
-        uint32_t owner;  // kUnresolved while it is not known where it goes
-        std::map<std::pair<uint32_t, uint32_t>, double> shared;  // m^2, by cell and part beyond; if cut off
-    };
-
-    struct Place {
-        uint32_t vertex, part;
-    };
-
     uint32_t partAt(uint32_t cell, uint32_t vertex) const {
         const auto [begin, end] = places_of_cell_[cell];
         const auto place = std::lower_bound(places_.begin() + begin, places_.begin() + end, vertex,
@@ -156,64 +200,24 @@ class CutOffParts {
         return place == places_.begin() + end || place->vertex != vertex ? kUnresolved : place->part;
     }
 
-    void listParts(uint32_t cell, VertexSets& sets);
-    void sortPlaces(const std::vector<uint32_t>& split);
+    void take(SplitCell&& split) {
+        const auto first_part = uint32_t(parts_.size());
+        const auto first_place = ptrdiff_t(places_.size());
+        for (const Place& place : split.places) places_.push_back({place.vertex, first_part + place.part});
+        places_of_cell_[split.cell] = {first_place, ptrdiff_t(places_.size())};
+        parts_.insert(parts_.end(), std::make_move_iterator(split.parts.begin()),
+                      std::make_move_iterator(split.parts.end()));
+    }
     void measureSharedAreas();
     void findOwners();
     bool resolveSome(bool only_anchored);
 
     const CellComplex& complex_;
-    const Borders& borders_;
     std::vector<Part> parts_;
-    std::vector<uint32_t> part_of_root_;  // by vertex, of the cell that listed it last
-    std::vector<Place> places_;           // of the split cells, cell by cell, by vertex
+    std::vector<Place> places_;  // of the split cells, cell by cell, by vertex
     std::vector<std::pair<ptrdiff_t, ptrdiff_t>> places_of_cell_;  // into places_, empty where not split
     uint32_t moved_ = 0;
 };
-
-void CutOffParts::listParts(uint32_t cell, VertexSets& sets) {
-    sets.join(complex_, borders_, cell);
-    const Double3 seed = complex_.seeds[cell];
-    const size_t first = parts_.size();
-    const auto partOf = [&](uint32_t vertex) {
-        uint32_t& part = part_of_root_[sets.rootOf(vertex)];
-        if (part == kUnresolved || part < first) {  // of a cell before
-            part = uint32_t(parts_.size());
-            parts_.push_back({cell, 0, cell, {}});
-        }
-        return part;
-    };
-    const auto first_place = ptrdiff_t(places_.size());
-    for (const uint32_t vertex : sets.members()) places_.push_back({vertex, partOf(vertex)});
-    places_of_cell_[cell] = {first_place, ptrdiff_t(places_.size())};
-    const auto at = [&](uint32_t vertex) { return complex_.vertices[vertex].position - seed; };
-    const auto add = [&](uint32_t a, uint32_t b, uint32_t c, double sign) {
-        parts_[partOf(a)].volume += sign * dot(at(a), cross(at(b), at(c))) / 6;
-    };
-    for (uint32_t p = borders_.first_piece[cell]; p < borders_.first_piece[cell + 1]; ++p) {
-        const auto loop = loopOf(complex_, complex_.pieces[p]);
-        for (size_t k = 2; k < loop.size(); ++k) add(loop[0], loop[k - 1], loop[k], 1);
-    }
-    for (uint32_t f = borders_.first_face[cell]; f < borders_.first_face[cell + 1]; ++f) {
-        const ComplexFace& face = complex_.faces[borders_.faces[f]];
-        for (uint32_t t = face.first_triangle; t < face.first_triangle + face.triangle_count; ++t) {
-            const auto& [a, b, c] = complex_.face_triangles[t];
-            add(a, b, c, face.cell_a == cell ? 1 : -1);
-        }
-    }
-    const auto main = std::max_element(parts_.begin() + std::ptrdiff_t(first), parts_.end(),
-                                       [](const Part& a, const Part& b) { return a.volume < b.volume; });
-    for (auto part = parts_.begin() + std::ptrdiff_t(first); part != parts_.end(); ++part)
-        if (part != main && part->volume > 0) part->owner = kUnresolved;
-}
-
-void CutOffParts::sortPlaces(const std::vector<uint32_t>& split) {
-    tbb::parallel_for(size_t(0), split.size(), [&](size_t k) {
-        const auto [begin, end] = places_of_cell_[split[k]];
-        std::sort(places_.begin() + begin, places_.begin() + end,
-                  [](const Place& a, const Place& b) { return a.vertex < b.vertex; });
-    });
-}
 
 void CutOffParts::measureSharedAreas() {
     for (const ComplexFace& face : complex_.faces) {
@@ -257,8 +261,16 @@ void CutOffParts::findOwners() {
     }
 }
 
+template <typename Visit>
+void forEachInBlocks(size_t count, Visit&& visit) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 1024), [&](const auto& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i) visit(i);
+    });
+}
+
 void relabelPieces(CellComplex& complex, const CutOffParts& parts) {
-    for (ExteriorPiece& piece : complex.pieces) {
+    forEachInBlocks(complex.pieces.size(), [&](size_t p) {
+        ExteriorPiece& piece = complex.pieces[p];
         const uint32_t owner = parts.ownerAt(piece.cell, complex.exterior_loop[piece.first]);
         for (uint32_t k = piece.first; k < piece.first + piece.count; ++k) {
             uint32_t& across = complex.exterior_across[k];
@@ -267,7 +279,7 @@ void relabelPieces(CellComplex& complex, const CutOffParts& parts) {
             if (across == owner) across = kNoCell;
         }
         piece.cell = owner;
-    }
+    });
     std::stable_sort(complex.pieces.begin(), complex.pieces.end(), [](const auto& a, const auto& b) {
         return std::tie(a.cell, a.triangle) < std::tie(b.cell, b.triangle);
     });
@@ -299,17 +311,22 @@ void appendFace(const CellComplex& from, ComplexFace face, CellComplex& to) {
 }
 
 void relabelFaces(CellComplex& complex, const CutOffParts& parts) {
-    for (ComplexFace& face : complex.faces) {
+    forEachInBlocks(complex.faces.size(), [&](size_t f) {
+        ComplexFace& face = complex.faces[f];
         const uint32_t vertex = complex.loop_vertices[complex.loop_start[face.first_loop]];
         face.cell_a = parts.ownerAt(face.cell_a, vertex);
         face.cell_b = parts.ownerAt(face.cell_b, vertex);
         if (face.cell_a > face.cell_b) turnOver(complex, face);
-    }
+    });
     std::erase_if(complex.faces, [](const ComplexFace& face) { return face.cell_a == face.cell_b; });
     std::stable_sort(complex.faces.begin(), complex.faces.end(), [](const auto& a, const auto& b) {
         return std::tie(a.cell_a, a.cell_b) < std::tie(b.cell_a, b.cell_b);
     });
     CellComplex kept;
+    kept.loop_start.reserve(complex.loop_start.size());
+    kept.loop_vertices.reserve(complex.loop_vertices.size());
+    kept.face_triangles.reserve(complex.face_triangles.size());
+    kept.faces.reserve(complex.faces.size());
     kept.loop_start.push_back(0);
     for (const ComplexFace& face : complex.faces) appendFace(complex, face, kept);
     complex.faces = std::move(kept.faces);
@@ -322,9 +339,9 @@ void relabelFaces(CellComplex& complex, const CutOffParts& parts) {
 
 uint32_t moveCutOffParts(CellComplex& complex) {
     const Borders borders(complex);
-    const std::vector<uint32_t> split = findSplitCells(complex, borders);
+    std::vector<SplitCell> split = findSplitCells(complex, borders);
     if (split.empty()) return 0;
-    const CutOffParts parts(complex, borders, split);
+    const CutOffParts parts(complex, std::move(split));
     if (parts.movedCount() == 0) return 0;
     relabelPieces(complex, parts);
     relabelFaces(complex, parts);

@@ -36,6 +36,7 @@ IndexRange nodesBetween(double lower, double upper, double step, int count) {
 struct SplatTriangle {
     Double3 a, b, c, normal;  // unit normal, zero without area
     Double3 lower, upper;
+    double per_normal_x;  // 0 where the plane is all but parallel to rows
     std::array<Double3, 3>
         out;  // from sides a b, b c, c a in the plane, hardly shorter than 1; zero of slivers
     SplatTriangle(const TriangleMesh& mesh, uint32_t id, const Double3& origin)
@@ -44,7 +45,8 @@ struct SplatTriangle {
           c(mesh.positions[mesh.triangles[id][2]] - origin),
           normal(normalized(cross(b - a, c - a))),
           lower(minimum(minimum(a, b), c)),
-          upper(maximum(maximum(a, b), c)) {
+          upper(maximum(maximum(a, b), c)),
+          per_normal_x(std::abs(normal.x) > 1e-6 ? 1 / normal.x : 0) {
         constexpr double kShorter = 1 - 1e-6, kSlender = 1e-6;  // rounding must not decide
         const Double3 ab = b - a, ac = c - a;
         if (!(lengthSquared(cross(ab, ac)) > kSlender * kSlender * lengthSquared(ab) * lengthSquared(ac)))
@@ -63,8 +65,9 @@ struct SplatTriangle {
 IndexRange rowNearPlane(const SplatTriangle& t, double y, double z, double band, const NodeFrame& frame) {
     double lower = t.lower.x - band, upper = t.upper.x + band;
     const double rest = t.normal.y * (y - t.a.y) + t.normal.z * (z - t.a.z);
-    if (std::abs(t.normal.x) > 1e-6) {
-        const double from = t.a.x + (-band - rest) / t.normal.x, to = t.a.x + (band - rest) / t.normal.x;
+    if (t.per_normal_x != 0) {
+        const double from = t.a.x + (-band - rest) * t.per_normal_x,
+                     to = t.a.x + (band - rest) * t.per_normal_x;
         lower = std::max(lower, std::min(from, to) - 1e-9 * frame.step);
         upper = std::min(upper, std::max(from, to) + 1e-9 * frame.step);
     } else if (std::abs(rest) > band * 1.001 + 1e-6 * (std::abs(lower - t.a.x) + std::abs(upper - t.a.x))) {

@@ -2,6 +2,8 @@
 // Counts open edges and doubled triangles, sums volume and area.
 #include "sim_cuda/authoring/mesh_checks.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 
 #include "sim_cuda/authoring/bounds.h"
@@ -18,7 +20,7 @@ size_t openEdgeCount(const TriangleMesh& mesh) {
             uses.push_back(uint64_t(low) << 33 | uint64_t(high) << 1 | uint64_t(t[k] > t[(k + 1) % 3]));
         }
     }
-    std::sort(uses.begin(), uses.end());
+    tbb::parallel_sort(uses.begin(), uses.end());
     size_t open = 0;
     for (size_t i = 0; i < uses.size();) {
         int64_t balance = 0;
@@ -32,7 +34,7 @@ size_t openEdgeCount(const TriangleMesh& mesh) {
 size_t repeatedTriangleCount(const TriangleMesh& mesh) {
     auto triangles = mesh.triangles;
     for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-    std::sort(triangles.begin(), triangles.end());
+    tbb::parallel_sort(triangles.begin(), triangles.end());
     size_t repeated = 0;
     for (size_t i = 1; i < triangles.size(); ++i) repeated += triangles[i] == triangles[i - 1];
     return repeated;

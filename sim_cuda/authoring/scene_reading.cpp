@@ -9,6 +9,7 @@
 
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/model_refusal.h"
+#include "sim_cuda/authoring/rest_pose.h"
 
 namespace demolish {
 namespace {
@@ -56,6 +57,7 @@ const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path
     if (!scene || !scene->mRootNode)
         refuseModel(file, "could not be read (" + reasonOf(importer) +
                               "); use a format such as OBJ, PLY, STL, glTF or FBX");
+    if (isGltf(file)) poseAtRest(const_cast<aiScene&>(*scene));  // the importer's own, which is not const
     return *scene;
 }
 

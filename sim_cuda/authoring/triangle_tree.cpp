@@ -2,6 +2,7 @@
 // Builds the triangle tree by binned surface-area splits.
 #include "sim_cuda/authoring/triangle_tree.h"
 
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -15,6 +16,13 @@ constexpr int kBins = 16;
 constexpr uint32_t kAtOnce = 1 << 15;  // pieces from which on both halves are built at the same time
 constexpr int kDepthOfHalving =
     40;  // beyond it (bad splits only) halve by number, so that the depth stays bounded
+
+template <typename Visit>
+void forEachInBlocks(size_t count, Visit&& visit) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, count, 4096), [&](const auto& range) {
+        for (size_t i = range.begin(); i < range.end(); ++i) visit(i);
+    });
+}
 
 double component(const Double3& v, int axis) {
     return axis == 0 ? v.x : axis == 1 ? v.y : v.z;
@@ -43,48 +51,84 @@ struct Piece {
     }
 };
 
-/// All triangles in order, then what those leave that are halved: slender ones askew in large boxes, the
-/// largest first, where a query would meet many of them to no purpose.
+bool isMostlyEmpty(const Piece& piece, double least) {
+    constexpr double kMostlyEmpty = 8;  // box over triangle, by area
+    const double half_area = piece.box().halfArea();
+    return half_area > least && half_area > kMostlyEmpty * piece.area();
+}
+
+/// Calls emit(piece) for the parts of a piece whose boxes are mostly empty no more, or not above `least`
+/// (m^2) by half of their area.
+template <typename Emit>
+void halve(const Piece& piece, double least, Emit&& emit) {
+    if (!isMostlyEmpty(piece, least)) {
+        emit(piece);
+        return;
+    }
+    for (const Piece& half : piece.halves()) halve(half, least, emit);
+}
+
+/// The triangles, in blocks, each as the pieces that halve() makes of it.
+class HalvedTriangles {
+  public:
+    explicit HalvedTriangles(const TriangleMesh& mesh)
+        : mesh_(mesh), counts_((mesh.triangles.size() + kBlock - 1) / kBlock) {}
+
+    size_t count(double least) {
+        tbb::parallel_for(size_t(0), counts_.size(), [&](size_t block) {
+            counts_[block] = 0;
+            halveBlock(block, least, [&](const Piece&) { ++counts_[block]; });
+        });
+        return std::accumulate(counts_.begin(), counts_.end(), size_t(0));
+    }
+    std::vector<Piece> pieces(double least) {
+        std::vector<Piece> all(count(least));
+        std::exclusive_scan(counts_.begin(), counts_.end(), counts_.begin(), size_t(0));
+        tbb::parallel_for(size_t(0), counts_.size(), [&](size_t block) {
+            halveBlock(block, least, [&](const Piece& piece) { all[counts_[block]++] = piece; });
+        });
+        return all;
+    }
+
+  private:
+    static constexpr size_t kBlock = 1024;
+
+    template <typename Emit>
+    void halveBlock(size_t block, double least, Emit&& emit) const {
+        const size_t end = std::min((block + 1) * kBlock, mesh_.triangles.size());
+        for (size_t t = block * kBlock; t < end; ++t) {
+            const auto& k = mesh_.triangles[t];
+            halve({{mesh_.positions[k[0]], mesh_.positions[k[1]], mesh_.positions[k[2]]}, uint32_t(t)}, least,
+                  emit);
+        }
+    }
+
+    const TriangleMesh& mesh_;
+    std::vector<size_t> counts_;  // by block
+};
+
+/// All triangles in order. Slender ones askew in large boxes, where a query would meet many of them to no
+/// purpose, are halved: as finely as leaves no more pieces than are worth it.
 std::vector<Piece> piecesOf(const TriangleMesh& mesh) {
-    constexpr double kMostlyEmpty = 8;                  // box over triangle, by area
+    constexpr double kFiner = 0.7;                      // from one try to the next
     constexpr double kLarge = 1.0 / 1024;               // of the mesh's box, by area:
     constexpr size_t kMostOfLarge = 4;                  // pieces, by triangle of the mesh
     constexpr double kSmall = 1.0 / 16384;              // in meshes that are not large themselves also these,
     constexpr size_t kMost = 16, kMostInAll = 500'000;  // up to so many
-    std::vector<Piece> pieces;
-    pieces.reserve(mesh.triangles.size());
     TreeBox all;
-    for (uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto& k = mesh.triangles[t];
-        pieces.push_back({{mesh.positions[k[0]], mesh.positions[k[1]], mesh.positions[k[2]]}, t});
-        all.add(pieces.back().box());
-    }
-    const size_t most = std::min(kMost * pieces.size(), kMostInAll),
-                 most_of_large = std::max(kMostOfLarge * pieces.size(), most);
+    for (const auto& t : mesh.triangles)
+        for (const uint32_t v : t) all.add(mesh.positions[v]);
+    const size_t triangles = mesh.triangles.size(), most = std::min(kMost * triangles, kMostInAll),
+                 most_of_large = std::max(kMostOfLarge * triangles, most);
     const double large = kLarge * all.halfArea(),
-                 least = (pieces.size() < most ? kSmall : kLarge) * all.halfArea();
-    std::vector<std::pair<double, uint32_t>> heap;  // area of the box, piece
-    const auto consider = [&](uint32_t piece) {
-        const double half_area = pieces[piece].box().halfArea();
-        if (half_area > least && half_area > kMostlyEmpty * pieces[piece].area())
-            heap.emplace_back(half_area, piece);
-    };
-    for (uint32_t piece = 0; piece < pieces.size(); ++piece) consider(piece);
-    std::make_heap(heap.begin(), heap.end());
-    while (!heap.empty() && pieces.size() < (heap.front().first > large ? most_of_large : most)) {
-        const uint32_t piece = heap.front().second;
-        std::pop_heap(heap.begin(), heap.end());
-        heap.pop_back();
-        const auto halves = pieces[piece].halves();
-        pieces[piece] = halves[0];
-        pieces.push_back(halves[1]);
-        for (const uint32_t half : {piece, uint32_t(pieces.size() - 1)}) {
-            const size_t before = heap.size();
-            consider(half);
-            if (heap.size() > before) std::push_heap(heap.begin(), heap.end());
-        }
+                 finest = (triangles < most ? kSmall : kLarge) * all.halfArea();
+    HalvedTriangles halved(mesh);
+    double least = all.halfArea();
+    for (double finer = kFiner * least; finer >= finest && finer > 0 && finer < kEndless; finer *= kFiner) {
+        if (halved.count(finer) > (finer >= large ? most_of_large : most)) break;
+        least = finer;
     }
-    return pieces;
+    return halved.pieces(least);
 }
 
 struct Split {
@@ -191,19 +235,21 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_count_(mesh.tria
     for (const Double3& p : mesh.positions) all.add(p);
     // Widened beyond the rounding of the slab test, of the ray's shear and of halved sides.
     const double slack = 1e-12 * (length(all.upper - all.lower) + length(all.upper) + length(all.lower));
-    for (const Piece& piece : pieces) {
-        const TreeBox box = piece.box();
-        builder.centres.push_back((box.lower + box.upper) * 0.5);
-        builder.boxes.push_back(
-            {box.lower - Double3{slack, slack, slack}, box.upper + Double3{slack, slack, slack}});
-    }
+    builder.centres.resize(pieces.size());
+    builder.boxes.resize(pieces.size());
+    forEachInBlocks(pieces.size(), [&](size_t i) {
+        const TreeBox box = pieces[i].box();
+        builder.centres[i] = (box.lower + box.upper) * 0.5;
+        builder.boxes[i] = {box.lower - Double3{slack, slack, slack},
+                            box.upper + Double3{slack, slack, slack}};
+    });
     builder.build(0, uint32_t(triangles_.size()), 0, nodes_);
-    corners_.reserve(triangles_.size());
-    for (uint32_t& id : triangles_) {
-        id = pieces[id].triangle;
-        const auto& t = mesh.triangles[id];
-        corners_.push_back({mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]});
-    }
+    corners_.resize(triangles_.size());
+    forEachInBlocks(triangles_.size(), [&](size_t i) {
+        triangles_[i] = pieces[triangles_[i]].triangle;
+        const auto& t = mesh.triangles[triangles_[i]];
+        corners_[i] = {mesh.positions[t[0]], mesh.positions[t[1]], mesh.positions[t[2]]};
+    });
 }
 
 }  // namespace demolish

@@ -21,22 +21,24 @@ struct PartAt {
 
 /// OutsideMesh::corner_part. One thread a point, once.
 struct MeasureParts {
-    static constexpr float kSliver = 1e-5f;  ///< h^2: below, a part's own normal is mostly rounding
+    /// Of a part's longest side times its distance from the origin: twice an area below that, and its own
+    /// normal is mostly the rounding of its points.
+    static constexpr float kRounding = 2.5e-7f;
 
     OutsideMesh mesh;
     Span<Vec4<float>> part;
 
     DEM_FN void operator()(uint32_t p) const {
         const OutsidePoint& a = mesh.points[p];
-        const float sliver = kSliver * a.spacing * a.spacing;
         for (uint32_t corner = mesh.corner_start[p]; corner < mesh.corner_start[p + 1]; ++corner) {
             const OutsidePoint &b = mesh.points[mesh.corner_next[corner]],
                                &c = mesh.points[mesh.corner_previous[corner]];
-            const Vec3<float> rest =
-                cross(toVec3(b.position) - toVec3(a.position), toVec3(c.position) - toVec3(a.position));
-            const bool clear = length2(rest) > sliver * sliver;
-            const Vec3<float> up =
-                normalized(clear ? rest : toVec3(a.normal) + toVec3(b.normal) + toVec3(c.normal));
+            const Vec3<float> ab = toVec3(b.position) - toVec3(a.position),
+                              ac = toVec3(c.position) - toVec3(a.position), rest = cross(ab, ac);
+            const float longest = maxOf(maxOf(length2(ab), length2(ac)), length2(ac - ab));
+            const float rounding = kRounding * kRounding * longest * length2(toVec3(a.position));
+            const Vec3<float> up = normalized(
+                length2(rest) > rounding ? rest : toVec3(a.normal) + toVec3(b.normal) + toVec3(c.normal));
             part[corner] = withW(up, dot(rest, up));
         }
     }
@@ -137,8 +139,9 @@ struct Untangle {
 
 /// What is still turned over goes back: by a part of its way, or all of it.
 struct TakeBack {
-    static constexpr uint32_t kSteps = 12;
-    static constexpr float kKept = 0.6f;  ///< of the way, in the first half of the steps
+    static constexpr uint32_t kSteps = 24;
+    static constexpr uint32_t kPartSteps = 6;  ///< the first ones, in which a part of the way is kept
+    static constexpr float kKept = 0.6f;
 
     PartsOfOutside parts;
     LayOnOutside lay;

@@ -240,15 +240,15 @@ void OutsideSurface<Backend>::untangle() {
     }
     for (uint32_t step = 0; step < TakeBack::kSteps; ++step) {
         std::swap(position_, position_before_);
-        const float kept = step < TakeBack::kSteps / 2 ? TakeBack::kKept : 0.0f;
-        tangled_.forEach(TakeBack{parts,
-                                  lay,
-                                  kept,
-                                  start_.view(),
-                                  position_before_.view(),
-                                  position_.span(),
-                                  {taking_back, step}},
-                         "take back");
+        const float kept = step < TakeBack::kPartSteps ? TakeBack::kKept : 0.0f;
+        moving_.forEach(TakeBack{parts,
+                                 lay,
+                                 kept,
+                                 start_.view(),
+                                 position_before_.view(),
+                                 position_.span(),
+                                 {taking_back, step}},
+                        "take back");
     }
 }
 

@@ -14,7 +14,9 @@
 #include <optional>
 #include <utility>
 
+#include "sim_cuda/authoring/looks/gltf_left_out.h"
 #include "sim_cuda/authoring/looks/image_import.h"
+#include "sim_cuda/authoring/looks/mtl_options.h"
 
 namespace demolish {
 namespace {
@@ -28,11 +30,38 @@ struct TextureSlot {
     uint8_t channel = 0;
 };
 
+/// By what it tells of how pictures are laid.
+enum class Format {
+    kGltf,
+    kWithRepeats,  ///< DAE, FBX
+    kOther
+};
+
+Format formatOf(const std::filesystem::path& model) {
+    std::string ending = model.extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending == ".gltf" || ending == ".glb"  ? Format::kGltf
+           : ending == ".dae" || ending == ".fbx" ? Format::kWithRepeats
+                                                  : Format::kOther;
+}
+
+/// What the meshes of a material have.
+struct UseOfMaterial {
+    int uv_sets = 0;
+    bool is_faint = false;  ///< opacities below 1 at the vertices
+};
+
 class MaterialReader {
   public:
-    /// `uv_sets`: that the meshes of this material have.
-    MaterialReader(const aiMaterial& material, bool is_gltf, int uv_sets, ImageImport& images)
-        : material_(material), is_gltf_(is_gltf), uv_sets_(uv_sets), images_(images) {}
+    MaterialReader(const aiMaterial& material, Format format, const UseOfMaterial& use,
+                   const MtlOptions& options, ImageImport& images)
+        : material_(material),
+          name_(material.GetName().C_Str()),
+          format_(format),
+          is_gltf_(format == Format::kGltf),
+          use_(use),
+          options_(options),
+          images_(images) {}
 
     LookMaterial read() {
         readMaps();
@@ -71,35 +100,47 @@ class MaterialReader {
     ImageUse use(std::initializer_list<TextureSlot> slots) {
         for (const TextureSlot& slot : slots) {
             aiString path;
-            if (material_.GetTexture(slot.type, 0, &path) != aiReturn_SUCCESS || path.length == 0) continue;
+            material_.GetTexture(slot.type, 0, &path);
+            const MtlPicture* with_options = options_.find(name_, slot.type);
+            const std::string name = with_options != nullptr ? with_options->name : path.C_Str();
+            if (name.empty()) continue;
             int uv_set = 0, wrap_u = aiTextureMapMode_Wrap, wrap_v = aiTextureMapMode_Wrap;
             material_.Get(AI_MATKEY_UVWSRC(slot.type, 0), uv_set);
             // Of a file whose only set is its number 1, assimp keeps the number and moves the set to 0.
-            if (uv_sets_ < 2) uv_set = 0;
+            if (use_.uv_sets < 2) uv_set = 0;
             if (uv_set < 0 || uv_set > 1) {
-                images_.note(std::string("the texture '") + path.C_Str() +
-                             "' lies on a third set of UVs and is left out");
+                images_.note("the texture '" + name + "' lies on a third set of UVs and is left out");
                 return {};
             }
-            noteHowLaid(slot.type, path.C_Str(), laid_[size_t(uv_set)]);
+            noteHowLaid(slot.type, name, with_options, laid_[size_t(uv_set)]);
             material_.Get(AI_MATKEY_MAPPINGMODE_U(slot.type, 0), wrap_u);
             material_.Get(AI_MATKEY_MAPPINGMODE_V(slot.type, 0), wrap_v);
-            return {images_.imageOf(path.C_Str()), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
+            return {images_.imageOf(name), slot.channel, wrapOf(wrap_u), wrapOf(wrap_v),
                     static_cast<uint8_t>(uv_set)};
         }
         return {};
     }
     /// The first picture of a set says how all of them are laid over it: the colours, where there are any.
-    void noteHowLaid(aiTextureType type, const std::string& name, std::optional<UvTransform>& laid) {
-        aiUVTransform transform;
-        const bool is_said =
-            is_gltf_ && material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) == aiReturn_SUCCESS;
-        const UvTransform own = is_said ? uvTransformOfGltf(transform) : UvTransform{};
+    void noteHowLaid(aiTextureType type, const std::string& name, const MtlPicture* with_options,
+                     std::optional<UvTransform>& laid) {
+        const UvTransform own = with_options != nullptr ? with_options->laid : laidAs(type, name);
+        if (with_options != nullptr)
+            for (const std::string& option : with_options->unfollowed)
+                images_.note("the option " + option + " of the texture '" + name + "' is not followed");
         if (!laid) laid = own;
         if (*laid != own)
             images_.note("the texture '" + name +
                          "' is laid otherwise than the others of its material, and "
                          "follows them");
+    }
+    UvTransform laidAs(aiTextureType type, const std::string& name) {
+        aiUVTransform transform;
+        if (format_ == Format::kOther ||
+            material_.Get(AI_MATKEY_UVTRANSFORM(type, 0), transform) != aiReturn_SUCCESS)
+            return {};
+        if (is_gltf_) return uvTransformOfGltf(transform);
+        if (transform.mRotation != 0) images_.note("the turn of the texture '" + name + "' is not followed");
+        return uvTransformOfRepeats(transform);
     }
     static TextureWrap wrapOf(int mode) {
         return mode == aiTextureMapMode_Mirror                                    ? TextureWrap::kMirror
@@ -122,7 +163,8 @@ class MaterialReader {
 
     void readColours() {
         aiColor4D colour(1, 1, 1, 1);
-        if (material_.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS)
+        // Of a glTF that tells specular and glossiness, the base colour is not meant.
+        if (isGlossy() || material_.Get(AI_MATKEY_BASE_COLOR, colour) != aiReturn_SUCCESS)
             material_.Get(AI_MATKEY_COLOR_DIFFUSE, colour);
         const bool has_map = look_.base_map.image != kNoImage;
         // Exporters write black or assimp's grey beside a picture and do not mean it.
@@ -137,6 +179,11 @@ class MaterialReader {
         const bool black = glow.r == 0 && glow.g == 0 && glow.b == 0;
         if (!is_gltf_ && black && look_.emission_map.image != kNoImage) glow = aiColor4D(1, 1, 1, 1);
         setNumbers(look_.emission, {glow.r * intensity, glow.g * intensity, glow.b * intensity}, 100);
+    }
+
+    bool isGlossy() const {
+        float glossiness = 0;
+        return is_gltf_ && material_.Get(AI_MATKEY_GLOSSINESS_FACTOR, glossiness) == aiReturn_SUCCESS;
     }
 
     static bool isAssimpsGrey(const aiColor4D& colour) {
@@ -156,9 +203,18 @@ class MaterialReader {
         setNumbers(&look_.metallic, {metallic}, 1);
         setNumbers(&look_.roughness, {roughness}, 1);
         look_.roughness = std::max(look_.roughness, kLeastRoughness);
+        if (isGlossy()) {
+            float glossiness = 0;
+            material_.Get(AI_MATKEY_GLOSSINESS_FACTOR, glossiness);
+            setNumbers(&look_.metallic, {0}, 1);
+            setNumbers(&look_.roughness, {1 - glossiness}, 1);
+            look_.roughness = std::max(look_.roughness, kLeastRoughness);
+        }
         float scale = 1, strength = 1;
         material_.Get(AI_MATKEY_GLTF_TEXTURE_SCALE(aiTextureType_NORMALS, 0), scale);
         material_.Get(AI_MATKEY_GLTF_TEXTURE_STRENGTH(aiTextureType_LIGHTMAP, 0), strength);
+        for (const aiTextureType type : {aiTextureType_NORMALS, aiTextureType_HEIGHT})
+            if (const MtlPicture* picture = options_.find(name_, type)) scale = picture->bump;
         setNumbers(&look_.normal_scale, {scale}, 10);
         setNumbers(&look_.occlusion_strength, {strength}, 1);
     }
@@ -179,6 +235,7 @@ class MaterialReader {
         if (cut && hasHoles()) setNumbers(&look_.alpha_cutoff, {cutoff}, 1);
     }
     bool hasHoles() const {
+        if (is_gltf_ && use_.is_faint) return true;
         if (look_.base_map.image == kNoImage) return false;
         const std::vector<uint8_t>& texels = images_.at(look_.base_map.image).texels;
         for (size_t i = 3; i < texels.size(); i += 4)
@@ -192,12 +249,23 @@ class MaterialReader {
     }
 
     const aiMaterial& material_;
+    const std::string name_;
+    Format format_;
     bool is_gltf_;
-    int uv_sets_;
+    UseOfMaterial use_;
+    const MtlOptions& options_;
     ImageImport& images_;
     LookMaterial look_;
     std::array<std::optional<UvTransform>, 2> laid_;
 };
+
+/// Of colours without opacity assimp leaves it at 0.
+bool isFaint(const aiMesh& mesh) {
+    if (!mesh.HasVertexColors(0)) return false;
+    const aiColor4D *begin = mesh.mColors[0], *end = begin + mesh.mNumVertices;
+    return std::any_of(begin, end, [](const aiColor4D& c) { return c.a != 0; }) &&
+           std::any_of(begin, end, [](const aiColor4D& c) { return c.a < 1; });
+}
 
 bool saysColour(const LookMaterial& look) {
     const auto* c = look.base_colour;
@@ -215,34 +283,42 @@ bool namesTexture(const aiMaterial& material) {
 }  // namespace
 
 ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& scene) {
-    std::string ending = model.extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    const bool is_gltf = ending == ".gltf" || ending == ".glb";
     auto looks = std::make_shared<ModelLooks>();
-    std::map<unsigned, int> uv_sets;  // of the materials that are used
+    std::map<unsigned, UseOfMaterial> uses;  // of the materials that are used
     for (unsigned i = 0; i < scene.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[i];
-        int& sets = uv_sets[mesh.mMaterialIndex];
-        sets = std::max(sets, static_cast<int>(mesh.GetNumUVChannels()));
+        UseOfMaterial& use = uses[mesh.mMaterialIndex];
+        use.uv_sets = std::max(use.uv_sets, static_cast<int>(mesh.GetNumUVChannels()));
+        use.is_faint = use.is_faint || isFaint(mesh);
         looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
+    const MtlOptions options(model);
     std::vector<std::array<UvTransform, 2>> uv_transforms;
     bool any = looks->has_colours;
     const unsigned count = std::min<unsigned>(scene.mNumMaterials, kMostMaterials);
     for (unsigned m = 0; m < count; ++m) {
         looks->materials.emplace_back();
         uv_transforms.emplace_back();
-        const auto used = uv_sets.find(m);
-        if (used == uv_sets.end()) continue;
-        MaterialReader reader(*scene.mMaterials[m], is_gltf, used->second, images);
+        const auto used = uses.find(m);
+        if (used == uses.end()) continue;
+        MaterialReader reader(*scene.mMaterials[m], formatOf(model), used->second, options, images);
         looks->materials[m] = reader.read();
         uv_transforms[m] = reader.uvTransforms();
-        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]);
+        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]) ||
+              options.names(scene.mMaterials[m]->GetName().C_Str());
     }
-    if (!any) return {};
+    const GltfLeftOut left = gltfLeftOut(model);
+    for (const std::string& note : left.pictures) images.note(note);
+    any = any || !left.pictures.empty();
     looks->images = images.takeImages();
     looks->notes = images.takeNotes();
+    looks->notes.insert(looks->notes.end(), left.nodes.begin(), left.nodes.end());
+    if (!any) {
+        looks->materials.clear();
+        uv_transforms.clear();
+        if (looks->notes.empty()) looks = nullptr;
+    }
     return {std::move(looks), std::move(uv_transforms)};
 }
 

@@ -6,6 +6,7 @@
 #include <assimp/material.h>
 
 #include <cmath>
+#include <utility>
 
 namespace demolish {
 
@@ -21,6 +22,14 @@ UvTransform uvTransformOfGltf(const aiUVTransform& transform) {
     for (const double number : {u[0], u[1], u[2], v[0], v[1], v[2]})
         if (!std::isfinite(number)) return {};
     return {{float(u[0]), float(u[1]), float(u[2])}, {float(v[0]), float(v[1]), float(v[2])}};
+}
+
+UvTransform uvTransformOfRepeats(const aiUVTransform& transform) {
+    const auto [scale, offset] = std::pair(transform.mScaling, transform.mTranslation);
+    for (const auto number : {scale.x, scale.y, offset.x, offset.y})
+        if (!std::isfinite(number)) return {};
+    if (scale.x == 0 || scale.y == 0) return {};
+    return {{float(scale.x), 0, float(offset.x)}, {0, float(scale.y), float(offset.y)}};
 }
 
 }  // namespace demolish

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a picture is laid over the UVs of a model: repeated, moved and turned by glTF's KHR_texture_transform.
+// How a picture is laid over the UVs of a model: repeated, moved and turned, as by glTF's
+// KHR_texture_transform.
 #pragma once
 #include "sim_cuda/api/triangle_mesh.h"
 
@@ -18,5 +19,9 @@ struct UvTransform {
 
 /// Of what assimp makes of the extension. None where its numbers are not finite.
 UvTransform uvTransformOfGltf(const aiUVTransform& transform);
+
+/// Of what it makes of repeats and offsets in DAE and FBX files: u' = s u + o. None where its numbers are not
+/// finite, or nothing would be left of the picture; turns are left out.
+UvTransform uvTransformOfRepeats(const aiUVTransform& transform);
 
 }  // namespace demolish

@@ -2,6 +2,8 @@
 // Doubles lie side by side once the triangles are sorted by their vertices.
 #include "sim_cuda/authoring/repair/doubles.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 
 #include "sim_cuda/authoring/double3.h"
@@ -32,7 +34,7 @@ std::vector<Doubles> doublesOf(const TriangleMesh& mesh) {
         std::sort(k.begin(), k.end());
         entries.push_back({k, is_even, t});
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
         return a.sorted != b.sorted ? a.sorted < b.sorted : a.triangle < b.triangle;
     });
     std::vector<Doubles> all;

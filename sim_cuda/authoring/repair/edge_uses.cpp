@@ -2,6 +2,8 @@
 // Edges by sorting their uses.
 #include "sim_cuda/authoring/repair/edge_uses.h"
 
+#include <tbb/parallel_sort.h>
+
 #include <algorithm>
 #include <tuple>
 
@@ -19,7 +21,8 @@ std::vector<EdgeUse> edgeUses(const TriangleMesh& mesh, const std::vector<uint32
     const auto key = [](const EdgeUse& use) {
         return std::tie(use.group, use.low, use.high, use.triangle, use.direction);
     };
-    std::sort(uses.begin(), uses.end(), [&](const EdgeUse& a, const EdgeUse& b) { return key(a) < key(b); });
+    tbb::parallel_sort(uses.begin(), uses.end(),
+                       [&](const EdgeUse& a, const EdgeUse& b) { return key(a) < key(b); });
     return uses;
 }
 

@@ -5,6 +5,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "sim_cuda/authoring/corner_looks.h"
 #include "sim_cuda/authoring/repair/doubles.h"
@@ -52,10 +53,31 @@ Float3 normalAt(const Corners& corners, const std::array<double, 3>& weights, co
     return toFloat(dot(mean, of_face) < kLeastAgreement ? of_face : mean);
 }
 
+/// By triangle. Triangles that follow each other mostly lie close together: where the one before lies bounds
+/// the search.
+std::vector<ClosestPoint> closestToMiddles(const RepairMesh& surface, const MeshQueries& queries) {
+    constexpr size_t kBlock = 64;
+    constexpr double kRounding = 1 + 1e-9;
+    std::vector<ClosestPoint> all(surface.size());
+    tbb::parallel_for(size_t(0), (all.size() + kBlock - 1) / kBlock, [&](size_t block) {
+        const size_t begin = block * kBlock, end = std::min(begin + kBlock, all.size());
+        for (size_t t = begin; t < end; ++t) {
+            const Double3 middle = surface.middle(t);
+            const double bound = t > begin ? length(middle - all[t - 1].point) * kRounding
+                                           : std::numeric_limits<double>::infinity();
+            all[t] = queries.closestPoint(middle, bound);
+            // Within rounding of the surface, or the numbers leave the bound no room.
+            if (all[t].triangle == kNoTriangle) all[t] = queries.closestPoint(middle);
+        }
+    });
+    return all;
+}
+
 /// Farther than this from the original (m) is over a hole: no looks to take.
 void takeLooks(RepairMesh& surface, const RepairMesh& original, const MeshQueries& queries, double reach) {
+    const std::vector<ClosestPoint> all = closestToMiddles(surface, queries);
     tbb::parallel_for(size_t(0), surface.size(), [&](size_t t) {
-        const ClosestPoint nearest = queries.closestPoint(surface.middle(t));
+        const ClosestPoint& nearest = all[t];
         const Corners& from = original.mesh.corners[nearest.triangle];
         const Double3 of_face = surface.normal(t);
         surface.source[t] = original.source[nearest.triangle];

@@ -2,17 +2,15 @@
 // The parts about a doubled point belong together.
 #include "sim_cuda/authoring/repair/unite.h"
 
-#include <tbb/parallel_for.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
 #include "sim_cuda/authoring/mesh_checks.h"
-#include "sim_cuda/authoring/mesh_queries.h"
 #include "sim_cuda/authoring/repair/disjoint_sets.h"
 #include "sim_cuda/authoring/repair/orientation.h"
+#include "sim_cuda/authoring/repair/parts_about.h"
 #include "sim_cuda/authoring/repair/remesh.h"
 #include "sim_cuda/authoring/unused_vertices.h"
 
@@ -47,31 +45,6 @@ Groups numbered(DisjointSets& sets, const std::vector<char>& is_doubled) {
     return numbered(sets, is_doubled);
 }
 
-/// Parts that have the point inside of them, ascending.
-std::vector<uint32_t> partsAbout(const Double3& point, const RepairMesh& repair, const MeshQueries& queries) {
-    std::vector<uint32_t> about;
-    std::vector<std::pair<uint32_t, int>> crossed;  // part, direction
-    for (const auto& [triangle, direction] : queries.crossings(point))
-        crossed.emplace_back(repair.part[triangle], direction);
-    std::sort(crossed.begin(), crossed.end());
-    for (size_t begin = 0, end = 0; begin < crossed.size(); begin = end) {
-        int winding = 0;
-        for (; end < crossed.size() && crossed[end].first == crossed[begin].first; ++end)
-            winding += crossed[end].second;
-        if (winding > 0) about.push_back(crossed[begin].first);
-    }
-    return about;
-}
-
-/// The same for each of the points.
-std::vector<std::vector<uint32_t>> partsAboutEach(const std::vector<Double3>& points,
-                                                  const RepairMesh& repair, const MeshQueries& queries) {
-    std::vector<std::vector<uint32_t>> about(points.size());
-    tbb::parallel_for(size_t(0), points.size(),
-                      [&](size_t i) { about[i] = partsAbout(points[i], repair, queries); });
-    return about;
-}
-
 /// By part: is it inside out? About the middle of the mesh.
 std::vector<char> hollowParts(const RepairMesh& repair) {
     const Bounds bounds = boundsOf(repair.mesh.positions);
@@ -86,14 +59,14 @@ std::vector<char> hollowParts(const RepairMesh& repair) {
 }
 
 Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
-    const MeshQueries queries(repair.mesh);
+    PartsAbout parts(repair);
     const std::vector<char> is_hollow = hollowParts(repair);
     std::vector<Double3> points;
     const size_t step = std::max<size_t>(1, doubled.size() / kMostPoints);
     for (size_t i = 0; i < doubled.size(); i += step) points.push_back(doubled[i]);
     DisjointSets sets(repair.parts);
     std::vector<char> is_doubled(repair.parts, 0);
-    for (const std::vector<uint32_t>& about : partsAboutEach(points, repair, queries))
+    for (const std::vector<uint32_t>& about : parts.eachOfGrid(points))
         for (const uint32_t p : about) {
             sets.join(about[0], p);
             is_doubled[p] = 1;
@@ -108,7 +81,7 @@ Groups groupsOf(const RepairMesh& repair, const std::vector<Double3>& doubled) {
         hollows.push_back(p);
         of_hollows.push_back(repair.middle(t));
     }
-    const auto hosts = partsAboutEach(of_hollows, repair, queries);
+    const auto hosts = parts.each(of_hollows);
     for (size_t i = 0; i < hollows.size(); ++i)
         for (const uint32_t host : hosts[i])
             if (is_hollow[host] == 0) sets.join(hollows[i], host);

@@ -21,8 +21,10 @@ struct CellHash {
 
 class StayingVertices {
   public:
-    StayingVertices(const Double3& origin, double tolerance)
-        : origin_(origin), tolerance_(tolerance), per_metre_(1 / (4 * tolerance)) {}
+    StayingVertices(const Double3& origin, double tolerance, size_t most)
+        : origin_(origin), tolerance_(tolerance), per_metre_(1 / (4 * tolerance)) {
+        first_.reserve(most);
+    }
 
     /// The nearest that stayed within the tolerance, or the point itself as a new one.
     uint32_t idOf(const Double3& p) {
@@ -75,7 +77,7 @@ class StayingVertices {
 size_t weldNear(RepairMesh& repair, double tolerance) {
     TriangleMesh& mesh = repair.mesh;
     if (mesh.positions.empty() || !(tolerance > 0)) return 0;
-    StayingVertices staying(boundsOf(mesh.positions).lower, tolerance);
+    StayingVertices staying(boundsOf(mesh.positions).lower, tolerance, mesh.positions.size());
     std::vector<uint32_t> id(mesh.positions.size());
     for (size_t v = 0; v < id.size(); ++v) id[v] = staying.idOf(mesh.positions[v]);
     mesh.positions = std::move(staying).take();

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kPointsAlong = 32;  // of a cube
 constexpr size_t kEnoughInside = 4000;
+constexpr int kSlabs = 4;  // of layers, each of which looks at all triangles
 
 struct SampleGrid {
     Bounds bounds;
@@ -54,12 +55,16 @@ std::vector<int> windingsOn(const SampleGrid& grid, const TriangleMesh& mesh) {
     const NodeFrame frame{{}, 1, grid.count[0], grid.count[1], grid.count[2]};
     RowCrossings crossings(frame);
     const Double3 origin = grid.point(0), cell = grid.cell();
-    const auto inGrid = [&](const Double3& p) {
-        return Double3{(p.x - origin.x) / cell.x, (p.y - origin.y) / cell.y, (p.z - origin.z) / cell.z};
-    };
-    for (const auto& [a, b, c] : mesh.triangles)
-        crossings.add({inGrid(mesh.positions[a]), inGrid(mesh.positions[b]), inGrid(mesh.positions[c])}, 0,
-                      frame.nz);
+    std::vector<Double3> placed(mesh.positions.size());
+    tbb::parallel_for(size_t(0), placed.size(), [&](size_t v) {
+        const Double3& p = mesh.positions[v];
+        placed[v] = {(p.x - origin.x) / cell.x, (p.y - origin.y) / cell.y, (p.z - origin.z) / cell.z};
+    });
+    tbb::parallel_for(0, kSlabs, [&](int slab) {
+        const int begin = slab * frame.nz / kSlabs, end = (slab + 1) * frame.nz / kSlabs;
+        for (const auto& [a, b, c] : mesh.triangles)
+            crossings.add({placed[a], placed[b], placed[c]}, begin, end);
+    });
     std::optional<MeshQueries> queries;
     crossings.finishLayers(0, frame.nz, [&](int i, int j, int k) {
         if (!queries) queries.emplace(mesh);

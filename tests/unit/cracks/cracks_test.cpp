@@ -61,5 +61,24 @@ TEST(Cracks, OfARabbitWhoseCellsFollowToughOnesAreEvener) {
     EXPECT_LT(measures.faces, 0.06);
 }
 
+/// Where a thin limb parts, what turns over goes back ring by ring, farther than what was untangled; and
+/// parts of 0.003 h at a sharp edge have a side, too.
+TEST(Cracks, NoPartOfTheOutsideTurnsOverHoweverABodyParts) {
+    for (const bool conform : {false, true}) {
+        Shot shot = tests::smallScene("wolf", 800);
+        shot.conform = conform;
+        const BuiltShot built = buildShot(shot, {}, {});
+        for (uint32_t seed = 1; seed <= 3; ++seed) {
+            DrawnSurface drawn(built.setup);
+            const auto cells = static_cast<uint32_t>(drawn.cells());
+            drawn.show(std::vector<uint32_t>(cells, 0));
+            drawn.show(randomFragments(drawn.scene.geometry, cells, 12, seed));
+            const CrackMeasures measures = measureCracks(drawn, drawn.spacing(), drawn.volume());
+            EXPECT_EQ(measures.flipped, 0u) << "conform " << conform << ", seed " << seed;
+            EXPECT_EQ(measures.open_edges, 0u);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace demolish::test

@@ -103,43 +103,23 @@ TEST_F(ImportLooks, TheOnlySetOfUvsIsTakenWhateverItsNumber) {
     EXPECT_EQ(look.base_map.uv_set, 0);
 }
 
-std::string cubeLaid(const std::string& laid, const std::string& more = "") {
-    return test::cubeGlb(
-        R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0)" + laid + "}}" + more + "}",
-        test::pngOf(2, 2, test::fourTexels()));
-}
-std::string transformOf(const std::string& numbers) {
-    return R"(,"extensions":{"KHR_texture_transform":{)" + numbers + "}}";
-}
-
-/// glTF counts v downwards, and turns so that a quarter of a turn of half the size from (0, 1) shows the
-/// lower left quarter of the picture (the example of its text).
-TEST_F(ImportLooks, PicturesAreRepeatedMovedAndTurnedAsGltfSays) {
-    const ImportedModel plain = importModel(write("a.glb", cubeLaid("")));
-    const ImportedModel repeated =
-        importModel(write("b.glb", cubeLaid(transformOf(R"("scale":[4,2],"offset":[0.1,0.2])"))));
-    const ImportedModel turned = importModel(write(
-        "c.glb", cubeLaid(transformOf(R"("scale":[0.5,0.5],"offset":[0,1],"rotation":1.57079632679)"))));
-    EXPECT_TRUE(turned.looks->notes.empty());
-    for (size_t t = 0; t < plain.mesh.corners.size(); ++t)
-        for (size_t k = 0; k < 3; ++k) {
-            const float u = plain.mesh.corners[t][k].uv.x, v = 1 - plain.mesh.corners[t][k].uv.y;
-            EXPECT_NEAR(repeated.mesh.corners[t][k].uv.x, 4 * u + 0.1f, 1e-5);
-            EXPECT_NEAR(repeated.mesh.corners[t][k].uv.y, 1 - (2 * v + 0.2f), 1e-5);
-            EXPECT_NEAR(turned.mesh.corners[t][k].uv.x, 0.5f * v, 1e-5);
-            EXPECT_NEAR(turned.mesh.corners[t][k].uv.y, 1 - (1 - 0.5f * u), 1e-5);
-        }
-}
-
-TEST_F(ImportLooks, PicturesOfOneMaterialThatAreLaidUnlikeFollowTheColours) {
-    const ImportedModel model = importModel(
-        write("cube.glb", cubeLaid(transformOf(R"("scale":[4,4])"), R"(,"normalTexture":{"index":0})")));
-    EXPECT_THAT(model.looks->notes,
-                ElementsAre(HasSubstr("is laid otherwise than the others of its material")));
-    float most = 0;
-    for (const auto& corners : model.mesh.corners)
-        for (const CornerAttributes& corner : corners) most = std::max(most, corner.uv.x);
-    EXPECT_NEAR(most, 4, 1e-5);
+TEST_F(ImportLooks, PicturesOfAGltfThatOnlyAnExtensionNamesAreSaid) {
+    const auto saying = [&](const std::string& texture) {
+        return importModel(
+                   write("cube.glb",
+                         test::cubeGlb(R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}})",
+                                       test::pngOf(2, 2, test::fourTexels()), false, "[{" + texture + "}]")))
+            .looks;
+    };
+    const auto webp = saying(R"("extensions":{"EXT_texture_webp":{"source":0}})");
+    ASSERT_NE(webp, nullptr);
+    EXPECT_THAT(webp->notes, ElementsAre("the texture 'number 0' is WebP, which is not read "
+                                         "(EXT_texture_webp): a plain colour instead; export it as PNG or "
+                                         "JPEG"));
+    const auto both = saying(R"("source":0,"extensions":{"EXT_texture_webp":{"source":0}})");
+    ASSERT_NE(both, nullptr);
+    EXPECT_TRUE(both->notes.empty());
+    EXPECT_EQ(both->images.size(), 1u);
 }
 
 TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
@@ -157,6 +137,34 @@ TEST_F(ImportLooks, WhatIsBlendedIsKeptAsThatWhereItLetsLightThrough) {
     EXPECT_EQ(cutoffOf(R"({"alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorFactor":[1,0,0,0.25]}})",
                        test::fourTexels()),
               kBlends);
+}
+
+/// Of an older extension, which tells specular and glossiness in place of metal and roughness.
+TEST_F(ImportLooks, GlossyMaterialsOfGltfKeepTheirColour) {
+    const ImportedModel model = importModel(write(
+        "cube.glb",
+        test::cubeGlb(
+            R"({"extensions":{"KHR_materials_pbrSpecularGlossiness":{"diffuseFactor":[1,0.5,0,1],"glossinessFactor":0.75}}})",
+            test::pngOf(2, 2, test::fourTexels()), false,
+            R"([{"source":0}],"extensionsUsed":["KHR_materials_pbrSpecularGlossiness"])")));
+    ASSERT_NE(model.looks, nullptr);
+    const LookMaterial& look = model.looks->materials[model.mesh.corners[0][0].material];
+    EXPECT_THAT(look.base_colour, ElementsAre(1, 0.5f, 0, 1));
+    EXPECT_EQ(look.metallic, 0);
+    EXPECT_EQ(look.roughness, 0.25f);
+}
+
+TEST_F(ImportLooks, OpacitiesAtTheVerticesAreKeptWhereTheyAreMeant) {
+    const auto looking = [&](const std::string& material, float opacity) {
+        const ImportedModel model =
+            importModel(write("cube.glb", test::cubeGlb(material, test::pngOf(2, 2, test::fourTexels()), true,
+                                                        R"([{"source":0}])", opacity)));
+        return model.looks->materials[model.mesh.corners[0][0].material].alpha_cutoff;
+    };
+    EXPECT_EQ(looking(R"({"alphaMode":"BLEND"})", 0.25f), kBlends);
+    EXPECT_EQ(looking(R"({"alphaMode":"MASK","alphaCutoff":0.75})", 0.25f), 0.75f);
+    EXPECT_EQ(looking(R"({"alphaMode":"BLEND"})", 1), 0);
+    EXPECT_EQ(looking("{}", 0.25f), 0) << "opaque, says the file";
 }
 
 TEST_F(ImportLooks, ColoursOfGltfAreLinear) {

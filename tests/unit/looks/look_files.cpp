@@ -101,7 +101,8 @@ std::string cubeObj(const std::string& mtl_file) {
     return text.str();
 }
 
-std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours) {
+std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours,
+                    const std::string& textures, float opacity) {
     std::string positions, normals, uvs, second_uvs, colours, indices;
     uint16_t number = 0;
     for (const CubeCorner& c : cubeCorners()) {
@@ -109,7 +110,7 @@ std::string cubeGlb(const std::string& material, const std::string& picture, boo
         put(normals, c.normal);
         put(uvs, std::array<float, 2>{c.uv[0], 1 - c.uv[1]});  // glTF's v runs downwards
         put(second_uvs, std::array<float, 2>{0.5f * c.uv[0], 1 - 0.25f * c.uv[1]});
-        put(colours, std::array<float, 3>{0.5f, 0.25f, 1});
+        put(colours, std::array<float, 4>{0.5f, 0.25f, 1, opacity});
         if (++number % 4 != 0) continue;
         for (const int k : {-4, -3, -2, -4, -2, -1}) put(indices, static_cast<uint16_t>(number + k));
     }
@@ -122,14 +123,15 @@ std::string cubeGlb(const std::string& material, const std::string& picture, boo
     }
     std::ostringstream text;
     text
-        << R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_texture_transform"],"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[)"
+        << R"({"asset":{"version":"2.0"},"extensionsUsed":["KHR_texture_transform","KHR_materials_pbrSpecularGlossiness"],"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[)"
         << R"({"primitives":[{"attributes":{"POSITION":0,"NORMAL":1,"TEXCOORD_0":2,"TEXCOORD_1":5)"
         << (with_colours ? R"(,"COLOR_0":3)" : "") << R"(},"indices":4,"material":0}]}],"materials":[)"
-        << material << R"(],"textures":[{"source":0}],"images":[{"bufferView":5,"mimeType":"image/png"}],)"
+        << material << R"(],"textures":)" << textures
+        << R"(,"images":[{"bufferView":5,"mimeType":"image/png"}],)"
         << R"("accessors":[)"
         << accessor(0, 5126, 24, "VEC3", R"(,"min":[-0.5,-0.5,-0.5],"max":[0.5,0.5,0.5])") << ','
         << accessor(1, 5126, 24, "VEC3") << ',' << accessor(2, 5126, 24, "VEC2") << ','
-        << accessor(3, 5126, 24, "VEC3") << ',' << accessor(4, 5123, 36, "SCALAR") << ','
+        << accessor(3, 5126, 24, "VEC4") << ',' << accessor(4, 5123, 36, "SCALAR") << ','
         << accessor(6, 5126, 24, "VEC2") << R"(],"bufferViews":[)" << views
         << R"(],"buffers":[{"byteLength":)" << data.size() << "}]}";
     std::string json = text.str();

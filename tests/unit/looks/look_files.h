@@ -19,8 +19,9 @@ std::vector<uint8_t> fourTexels();
 std::string cubeObj(const std::string& mtl_file);
 
 /// The same cube as a binary glTF; `material` is the JSON object of its material, `picture` the PNG that it
-/// names as texture 0. COLOR_0 is (0.5, 0.25, 1), linear, with `with_colours`.
-std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours = false);
+/// names as texture 0. COLOR_0 is (0.5, 0.25, 1, opacity), linear, with `with_colours`.
+std::string cubeGlb(const std::string& material, const std::string& picture, bool with_colours = false,
+                    const std::string& textures = R"([{"source":0}])", float opacity = 1);
 
 /// The same as COLLADA, textured by the file `picture`.
 std::string cubeDae(const std::string& picture);

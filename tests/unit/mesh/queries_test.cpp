@@ -191,6 +191,15 @@ TEST(ClosestPoint, OfManyTrianglesAgreesWithBruteForce) {
 }
 
 /// A part's own crossings sum up to its own winding number, whatever else the ray passes.
+/// The area of their boxes is no number any more.
+TEST(SlenderTriangles, OfHugeMeshesAreNotHalvedWithoutEnd) {
+    TriangleMesh mesh = test::makeSphere(1, 2);
+    for (Double3& p : mesh.positions) p = p * 1e200;
+    EXPECT_FALSE(TriangleTree(mesh).repeats());
+    for (Double3& p : mesh.positions) p = p * 1e-200 * 1e-200;
+    EXPECT_FALSE(TriangleTree(mesh).repeats());
+}
+
 TEST(Crossings, OfEachPartSumUpToItsWindingNumber) {
     constexpr int kBeams = 40;
     const TriangleMesh beams = askewBeams(kBeams);
