@@ -35,21 +35,16 @@ bool hasRelief(const std::vector<glm::vec2>& reliefs) {
 
 ReliefPass::ReliefPass(std::filesystem::path shaders) : shaders_(std::move(shaders)) {}
 
-const NearFaces* ReliefPass::find(const FractureMesh& mesh, const FrameView& view, const FrameUniforms& frame,
+const NearFaces* ReliefPass::find(const FractureMesh* mesh, const FrameView& view, const FrameUniforms& frame,
                                   bool in_software) {
-    if (view.quality != RenderQuality::kFull || !showsSolid(&mesh, view) || !mesh.cellSpheres())
+    if (view.quality != RenderQuality::kFull || !showsSolid(mesh, view) || !mesh->cellSpheres())
         return nullptr;
-    Key key{mesh.version(), frame.view_projection, frame.viewport, reliefsOf(view)};
+    Key key{mesh->version(), frame.view_projection, frame.viewport, reliefsOf(view)};
     if (!hasRelief(key.reliefs)) return nullptr;
     if (key != key_) {
-        if (cells_.id() == 0) {
-            cells_ = gl::Program(shaders_, {"relief_cells.comp"}, "#define COMPUTED\n");
-            count_ = gl::Program(shaders_, {"relief_count.comp"}, "#define COMPUTED\n");
-            faces_ = gl::Program(shaders_, {"relief_faces.comp"}, "#define COMPUTED\n");
-        }
-        makeRoom(mesh);
+        makeRoom(*mesh);
         tell(key);
-        run(mesh);
+        run(*mesh);
         key_ = std::move(key);
         near_.version = !in_software || showsAny(near_) ? ++last_version_ : 0;
     }
@@ -60,6 +55,10 @@ void ReliefPass::makeRoom(const FractureMesh& mesh) {
     const size_t cell_bytes = std::max<size_t>(mesh.particleCount(), 4) * sizeof(uint32_t);
     if (near_.cells.size() != cell_bytes) near_.cells = gl::Buffer::resizable(cell_bytes);
     if (near_.indices) return;
+    for (const auto& [program, file] : {std::pair(&cells_, "relief_cells.comp"),
+                                        {&count_, "relief_count.comp"},
+                                        {&faces_, "relief_faces.comp"}})
+        *program = gl::Program(shaders_, {file}, "#define COMPUTED\n");
     near_.indices =
         gl::Buffer::resizable(sizeof(NearFaces::Header) + 3 * NearFaces::kMostTriangles * sizeof(uint32_t));
     near_.vertices = gl::Buffer::resizable(NearFaces::kMostVertices * sizeof(MeshVertex));

@@ -15,9 +15,10 @@ namespace demolish::engine {
 class ReliefPass {
   public:
     explicit ReliefPass(std::filesystem::path shaders);
-    /// Of what a frame shows; null: no look has relief, or nothing is near as far as the CPU knows. Bound are
-    /// the frame's uniforms and the noise volume. `in_software`: the CPU may look.
-    const NearFaces* find(const FractureMesh& mesh, const FrameView& view, const FrameUniforms& frame,
+    /// Of what a frame shows of a mesh, which may be null. Null: no look has relief, or nothing is near as
+    /// far as the CPU knows. Bound are the frame's uniforms and the noise volume. `in_software`: the CPU may
+    /// look.
+    const NearFaces* find(const FractureMesh* mesh, const FrameView& view, const FrameUniforms& frame,
                           bool in_software);
 
   private:

@@ -25,7 +25,6 @@
 #include "engine/passes/surface_pass.h"
 #include "engine/platform/gl_context.h"
 #include "engine/render/cell_volume.h"
-#include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
 #include "engine/render/seen_mesh.h"
@@ -231,10 +230,7 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
     const GLuint target = gl::writableTexture(framebuffer, view.width, view.height,
                                               view.radiance || kind.glass ? GL_RGBA16F : GL_RGBA8);
     const GLuint picture = target != 0 ? target : targets->display.id();
-    if (found)
-        computed->bindShadowMap();
-    else
-        shadow.bindMap();
+    found ? computed->bindShadowMap() : shadow.bindMap();
     addUpDust(mesh, view);
     if (found) {
         light.computeFound(*targets, visibility, view.look, picture);
@@ -358,9 +354,8 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     for (const SurfaceLook& look : looksOf(view)) p.bindSolid(look.texture);
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
-    p.near = mesh != nullptr ? p.relief.find(*mesh, view, p.frame, p.in_software) : nullptr;
+    p.near = p.relief.find(mesh, view, p.frame, p.in_software);
     p.clock.mark("relief");
-
     if (p.computes(mesh, view))
         p.compute(*mesh, view, target_framebuffer);
     else

@@ -126,7 +126,7 @@ class NearBlock {
         const gl::Texture noise = makeNoiseVolume();
         noise.bind(2);
         ReliefPass pass(shaderFolder());
-        const NearFaces* near = pass.find(*scene_.mesh, scene_.view, frame, false);
+        const NearFaces* near = pass.find(scene_.mesh.get(), scene_.view, frame, false);
         NearFaces::Header header{};
         near->indices.download(std::as_writable_bytes(std::span(&header, 1)));
         indices.resize(header.count);
