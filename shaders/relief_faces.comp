@@ -36,7 +36,7 @@ int chooseSteps() {
 }
 
 // Sum over the lanes before, and over all: x triangles, y vertices.
-uvec2 sumBefore(uvec2 own, out uvec2 all) {
+uvec2 sumBefore(uvec2 own, out uvec2 sum) {
     uint lane = gl_LocalInvocationIndex;
     ends[lane] = own;
     barrier();
@@ -46,7 +46,7 @@ uvec2 sumBefore(uvec2 own, out uvec2 all) {
         ends[lane] += left;
         barrier();
     }
-    all = ends[gl_WorkGroupSize.x - 1u];
+    sum = ends[gl_WorkGroupSize.x - 1u];
     uvec2 result = ends[lane] - own;
     barrier();
     return result;
@@ -148,8 +148,8 @@ void main() {
         NearTriangle near;
         bool is_near = first + lane < share.y && nearTriangle(first + lane, near);
         uint steps = is_near ? stepsAcross(near.steps, most) : 0u;
-        uvec2 all, own = sumBefore(is_near ? uvec2(trianglesIn(steps), verticesIn(steps)) : uvec2(0u), all);
+        uvec2 sum, own = sumBefore(is_near ? uvec2(trianglesIn(steps), verticesIn(steps)) : uvec2(0u), sum);
         if (is_near) cut(near, most, place.x + own.x, place.y + own.y);
-        place += all;
+        place += sum;
     }
 }
