@@ -3,8 +3,6 @@
 // Which cells are so near that their broken faces get relief. With none of them the next two passes have no work groups.
 layout(local_size_x = 64) in;
 #include "common/relief.glsl"
-#define CELL_LOOKS 10
-#include "common/cell_look.glsl"
 layout(std430, binding = 4) readonly buffer CellSpheres { vec4 cell_spheres[]; };  // at rest: centre, reach, m
 layout(std430, binding = 16) writeonly buffer NearCells { uint near_cells[]; };
 layout(std430, binding = 17) buffer NearIndices {
@@ -26,7 +24,7 @@ void main() {
     uint cell = gl_GlobalInvocationID.x;
     if (cell >= cell_count) return;
     vec4 sphere = cell_spheres[cell];
-    vec2 relief = relief_of_look[min(cell_look[cell] & 0xffffu, 31u)];
+    vec2 relief = reliefOf(cell);
     vec3 world = moved(transforms[particle_fragment[cell]], sphere.xyz);
     float to_eye = max(distance(world, frame.eye.xyz) - sphere.w, 1e-6);
     bool near = relief.x > 0.0 && 0.5 * relief.y * frame.viewport.y > kWavesFrom * frame.depth_range.z * to_eye;

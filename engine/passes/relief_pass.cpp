@@ -15,7 +15,7 @@ namespace demolish::engine {
 namespace {
 
 // shaders/common/relief.glsl, shaders/relief_*.comp
-constexpr GLint kCellCount = 0, kGroupCount = 33, kRoom = 34, kReliefOfLook = 40;
+constexpr GLint kCellCount = 0, kGroupCount = 33, kRoom = 34, kLookCount = 35, kReliefOfLook = 40;
 constexpr GLuint kGroups = 512, kCellLanes = 64;
 constexpr size_t kSumBytes = 32;
 
@@ -68,6 +68,7 @@ void ReliefPass::makeRoom(const FractureMesh& mesh) {
 void ReliefPass::tell(const Key& key) {
     for (gl::Program* program : {&cells_, &count_, &faces_}) {
         program->set(kGroupCount, kGroups);
+        program->set(kLookCount, static_cast<uint32_t>(key.reliefs.size()));
         for (size_t k = 0; k < key.reliefs.size(); ++k)
             program->set(kReliefOfLook + static_cast<GLint>(k), key.reliefs[k]);
     }

@@ -3,8 +3,6 @@
 // from its two ends alone: both triangles that share it cut it alike.
 #include "common/relief.glsl"
 #include "common/commands.glsl"
-#define CELL_LOOKS 10
-#include "common/cell_look.glsl"
 layout(std430, binding = 3) readonly buffer InteriorIndices { uint interior_indices[]; };
 layout(std430, binding = 5) readonly buffer InteriorVertices { uvec2 interior_words[]; };
 layout(std430, binding = 16) readonly buffer NearCells { uint near_cells[]; };
@@ -57,7 +55,7 @@ bool nearTriangle(uint t, out NearTriangle near) {
     if (near_cells[cell] == 0u) return false;
     near.cell = cell;
     near.motion = transforms[particle_fragment[cell]];
-    near.relief = relief_of_look[min(cell_look[cell] & 0xffffu, 31u)];
+    near.relief = reliefOf(cell);
     vec3 world[3];
     for (int k = 0; k < 3; ++k) world[k] = moved(near.motion, near.corner[k].rest);
     for (int k = 0; k < 3; ++k) near.steps[k] = stepsOf(near.corner[k], near.corner[(k + 1) % 3], world[k], world[(k + 1) % 3], near.relief);

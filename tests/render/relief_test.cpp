@@ -92,6 +92,21 @@ TEST_F(Relief, TheOutsideStaysAndNothingOpens) {
     EXPECT_LE(differingPixels(flat, withRelief(scene, kHeight), 0), 4u) << "samples on an edge itself";
 }
 
+TEST_F(Relief, EachLookHasItsOwn) {
+    Scene scene = apart();
+    giveHalvesTwoLooks(scene, 0.7f);
+    scene.view.more_looks = {scene.view.look};
+    scene.view.more_looks[0].relief_height = 0;
+    const auto changedAt = [&](bool right) {
+        scene.view.more_looks[0].relief_height = right ? kHeight : 0;
+        const Image rough = withRelief(scene, right ? 0 : kHeight);
+        scene.view.more_looks[0].relief_height = 0;
+        return differingPixels(withRelief(scene, 0), rough, 20);
+    };
+    EXPECT_GT(changedAt(false), 300u);
+    EXPECT_GT(changedAt(true), 300u);
+}
+
 TEST_F(Relief, DrawnAndComputedItIsTheSame) {
     Scene scene = apart();
     scene.view.rasteriser = Rasteriser::kDraw;
