@@ -4,6 +4,7 @@
 #include "common/frame.glsl"
 #include "common/body.glsl"
 #include "common/cell_look.glsl"
+#include "common/leave_near.glsl"
 layout(location = 0) in vec3 rest_position;
 layout(location = 2) in uint cell;
 layout(location = 0) uniform int region;
@@ -26,5 +27,5 @@ void main() {
     look_colour = look.colour;
     look_material = look.material;
 #endif
-    gl_Position = unlessHidden(vec4(p.xy * 2.0 - 1.0, p.z, 1.0), cell);
+    gl_Position = unlessReplaced(unlessHidden(vec4(p.xy * 2.0 - 1.0, p.z, 1.0), cell), cell);
 }

@@ -9,6 +9,7 @@ layout(location = 0) in vec3 rest_position;
 layout(location = 1) in vec2 rest_normal;
 layout(location = 2) in uint cell;
 #ifdef INTERIOR
+#include "common/leave_near.glsl"
 layout(location = 3) in vec2 relief_in;
 out vec2 relief;
 #endif
@@ -44,4 +45,7 @@ void main() {
     look_material = look.material;
 #endif
     gl_Position = unlessHidden(frame.view_projection * vec4(world_position, 1.0), cell);
+#ifdef INTERIOR
+    gl_Position = unlessReplaced(gl_Position, cell);
+#endif
 }

@@ -2,6 +2,8 @@
 // Buffers of all bodies, sized by what the solver may write.
 #include "app/session/frame_output.h"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "app/session/scene_looks.h"
@@ -26,6 +28,25 @@ std::vector<uint32_t> looksOfCells(const BuiltShot& built) {
     return looks;
 }
 
+/// Of each particle's cell: centre at rest, and how far its corners reach.
+std::vector<glm::vec4> spheresOfCells(const BuiltShot& built) {
+    std::vector<glm::vec4> spheres;
+    for (const auto& body : built.cells.of_body) {
+        const CellCorners& corners = body->corners;
+        for (size_t i = 0; i < body->particles.size(); ++i) {
+            const Particle& particle = body->particles[i];
+            double reach = std::cbrt(particle.volume);  // a cell's corners lie within 0.9 of it
+            const uint32_t end = corners.start.empty() ? 0 : corners.start[i + 1];
+            for (uint32_t c = corners.start.empty() ? 0 : corners.start[i]; c < end; ++c) {
+                const Double3& corner = corners.from_seed[c];
+                reach = std::max(reach, std::hypot(corner.x, corner.y, corner.z));
+            }
+            spheres.emplace_back(particle.seed.x, particle.seed.y, particle.seed.z, reach);
+        }
+    }
+    return spheres;
+}
+
 }  // namespace
 
 FrameOutput::FrameOutput(const BuiltShot& built) {
@@ -37,6 +58,8 @@ FrameOutput::FrameOutput(const BuiltShot& built) {
     data.crack_edges = std::as_bytes(std::span(geometry.crack_edges));
     const std::vector<uint32_t> cell_looks = looksOfCells(built);
     data.cell_looks = cell_looks;
+    const std::vector<glm::vec4> cell_spheres = spheresOfCells(built);
+    data.cell_spheres = cell_spheres;
     data.particle_count = built.solver->stats().particles;
     data.particle_capacity = sizes.particles;
     data.interior_vertex_capacity = sizes.interior_vertices;

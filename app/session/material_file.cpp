@@ -64,6 +64,8 @@ void readLook(TomlReader& reader, const std::string& prefix, engine::SurfaceLook
     readFloat(reader, prefix + "exterior_roughness", look.exterior_roughness, {0.02, 1});
     readFloat(reader, prefix + "interior_roughness", look.interior_roughness, {0.02, 1});
     readFloat(reader, prefix + "noise_strength", look.noise_strength, {0, 1});
+    readFloat(reader, prefix + "relief", look.relief_height, {0, 0.15});
+    readFloat(reader, prefix + "relief_size", look.relief_size, {0.1, 2});
     readFloat(reader, prefix + "crack_width_m", look.crack_width, {0, 0.1});
     readTexture(reader, prefix, look);
     readFloat(reader, prefix + "texture_size_m", look.texture_size, {1e-4, 100});

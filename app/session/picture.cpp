@@ -20,7 +20,9 @@ std::vector<engine::SurfaceLook> sizedLooks(const Shot& shot, const BodyList& bo
     for (size_t k = 0; k < list.looks.size(); ++k) {
         engine::SurfaceLook& look = list.looks[k];
         const BreakableBody& body = *bodies.at(list.example[k]);
-        if (!traitsOf(shot.method).smooth_cracks) look.noise_strength = 0;
+        if (!traitsOf(shot.method).smooth_cracks) look.noise_strength = look.relief_height = 0;
+        look.relief_height *= static_cast<float>(body.spacing);
+        look.relief_size *= static_cast<float>(body.spacing);
         look.noise_scale = static_cast<float>(0.2 * body.spacing);
         if (list.of_body.size() == 1) look.variation = 0;  // there is nothing that it could differ from
         if (look.crack_width <= 0)

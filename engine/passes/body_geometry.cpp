@@ -14,6 +14,12 @@ void bindStorage(StorageBinding binding, const gl::Buffer& buffer) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.id());
 }
 
+void bindNear(const NearFaces& near) {
+    bindStorage(StorageBinding::kNearCells, near.cells);
+    bindStorage(StorageBinding::kNearIndices, near.indices);
+    bindStorage(StorageBinding::kNearVertices, near.vertices);
+}
+
 BodyGeometry::BodyGeometry() {
     layout_.floatAttribute(0, 3, GL_FLOAT, false, 0);
     layout_.floatAttribute(1, 2, GL_SHORT, true, kNormalOffset);
@@ -52,6 +58,20 @@ void BodyGeometry::drawInterior(const FractureMesh& mesh, const SeenList* seen) 
     const gl::Buffer& vertices = mesh.stream(StreamId::kInteriorVertices);
     if (seen != nullptr) return drawListed(mesh, vertices, seen->interior);
     drawCommanded(mesh, vertices, mesh.stream(StreamId::kInteriorIndices), kInteriorCommand);
+}
+
+void BodyGeometry::drawInterior(gl::Program& program, const FractureMesh& mesh, const NearFaces* near,
+                                const SeenList* seen) {
+    program.set(kLeavesNear, near != nullptr ? 1u : 0u);
+    if (near != nullptr) bindNear(*near);
+    drawInterior(mesh, seen);
+    program.set(kLeavesNear, 0u);
+    if (near == nullptr) return;
+    if (seen != nullptr) return drawListed(mesh, near->vertices, seen->near);
+    bind(mesh, near->vertices, near->indices);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, near->indices.id());
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, nullptr);
+    glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 }  // namespace demolish::engine

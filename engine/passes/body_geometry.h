@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a FractureMesh is fed to the vertex stage; shared by the shadow, surface and id passes.
 #pragma once
+#include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/near_faces.h"
 #include "engine/render/seen_triangles.h"
 
 namespace demolish::engine {
@@ -32,14 +34,26 @@ enum class StorageBinding : GLuint {
     kGrains = 12,
     kEffectCommands = 13,
     kPuffs = 14,
-    kCount = 15,
+    kCount = 19,
     kLooks = 15,  // of bodies that have them, beside the others: LookBuffers
+    kNearCells = 16,
+    kNearIndices = 17,
+    kNearVertices = 18,
+    // Of the passes that make near faces.
+    kCellSpheres = 4,
+    kReliefSums = 8,
 };
 
+/// Of these in one compute shader.
+inline constexpr GLint kMostStorageBlocks = 16;
+
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);
+void bindNear(const NearFaces& near);
 
 /// Location in all programs that draw bodies: a bit for each look of which the cells are left out.
 inline constexpr GLint kHiddenLooks = 30;
+/// In those that draw broken faces: whether to leave out what near faces replace.
+inline constexpr GLint kLeavesNear = 29;
 
 class BodyGeometry {
   public:
@@ -48,6 +62,9 @@ class BodyGeometry {
     void drawExterior(const FractureMesh& mesh, const SeenList* seen = nullptr);
     /// Exposed broken faces.
     void drawInterior(const FractureMesh& mesh, const SeenList* seen = nullptr);
+    /// The same, with `near` in place of those that it replaces; null: nothing. `program` is in use.
+    void drawInterior(gl::Program& program, const FractureMesh& mesh, const NearFaces* near,
+                      const SeenList* seen);
 
   private:
     /// `command`: its place among the mesh's commands, of which `indices` are the elements.

@@ -63,7 +63,7 @@ bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int 
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const size_t largest = std::max(16 * visibleFours(width, height, samples),
                                     TriangleRaster::foundBytes(mesh, tilesOf(width, height)));
-    return bindings >= kBindings && blocks >= kBindings && static_cast<size_t>(bytes) >= largest;
+    return bindings >= kBindings && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
 }
 
 void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels) {
@@ -83,8 +83,8 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
     shadow_scene_.reset();
 }
 
-void ComputedRaster::bind(const FractureMesh& mesh, const SpherePass& balls) const {
-    triangles_.bind(mesh);
+void ComputedRaster::bind(const FractureMesh& mesh, const NearFaces* near, const SpherePass& balls) const {
+    triangles_.bind(mesh, near);
     bindStorage(StorageBinding::kVisible, visible_);
     bindStorage(StorageBinding::kBalls, balls.spheres());
     bindStorage(StorageBinding::kGrains, mesh.stream(StreamId::kGrains));
@@ -120,9 +120,9 @@ void ComputedRaster::castColliderShadows(const ColliderPass& colliders, int shad
     glDispatchCompute(kColliderGroups, static_cast<GLuint>(colliders.count()), kShadowRegions);
 }
 
-void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, const ColliderPass& colliders,
-                         const RenderTargets& targets, const ShadowScene& scene, int shadow_texels,
-                         gl::PassClock& clock) {
+void ComputedRaster::run(const FractureMesh& mesh, const NearFaces* near, const SpherePass& balls,
+                         const ColliderPass& colliders, const RenderTargets& targets,
+                         const ShadowScene& scene, int shadow_texels, gl::PassClock& clock) {
     makeRoom(mesh, targets, shadow_texels);
     const bool with_shadows = shadow_scene_ != scene;
     if (with_shadows) shadow_scene_ = scene;
@@ -130,7 +130,7 @@ void ComputedRaster::run(const FractureMesh& mesh, const SpherePass& balls, cons
     Programs& programs = programsFor(targets);
     for (gl::Program* program : programs.raster())
         program->set(kShadowTexels, with_shadows ? shadow_texels : 0);
-    bind(mesh, balls);
+    bind(mesh, near, balls);
     clear(with_shadows ? shadow_texels : 0);
     clock.mark("clear");
     if (with_shadows) castColliderShadows(colliders, shadow_texels);

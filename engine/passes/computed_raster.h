@@ -30,8 +30,9 @@ class ComputedRaster {
 
     /// For the frame whose uniforms are bound. The shadow map is made anew when it does not hold `scene`, in
     /// regions of `shadow_texels` squared. All that later passes read stays bound, but for bindShadowMap().
-    void run(const FractureMesh& mesh, const SpherePass& balls, const ColliderPass& colliders,
-             const RenderTargets& targets, const ShadowScene& scene, int shadow_texels, gl::PassClock& clock);
+    void run(const FractureMesh& mesh, const NearFaces* near, const SpherePass& balls,
+             const ColliderPass& colliders, const RenderTargets& targets, const ShadowScene& scene,
+             int shadow_texels, gl::PassClock& clock);
     /// Adds hairlines, of `width` m, to what run() found; the noise volume is bound.
     void addCracks(const FractureMesh& mesh, const RenderTargets& targets, const SurfaceLook& look);
     /// The light pass has emptied what run() and addCracks() have put into the picture's samples, so that the
@@ -42,7 +43,7 @@ class ComputedRaster {
 
   private:
     void makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels);
-    void bind(const FractureMesh& mesh, const SpherePass& balls) const;
+    void bind(const FractureMesh& mesh, const NearFaces* near, const SpherePass& balls) const;
     struct Programs {
         TriangleRaster::Programs triangles;
         gl::Program balls, grit, cracks;

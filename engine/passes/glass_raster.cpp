@@ -40,7 +40,7 @@ bool GlassRaster::suits(const FractureMesh& mesh, const RenderTargets& targets, 
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const size_t largest =
         std::max(sizeof(uint32_t) * words(targets, across), TriangleRaster::foundBytes(mesh, 0));
-    return bindings >= kBindings && blocks >= kBindings && static_cast<size_t>(bytes) >= largest;
+    return bindings >= kBindings && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
 }
 
 std::string GlassRaster::defines(int across) {

@@ -51,7 +51,7 @@ void ShadowPass::enter(int region) {
 }
 
 void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks,
-                          bool with_looks, const SeenList* seen) {
+                          bool with_looks, const NearFaces* near, const SeenList* seen) {
     const bool masked = with_looks && mesh.looks()->isMasked();
     body_.set(kHiddenLooks, hidden_looks);
     if (masked) {
@@ -64,7 +64,7 @@ void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t
     }
     body_.use();
     if (!masked) body.drawExterior(mesh, seen);
-    body.drawInterior(mesh, seen);
+    body.drawInterior(body_, mesh, near, seen);
 }
 
 void ShadowPass::finish(bool erase_tiles) {

@@ -21,6 +21,7 @@ inline constexpr float kShadowSlopes = 1.1f, kShadowSteps = 2.0f;
 /// What the map shows: frames that agree in it share the map.
 struct ShadowScene {
     uint64_t mesh_version = 0;  ///< 0: no mesh
+    uint64_t near_version = 0;  ///< 0: no near faces
     bool as_particles = false, with_grit = false, with_body = true, with_looks = false;
     uint32_t hidden_looks = 0;
     std::vector<float> spheres;  ///< position and radius of each
@@ -41,9 +42,9 @@ class ShadowPass {
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
     void enter(int region);
-    /// `with_looks`: without what the models' own looks cut out. `seen` as in BodyGeometry.
+    /// `with_looks`: without what the models' own looks cut out. `near` and `seen` as in BodyGeometry.
     void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool with_looks,
-                  const SeenList* seen);
+                  const NearFaces* near, const SeenList* seen);
     void finish(bool erase_tiles);
     /// Units 0 (compared) and 1 (plain), as shaders/common/shadow.glsl has them.
     void bindMap() const;

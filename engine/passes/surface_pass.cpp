@@ -45,7 +45,7 @@ SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_
 }
 
 void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks,
-                       const SeenList* seen) {
+                       const NearFaces* near, const SeenList* seen) {
     const std::vector<SurfaceLook> looks = looksOf(view);
     const bool both_sides = with_looks && mesh.looks()->isDoubleSided();
     for (size_t k = 0; k < looks.size(); ++k) {
@@ -61,7 +61,7 @@ void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const Frame
         body.drawExterior(mesh, seen);
         if (both_sides) glEnable(GL_CULL_FACE);
         programs.interior.use();
-        body.drawInterior(mesh, seen);
+        body.drawInterior(programs.interior, mesh, near, seen);
     }
 }
 
@@ -78,7 +78,8 @@ void setBodyMaterial(gl::Program& program, GLint location, const SurfaceLook& lo
     const auto &outside = look.exterior_colour, &inside = look.interior_colour;
     program.set(location, glm::vec4(outside[0], outside[1], outside[2], look.exterior_roughness));
     program.set(location + 1, glm::vec4(inside[0], inside[1], inside[2], look.interior_roughness));
-    program.set(location + 2, glm::vec2(look.noise_scale, look.noise_strength));
+    program.set(location + 2,
+                glm::vec3(look.noise_scale, look.noise_strength, look.relief_height > 0 ? 1.0f : 0.0f));
     const auto& other = look.texture_colour;
     program.set(location + 3, glm::vec4(other[0], other[1], other[2], shareOf(look.texture)));
     program.set(location + 4,

@@ -24,9 +24,9 @@ class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
     /// Everything that is not transparent. `with_looks`: the outside as its model file says.
-    /// `seen` as in BodyGeometry.
+    /// `near` and `seen` as in BodyGeometry.
     void draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks,
-              const SeenList* seen);
+              const NearFaces* near, const SeenList* seen);
 
   private:
     struct Programs {

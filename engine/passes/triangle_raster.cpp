@@ -36,7 +36,10 @@ TriangleRaster::TriangleRaster(std::filesystem::path shaders, size_t task_room)
       task_room_(task_room),
       clear_(shaders_, {"raster_clear.comp"}),
       tasks_(gl::Buffer::immutable(task_room * kTaskBytes)),
-      large_(gl::Buffer::immutable(largeRoom(task_room) * kLargeBytes)) {}
+      large_(gl::Buffer::immutable(largeRoom(task_room) * kLargeBytes)) {
+    for (gl::Buffer* buffer : {&no_near_.cells, &no_near_.indices, &no_near_.vertices})
+        *buffer = gl::Buffer::zeros(2 * sizeof(NearFaces::Header));
+}
 
 TriangleRaster::Programs TriangleRaster::make(const std::string& defines,
                                               std::span<const glm::vec2> places) const {
@@ -69,7 +72,8 @@ void TriangleRaster::tell(gl::Program& program, std::span<const glm::vec2> place
 size_t TriangleRaster::foundBytes(const FractureMesh& mesh, size_t tiles) {
     const size_t index_bytes =
         mesh.stream(StreamId::kExteriorIndices).size() + mesh.stream(StreamId::kInteriorIndices).size();
-    return kFoundHeaderBytes + std::max(index_bytes / 3, sizeof(uint32_t) * tiles);
+    const size_t near_bytes = sizeof(uint32_t) * NearFaces::kMostTriangles;
+    return kFoundHeaderBytes + std::max(index_bytes / 3 + near_bytes, sizeof(uint32_t) * tiles);
 }
 
 void TriangleRaster::makeRoom(const FractureMesh& mesh, size_t tiles) {
@@ -77,7 +81,7 @@ void TriangleRaster::makeRoom(const FractureMesh& mesh, size_t tiles) {
     if (found_.size() < bytes) found_ = gl::Buffer::immutable(bytes);
 }
 
-void TriangleRaster::bind(const FractureMesh& mesh) const {
+void TriangleRaster::bind(const FractureMesh& mesh, const NearFaces* near) const {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     bindStorage(StorageBinding::kExteriorIndices, mesh.stream(StreamId::kExteriorIndices));
@@ -85,6 +89,7 @@ void TriangleRaster::bind(const FractureMesh& mesh) const {
     bindStorage(StorageBinding::kComputedExteriorVertices, mesh.exteriorVertices());
     bindStorage(StorageBinding::kInteriorVertices, mesh.stream(StreamId::kInteriorVertices));
     bindStorage(StorageBinding::kCommands, mesh.stream(StreamId::kCommands));
+    bindNear(near != nullptr ? *near : no_near_);
     bindStorage(StorageBinding::kFound, found_);
     bindStorage(StorageBinding::kTasks, tasks_);
     bindStorage(StorageBinding::kLarge, large_);

@@ -30,8 +30,8 @@ class TriangleRaster {
     /// Room for triangles that were found, and where `tiles` are lit later, for so many tiles.
     void makeRoom(const FractureMesh& mesh, size_t tiles);
     static size_t foundBytes(const FractureMesh& mesh, size_t tiles);
-    /// Binds the mesh and what is found.
-    void bind(const FractureMesh& mesh) const;
+    /// Binds the mesh and what is found; `near` as in BodyGeometry.
+    void bind(const FractureMesh& mesh, const NearFaces* near = nullptr) const;
     /// Forgets what was found; fills `fours` times four words of what is bound as kVisible with zeros, and
     /// the shadow map with the farthest depths unless `shadow_texels` is 0.
     void clear(size_t fours, int shadow_texels);
@@ -46,6 +46,7 @@ class TriangleRaster {
     size_t task_room_;
     gl::Program clear_;
     gl::Buffer found_, tasks_, large_;
+    NearFaces no_near_;
 };
 
 }  // namespace demolish::engine

@@ -84,6 +84,7 @@ FractureMesh::FractureMesh(const FractureMeshData& data)
         const size_t bytes = std::max<size_t>(streamBytes(id, data), 64);
         streams_[i] = isReadUnwritten(id) ? gl::Buffer::zeros(bytes) : gl::Buffer::resizable(bytes);
     }
+    if (!data.cell_spheres.empty()) cell_spheres_ = fixedBuffer(std::as_bytes(data.cell_spheres));
     if (data.looks != nullptr) looks_.emplace(*data.looks);
     // Until the first frame is written the body stands whole where it was made: all cells in slot 0, which
     // does not move.

@@ -4,6 +4,7 @@
 #pragma once
 #include <array>
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 
@@ -21,6 +22,8 @@ struct FractureMeshData {
     std::span<const std::byte> crack_edges;  ///< 20 B each: vertex_0, vertex_1, cell_a, cell_b, bond
     /// One a cell, as cellLook() makes them; or none: all have look 0 and no SurfaceLook::variation.
     std::span<const uint32_t> cell_looks;
+    /// One a cell: centre at rest and how far it reaches, m; or none: broken faces get no relief.
+    std::span<const glm::vec4> cell_spheres;
     size_t particle_count = 0;     ///< cells, without projectiles
     size_t particle_capacity = 0;  ///< instances incl. projectiles
     size_t interior_vertex_capacity = 0;
@@ -49,6 +52,8 @@ class FractureMesh {
     const gl::Buffer& crackEdges() const { return crack_edges_; }
     /// Of each cell, for shaders/common/cell_look.glsl.
     const gl::Buffer& cellLooks() const { return cell_looks_; }
+    /// Of each cell, as FractureMeshData has them; empty where nobody said.
+    const gl::Buffer& cellSpheres() const { return cell_spheres_; }
     /// Triangles as one of the stream's commands says, of what is bound.
     void drawCommanded(uint32_t command) const;
     /// What one of the effects' commands says, of what is bound; `mode` as glDrawArrays.
@@ -70,7 +75,7 @@ class FractureMesh {
 
   private:
     static uint64_t nextVersion();
-    gl::Buffer crack_edges_, cell_looks_;
+    gl::Buffer crack_edges_, cell_looks_, cell_spheres_;
     std::optional<LookBuffers> looks_;
     std::array<gl::Buffer, static_cast<size_t>(StreamId::kCount)> streams_;
     size_t particle_count_ = 0, particle_capacity_ = 0;

@@ -18,13 +18,13 @@
 #include "engine/passes/grit_pass.h"
 #include "engine/passes/id_pass.h"
 #include "engine/passes/light_pass.h"
+#include "engine/passes/relief_pass.h"
 #include "engine/passes/shadow_pass.h"
 #include "engine/passes/spark_pass.h"
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/platform/gl_context.h"
 #include "engine/render/cell_volume.h"
-#include "engine/render/frame_uniforms.h"
 #include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
 #include "engine/render/seen_mesh.h"
@@ -48,6 +48,7 @@ struct Renderer::Passes {
         : shader_folder(shaders),
           raster_tasks(task_count),
           in_software(describeCurrentContext({}).software),
+          relief(shaders),
           shadow(shaders),
           surface(shaders),
           spheres(shaders),
@@ -101,7 +102,7 @@ struct Renderer::Passes {
     template <class Prepare>
     bool unlessRefused(Prepare prepare);
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const {
-        return shadowSceneOf(mesh, view, sphere_draws, frame);
+        return shadowSceneOf(mesh, view, near, sphere_draws, frame);
     }
     void draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer);
     void compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer);
@@ -123,6 +124,7 @@ struct Renderer::Passes {
     size_t raster_tasks;
     bool in_software;
     BodyGeometry body;
+    ReliefPass relief;
     ShadowPass shadow;
     SurfacePass surface;
     SpherePass spheres;
@@ -148,6 +150,7 @@ struct Renderer::Passes {
     bool with_looks = false;
     bool chooses = false;  ///< draws what `seen` has found
     SeenMesh seen;
+    const NearFaces* near = nullptr;  ///< of the frame being drawn
     std::span<const SphereDraw> sphere_draws;
     gl::PassClock clock;
     std::optional<RenderTargets> targets;
@@ -188,7 +191,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     for (int region = 0; region < kShadowRegions; ++region) {
         shadow.enter(region);
         if (showsSolid(mesh, view))
-            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks,
+            shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks, near,
                             chooses ? &seen.inShadow(region) : nullptr);
         if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticleShadows(*mesh, region);
         spheres.drawSphereShadows(region);
@@ -207,7 +210,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
     if (showsSolid(mesh, view))
-        surface.draw(body, *mesh, view, with_looks, chooses ? &seen.onPicture() : nullptr);
+        surface.draw(body, *mesh, view, with_looks, near, chooses ? &seen.onPicture() : nullptr);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     colliders.drawMaterials();
@@ -227,10 +230,7 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
     const GLuint target = gl::writableTexture(framebuffer, view.width, view.height,
                                               view.radiance || kind.glass ? GL_RGBA16F : GL_RGBA8);
     const GLuint picture = target != 0 ? target : targets->display.id();
-    if (found)
-        computed->bindShadowMap();
-    else
-        shadow.bindMap();
+    found ? computed->bindShadowMap() : shadow.bindMap();
     addUpDust(mesh, view);
     if (found) {
         light.computeFound(*targets, visibility, view.look, picture);
@@ -248,8 +248,8 @@ void Renderer::Passes::computeLight(const FractureMesh* mesh, const FrameView& v
 
 void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, GLuint framebuffer) {
     castDustShadows(&mesh, view);
-    computed->run(mesh, spheres, colliders, *targets, shadowScene(&mesh, view), shadowMapSize(view.quality),
-                  clock);
+    computed->run(mesh, near, spheres, colliders, *targets, shadowScene(&mesh, view),
+                  shadowMapSize(view.quality), clock);
     if (view.show_cracks) computed->addCracks(mesh, *targets, view.look);
     clock.mark("cracks");
     computeLight(&mesh, view, framebuffer, true);
@@ -258,7 +258,8 @@ void Renderer::Passes::compute(const FractureMesh& mesh, const FrameView& view, 
 
 void Renderer::Passes::draw(const FractureMesh* mesh, const FrameView& view, GLuint framebuffer) {
     chooses = in_software && view.rasteriser == Rasteriser::kAuto && showsSolid(mesh, view);
-    if (chooses) seen.find(*mesh, view, frame, *targets, shadowMapSize(view.quality), wantedOf(*mesh, view));
+    if (chooses)
+        seen.find(*mesh, near, view, frame, *targets, shadowMapSize(view.quality), wantedOf(*mesh, view));
     clock.mark("seen");
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glDisable(GL_SCISSOR_TEST);
@@ -353,7 +354,8 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     for (const SurfaceLook& look : looksOf(view)) p.bindSolid(look.texture);
     if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
     p.clock.mark("uploads");
-
+    p.near = p.relief.find(mesh, view, p.frame, p.in_software);
+    p.clock.mark("relief");
     if (p.computes(mesh, view))
         p.compute(*mesh, view, target_framebuffer);
     else

@@ -25,16 +25,18 @@ SampleGrid shadowGrid(const glm::mat4& light_matrix, int texels) {
 
 }  // namespace
 
-void SeenMesh::find(const FractureMesh& mesh, const FrameView& view, const FrameUniforms& frame,
-                    const RenderTargets& targets, int shadow_texels, const SeenTriangles::Wanted& wanted) {
-    Key key{mesh.version(), frame.view_projection, {},    targets.width, targets.height, targets.samples,
-            shadow_texels,  view.look.crack_width, wanted};
+void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const FrameView& view,
+                    const FrameUniforms& frame, const RenderTargets& targets, int shadow_texels,
+                    const SeenTriangles::Wanted& wanted) {
+    const uint64_t near_version = near != nullptr ? near->version : 0;
+    Key key{mesh.version(),  near_version,  frame.view_projection, {},    targets.width, targets.height,
+            targets.samples, shadow_texels, view.look.crack_width, wanted};
     std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), key.light_matrix);
     if (key == key_) return;
     key_ = key;
     const SampleGrid pictures[] = {gridOf(frame, targets), shadowGrid(frame.light_matrix[0], shadow_texels),
                                    shadowGrid(frame.light_matrix[1], shadow_texels)};
-    triangles_.find(mesh, pictures, wanted);
+    triangles_.find(mesh, near, pictures, wanted);
     cracks_.find(mesh, view.look.crack_width);
 }
 

@@ -15,8 +15,10 @@ class SeenMesh {
   public:
     /// Nothing is done where mesh and pictures are those of the last call. `shadow_texels` along each side of
     /// a region; `both_sides`: of the outside, backs are seen, too.
-    void find(const FractureMesh& mesh, const FrameView& view, const FrameUniforms& frame,
-              const RenderTargets& targets, int shadow_texels, const SeenTriangles::Wanted& wanted);
+    /// `near`: of the mesh, null: none.
+    void find(const FractureMesh& mesh, const NearFaces* near, const FrameView& view,
+              const FrameUniforms& frame, const RenderTargets& targets, int shadow_texels,
+              const SeenTriangles::Wanted& wanted);
     const SeenList& onPicture() const { return triangles_.in(0); }
     /// `region`: 0 near, 1 far.
     const SeenList& inShadow(int region) const { return triangles_.in(static_cast<size_t>(region) + 1); }
@@ -24,7 +26,7 @@ class SeenMesh {
 
   private:
     struct Key {
-        uint64_t mesh_version = 0;
+        uint64_t mesh_version = 0, near_version = 0;
         glm::mat4 view_projection{0}, light_matrix[2]{glm::mat4(0), glm::mat4(0)};
         int width = 0, height = 0, samples = 0, shadow_texels = 0;
         float crack_width = -1;

@@ -57,13 +57,33 @@ class Corners {
     std::array<Projection, SeenTriangles::kMostPictures> projections_;
 };
 
+/// Triangles of two buffers, read where they lie for as long as this lives.
+class ListReading {
+  public:
+    ListReading(const gl::Buffer& vertices, const gl::Buffer& indices, size_t first, size_t count)
+        : vertices_(vertices), indices_(indices), first_(first), count_(count) {}
+    std::span<const MeshVertex> vertices() const { return vertices_.as<MeshVertex>(); }
+    std::span<const uint32_t> indices() const {
+        const auto all = indices_.as<uint32_t>();
+        return all.subspan(first_, std::min(count_, all.size() - first_));
+    }
+
+  private:
+    gl::BufferReading vertices_, indices_;
+    size_t first_, count_;
+};
+
 }  // namespace
 
-/// One of a mesh's two lists of triangles.
+/// One of a mesh's lists of triangles.
 struct SeenTriangles::Listed {
     std::span<const MeshVertex> vertices;
     std::span<const uint32_t> indices;
     bool both_sides;
+    std::span<const uint32_t> replaced;  ///< of each cell: 1 where others are shown; or empty
+    bool isReplaced(uint32_t corner) const {
+        return !replaced.empty() && replaced[vertices[corner].cell] != 0;
+    }
 };
 
 struct SeenTriangles::Search {
@@ -82,6 +102,7 @@ void SeenTriangles::findIn(const Search& search, const Listed& listed, size_t fi
     Cover cover;
     for (size_t i = first; i + 2 < end; i += 3) {
         const uint32_t abc[3] = {listed.indices[i], listed.indices[i + 1], listed.indices[i + 2]};
+        if (listed.isReplaced(abc[0])) continue;
         const Places a = corners.at(abc[0]), b = corners.at(abc[1]), c = corners.at(abc[2]);
         for (size_t k = 0; k < pictures.size(); ++k) {
             const Cover::Kind kind = pictures[k].findCover(a[k], b[k], c[k], listed.both_sides, cover);
@@ -96,32 +117,41 @@ void SeenTriangles::findIn(const Search& search, const Listed& listed, size_t fi
     }
 }
 
-void SeenTriangles::find(const FractureMesh& mesh, std::span<const SampleGrid> pictures,
-                         const Wanted& wanted) {
+void SeenTriangles::find(const FractureMesh& mesh, const NearFaces* near,
+                         std::span<const SampleGrid> pictures, const Wanted& wanted) {
     lists_.resize(pictures.size());
     nearest_.clear(wanted.hidden ? 0 : pictures[0].sampleCount());
     const MeshMotion motion(mesh);
     const Search search{motion, pictures, wanted.hidden};
-    const auto searchIn = [&](const gl::Buffer& vertices, StreamId indices, uint32_t command, bool both_sides,
-                              std::vector<Found>& stretches) {
-        const gl::BufferReading corners(vertices), listed(mesh.stream(indices));
-        const size_t count = std::min<size_t>(commandOf(mesh, command).count, listed.as<uint32_t>().size());
-        const Listed all{corners.as<MeshVertex>(), listed.as<uint32_t>().first(count), both_sides};
+    const auto searchIn = [&](const Listed& all, std::vector<Found>& stretches) {
         stretches.resize((all.indices.size() + kStretch - 1) / kStretch);
         tbb::parallel_for(size_t{0}, stretches.size(),
                           [&](size_t k) { findIn(search, all, k * kStretch, stretches[k]); });
     };
-    searchIn(mesh.exteriorVertices(), StreamId::kExteriorIndices, kExteriorCommand, wanted.both_sides,
-             outside_);
-    searchIn(mesh.stream(StreamId::kInteriorVertices), StreamId::kInteriorIndices, kInteriorCommand, false,
-             inside_);
-    for (std::vector<Found>* stretches : {&outside_, &inside_})
+    const ListReading outside(mesh.exteriorVertices(), mesh.stream(StreamId::kExteriorIndices), 0,
+                              commandOf(mesh, kExteriorCommand).count);
+    const ListReading inside(mesh.stream(StreamId::kInteriorVertices),
+                             mesh.stream(StreamId::kInteriorIndices), 0,
+                             commandOf(mesh, kInteriorCommand).count);
+    searchIn({outside.vertices(), outside.indices(), wanted.both_sides, {}}, outside_);
+    near_.clear();
+    if (near == nullptr) {
+        searchIn({inside.vertices(), inside.indices(), false, {}}, inside_);
+    } else {
+        const gl::BufferReading cells(near->cells);
+        searchIn({inside.vertices(), inside.indices(), false, cells.as<uint32_t>()}, inside_);
+        const auto& header = gl::BufferReading(near->indices).as<NearFaces::Header>()[0];
+        const ListReading finer(near->vertices, near->indices, header.first, header.count);
+        searchIn({finer.vertices(), finer.indices(), false, {}}, near_);
+    }
+    for (std::vector<Found>* stretches : {&outside_, &inside_, &near_})
         tbb::parallel_for(size_t{0}, stretches->size(), [&](size_t k) {
             Found& found = (*stretches)[k];
             found.candidates.keepSeen(nearest_, found.indices[0]);
         });
     collect(&SeenList::exterior, outside_);
     collect(&SeenList::interior, inside_);
+    collect(&SeenList::near, near_);
 }
 
 void SeenTriangles::collect(TriangleList SeenList::*side, const std::vector<Found>& stretches) {

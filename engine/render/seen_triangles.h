@@ -9,6 +9,7 @@
 #include "engine/gl/buffer.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/hidden_triangles.h"
+#include "engine/render/near_faces.h"
 #include "engine/render/sample_grid.h"
 
 namespace demolish::engine {
@@ -20,7 +21,7 @@ struct TriangleList {
 };
 
 struct SeenList {
-    TriangleList exterior, interior;
+    TriangleList exterior, interior, near;
 };
 
 class SeenTriangles {
@@ -34,7 +35,9 @@ class SeenTriangles {
 
     /// Fills a list for each picture, of which there are kMostPictures at most. The mesh's buffers are read
     /// where they lie, which waits for nothing in software.
-    void find(const FractureMesh& mesh, std::span<const SampleGrid> pictures, const Wanted& wanted);
+    /// `near`: shown in place of a part of them; null: nothing.
+    void find(const FractureMesh& mesh, const NearFaces* near, std::span<const SampleGrid> pictures,
+              const Wanted& wanted);
     /// As of the last find().
     const SeenList& in(size_t picture) const { return lists_[picture]; }
 
@@ -49,7 +52,7 @@ class SeenTriangles {
     void findIn(const Search& search, const Listed& listed, size_t first, Found& found);
     void collect(TriangleList SeenList::*side, const std::vector<Found>& stretches);
     std::vector<SeenList> lists_;
-    std::vector<Found> outside_, inside_;
+    std::vector<Found> outside_, inside_, near_;
     NearestSurely nearest_;
 };
 

@@ -9,10 +9,11 @@
 
 namespace demolish::engine {
 
-ShadowScene shadowSceneOf(const FractureMesh* mesh, const FrameView& view,
+ShadowScene shadowSceneOf(const FractureMesh* mesh, const FrameView& view, const NearFaces* near,
                           std::span<const SphereDraw> spheres, const FrameUniforms& frame) {
     ShadowScene scene;
     scene.mesh_version = mesh != nullptr ? mesh->version() : 0;
+    scene.near_version = near != nullptr ? near->version : 0;
     scene.as_particles = view.mode == ViewMode::kParticles;
     scene.with_grit = showsEffects(mesh, view);
     scene.with_body = showsSolid(mesh, view);

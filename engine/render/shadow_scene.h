@@ -8,7 +8,8 @@
 
 namespace demolish::engine {
 
-ShadowScene shadowSceneOf(const FractureMesh* mesh, const FrameView& view,
+/// `near`: of the mesh, null: none.
+ShadowScene shadowSceneOf(const FractureMesh* mesh, const FrameView& view, const NearFaces* near,
                           std::span<const SphereDraw> spheres, const FrameUniforms& frame);
 
 }  // namespace demolish::engine

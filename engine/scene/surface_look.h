@@ -16,7 +16,10 @@ struct SurfaceLook {
     float dust_colour[3] = {0.66f, 0.59f, 0.5f};  ///< of dust in the air
     float noise_scale = 0.01f;                    ///< m, first wavelength of the shading noise (0.2 h)
     float noise_strength = 0.4f;                  ///< 0.3..0.5 (geometry.md 4a)
-    float crack_width = 0.0015f;                  ///< m, of lines between pieces at most
+    float relief_height = 0;      ///< m, of broken faces near the camera; 0: none. A material's is over the
+                                  ///< spacing of cells, and so is the next
+    float relief_size = 0.5f;     ///< m, > 0: its longest waves
+    float crack_width = 0.0015f;  ///< m, of lines between pieces at most
 
     SolidTexture texture = SolidTexture::kNone;
     float texture_size = 0.05f;                    ///< m, > 0: of its pattern

@@ -2,7 +2,7 @@
 // The body's material at a point: `rest` is where it was when the body was whole, m.
 layout(location = BODY_MATERIAL) uniform vec4 outside;      // rgb albedo, a roughness
 layout(location = BODY_MATERIAL + 1) uniform vec4 inside;
-layout(location = BODY_MATERIAL + 2) uniform vec2 noise_shape;  // first wavelength m, strength
+layout(location = BODY_MATERIAL + 2) uniform vec3 noise_shape;  // first wavelength m, strength, share of detail near the camera
 layout(location = BODY_MATERIAL + 3) uniform vec4 texture_colour;  // rgb, a: its share of the solid
 layout(location = BODY_MATERIAL + 4) uniform vec4 texture_shape;  // 1/m of the pattern, its share on the outside, coat m, variation
 #include "common/solid_texture.glsl"
@@ -20,6 +20,22 @@ void outsideMaterial(inout Surface s, vec3 rest) {
     s.roughness = clamp(outside.a * (1.0 + 0.18 * coarse), 0.05, 1.0);
 }
 
+// Where a pixel is small, the octaves below those of fractureNoise(); xyz: gradient, w: value. A loop in place of a branch:
+// software renderers go through branches that no pixel takes, but not through loops.
+const float kDetailFrom = 0.06, kDetailWhole = 0.03;  // widths of a pixel, of the noise's first wavelength
+vec4 nearDetail(vec3 rest) {
+    float pixel = pixelAt(rest) / noise_shape.x, share = noise_shape.z * (1.0 - smoothstep(kDetailWhole, kDetailFrom, pixel));
+    vec4 detail = vec4(0.0);
+    for (bool is_near = share > 0.0; is_near; is_near = false) {
+        vec3 p = rest / noise_shape.x;
+        vec4 a = noiseOver(8.3 * (kTurn1 * p), 8.3 * pixel), b = noiseOver(17.0 * (kTurn2 * p), 17.0 * pixel);
+        vec4 c = noiseOver(35.0 * p, 35.0 * pixel);
+        detail.xyz = share * (0.25 * transpose(kTurn1) * a.xyz + 0.2 * transpose(kTurn2) * b.xyz + 0.15 * c.xyz);
+        detail.w = share * (0.4 * a.w + 0.3 * b.w + 0.3 * c.w);
+    }
+    return detail;
+}
+
 // The broken material: lighter, rough, its normal bent by noise of the rest position (geometry.md 4a); pits are darker, as
 // light gets lost in them, ridges and the rim paler with dust. `relief`: x 0 at the outside .. 1 deep; y -1 pit .. 1 ridge.
 // `coat`: share of the outside's coat there, 0..1.
@@ -32,10 +48,11 @@ void insideMaterial(inout Surface s, vec3 rest, vec4 rotation, vec2 relief, floa
     colour = mix(colour, texture_colour.rgb, solid.other) * solid.tone;
     rough *= 1.0 - solid.smoothed;
 #endif
-    vec3 slope = rotate(rotation, fine.xyz);
+    vec4 detail = nearDetail(rest);
+    vec3 slope = rotate(rotation, fine.xyz + detail.xyz);
     slope -= s.normal * dot(slope, s.normal);
     s.normal = normalize(s.normal - noise_shape.y * rough * slope);
-    float tint = 1.0 + rough * (0.22 * fine.w + 0.22 * coarse);
+    float tint = 1.0 + rough * (0.22 * fine.w + 0.22 * coarse + 0.15 * detail.w);
     float pit = max(-relief.y, 0.0), dust = max(relief.y, 0.0) + 0.4 * (1.0 - relief.x);
     tint *= (1.0 - 0.55 * pit) * (1.0 + 0.12 * dust);
     s.albedo = mix(colour * tint * mix(vec3(1.0), vec3(1.04, 1.0, 0.94), coarse), outside.rgb, coat);

@@ -6,7 +6,13 @@ vec2 cameraSize() { return frame.viewport.xy; }
 
 vec4 clipOf(vec3 p) { return frame.view_projection * vec4(p, 1.0); }
 
-bool isShown(uint name) { return true; }
+// Not what near faces replace.
+bool isShown(uint name) {
+    if (near_command[0] == 0u || (name & kNearBits) != kInteriorBit) return true;
+    BodyVertex v[3];
+    fetchTriangle(name, v);
+    return !isReplaced(v[0].cell);
+}
 
 // Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
 bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Is a triangle's cell of a look that is wanted?
+// Is a triangle's cell of a look that is wanted? Near faces are never those of a transparent one.
 #define CELL_LOOKS 10
 #include "common/cell_look.glsl"
 

@@ -183,6 +183,10 @@ FractureMesh BlockBody::makeMesh(std::span<const uint32_t> cell_looks) const {
     data.exterior_indices = exterior_indices_;
     data.crack_edges = std::as_bytes(std::span(crack_edges_));
     data.cell_looks = cell_looks;
+    std::vector<glm::vec4> spheres;
+    const float reach = (1 + options_.jitter) * options_.size / static_cast<float>(options_.cells);
+    for (const glm::vec3& centre : cell_centres_) spheres.emplace_back(centre, reach);
+    data.cell_spheres = spheres;
     data.particle_count = data.particle_capacity = cellCount();
     data.interior_vertex_capacity = interior_.size() * face_points;
     data.interior_index_capacity = interior_.size() * face_indices;

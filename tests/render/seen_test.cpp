@@ -81,7 +81,7 @@ uint32_t seenOf(const FractureMesh& mesh, float scale, bool hidden = true, int s
     to_clip[3].z = 0.5f;
     const SampleGrid grid(to_clip, size, size);
     SeenTriangles seen;
-    seen.find(mesh, {&grid, 1}, {.hidden = hidden});
+    seen.find(mesh, nullptr, {&grid, 1}, {.hidden = hidden});
     return seen.in(0).exterior.count + seen.in(0).interior.count;
 }
 

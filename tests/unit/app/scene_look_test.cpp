@@ -21,7 +21,8 @@ TEST(SceneLook, ReadsWhatRunsThroughTheSolid) {
         loadSceneFile(
             folder.write("a.toml",
                          kHead + "[look]\ntexture = \"bricks\"\ntexture_size_m = 0.3\n"
-                                 "texture_colour = [0.1, 0.2, 0.3]\ntexture_outside = 0.5\ncoat_m = "
+                                 "texture_colour = [0.1, 0.2, 0.3]\ntexture_outside = 0.5\nrelief = "
+                                 "0.08\nrelief_size = 0.4\ncoat_m = "
                                  "0.01\nvariation = 0.2\n"
                                  "refraction_index = 1.4\nabsorption_per_m = [1, 20, 300]\nfrost = 0.7\n"))
             .look;
@@ -29,6 +30,8 @@ TEST(SceneLook, ReadsWhatRunsThroughTheSolid) {
     EXPECT_FLOAT_EQ(look.texture_size, 0.3f);
     EXPECT_FLOAT_EQ(look.texture_colour[2], 0.3f);
     EXPECT_FLOAT_EQ(look.texture_outside, 0.5f);
+    EXPECT_FLOAT_EQ(look.relief_height, 0.08f);
+    EXPECT_FLOAT_EQ(look.relief_size, 0.4f);
     EXPECT_FLOAT_EQ(look.coat, 0.01f);
     EXPECT_FLOAT_EQ(look.variation, 0.2f);
     EXPECT_TRUE(look.isTransparent());
