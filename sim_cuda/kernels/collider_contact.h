@@ -329,6 +329,9 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     effect.damping = seenFrom(across, effect.damping);
     effect.friction = seenFrom(across, effect.friction);
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
+    // A dry substep leaves the fragment's velocity as it is.
+    if (landing.is_hard && params.booked == KickShare::kAll)
+        arrays.fragments.push(own.id, params.dt * effect.load.force);
     spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.is_hard);
     return {seenFrom(across, effect.load), false};
 }

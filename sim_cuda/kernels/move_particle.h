@@ -7,27 +7,16 @@
 
 namespace demolish {
 
-/// A dry substep leaves the fragment's velocity as it is.
-template <bool kLedger, class Real>
-DEM_FN void addColliders(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                         const OwnParticle<Real>& own, Wrench<Real>& load, Tally<Real>& tally) {
-    const bool counts =
-        arrays.fragments.known() && own.id < params.in_bodies && params.booked == KickShare::kAll;
-    if (counts) arrays.fragments.fall(own.id, params.dt * params.gravity);
-    forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-        const Wrench<Real> given =
-            colliderContact<kLedger>(arrays, params, own, c, bound, tally, TurnsAlone<Real>{}).wrench;
-        add(load, given);
-        if (counts && length2(given.force) > Real(0)) arrays.fragments.push(own.id, params.dt * given.force);
-    });
-}
-
 /// Writes the particle's state after the substep. `load`: of its slots, N, N m; `tally`: what they book.
 template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
     const bool held = own.constants.isHeld();
-    if (own.constants.isMovedHere() && !held) addColliders<kLedger>(arrays, params, own, load, tally);
+    if (own.constants.isMovedHere() && !held)
+        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+            add(load,
+                colliderContact<kLedger>(arrays, params, own, c, bound, tally, TurnsAlone<Real>{}).wrench);
+        });
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
     if constexpr (kLedger) {

@@ -26,6 +26,7 @@ struct StartVelocities {
     Span<const uint32_t> label;
     Span<const PoseSums> pose;  ///< by place, of the frame's start
     HoldsIn holds;
+    Vec3<double> fall;  ///< m/s, that gravity adds in half a frame
     Span<Vec4<Real>> start;
     Span<uint64_t> added[2];
     DecidedRegimes moved;
@@ -34,7 +35,7 @@ struct StartVelocities {
         if (slot >= rows.order.size() || label[slot] != slot || !moved.isBonded(slot)) return;
         if (!moved.frame_starts && !moved.wasRigid(slot)) return;
         const MassSums& sums = pose[rows.first[slot]].now;
-        const Vec3<double> v = moved.frame_starts ? meanVelocity(sums) : moved.body[slot].velocity;
+        const Vec3<double> v = moved.frame_starts ? meanVelocity(sums) + fall : moved.body[slot].velocity;
         start[slot] = {Real(v.x), Real(v.y), Real(v.z), Real(holds.hold(slot) ? 0 : 1 / sums.mass)};
         for (const Span<uint64_t>& both : added)
             for (uint32_t axis = 0; axis < 3; ++axis) both[3 * size_t{slot} + axis] = 0;

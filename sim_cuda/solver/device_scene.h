@@ -87,7 +87,8 @@ struct DeviceScene {
         markHolds(seconds);
         backend.forEach(tables.counts.in_bodies,
                         data.startVelocities(fragments.clusters.rows(), fragments.motion.poses(),
-                                             held.on() ? held.holds() : HoldsIn{}),
+                                             held.on() ? held.holds() : HoldsIn{},
+                                             0.5 * seconds * asDouble(params.gravity)),
                         "start velocities");
     }
 

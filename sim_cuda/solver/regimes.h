@@ -126,7 +126,7 @@ class Regimes {
     void startBodies(const ChooseRegimes<Real>& choose, SolverData<Backend, Real>& data,
                      const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                      const FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
-                     bool frame_starts);
+                     bool frame_starts, uint32_t substeps);
 
     Backend& backend_;
     ParticleCounts counts_of_;
@@ -245,7 +245,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     const ChooseRegimes<Real> choose = flagIslands(meetings, rows, params, frame_starts);
-    startBodies(choose, data, meetings, rows, motion, params, frame_starts);
+    startBodies(choose, data, meetings, rows, motion, params, frame_starts, substeps);
     const Span<const uint32_t> meets = frame_starts ? Span<const uint32_t>{} : meets_.view();
     moved_.list(data, meetings, rows, params.colliders,
                 {regime_.view(), flags_.view(), meets, body_memory_.span()});
@@ -344,7 +344,8 @@ template <class Backend, class Real>
 void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, SolverData<Backend, Real>& data,
                                          const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                                          const FragmentMotion<Backend, Real>& motion,
-                                         const StepParams<Real>& params, bool frame_starts) {
+                                         const StepParams<Real>& params, bool frame_starts,
+                                         uint32_t substeps) {
     auto& particles = data.particles;
     const uint32_t total = counts_of_.total;
     const StartBodies<Real> start{rows,
@@ -361,7 +362,8 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
                                   counts_of_.in_bodies,
                                   frame_starts,
                                   holds_};
-    StartVelocities<Real> velocities = data.startVelocities(rows, motion.poses(), holds_);
+    StartVelocities<Real> velocities = data.startVelocities(
+        rows, motion.poses(), holds_, (0.5 * substeps) * double(params.dt) * asDouble(params.gravity));
     velocities.moved = {regime_.view(), former_.view(), moved_.bodies(), frame_starts};
     backend_.forEach(total, InTurn{choose, InTurn{start, velocities}}, "choose regimes and start bodies");
     backend_.forEach(

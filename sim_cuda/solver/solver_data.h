@@ -68,13 +68,15 @@ struct SolverData {
     /// The same where carried particles may be among those moved.
     SubstepArrays<Real> arraysInSubsteps(ContactArrays<Backend, Real>& contacts);
 
-    /// poses: of the present state. Everything is moved with its bonds, unless the caller says otherwise.
+    /// poses: of the present state. fall: as in StartVelocities. Everything is moved with its bonds, unless
+    /// the caller says otherwise.
     StartVelocities<Real> startVelocities(const FragmentRows& rows, Span<const PoseSums> poses,
-                                          const HoldsIn& holds) {
+                                          const HoldsIn& holds, const Vec3<double>& fall) {
         return {rows,
                 label,
                 poses,
                 holds,
+                fall,
                 fragment_start.span(),
                 {fragment_added[0].span(), fragment_added[1].span()},
                 {}};

@@ -193,14 +193,16 @@ TEST_F(MeshColliders, ABodyThatFallsOntoAMeshWakes) {
         9;  // so that the landing wakes it and breaks next to nothing
     auto solver = makeSolver(setup);
     bool was_rigid = false, woke = false;
+    double fastest_up = 0;  // m/s
     while (solver->stats().time < 0.45) {
         ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
         was_rigid = was_rigid || solver->stats().bonded_particles == 0;
         woke = woke || (was_rigid && solver->stats().bonded_particles > 0);
+        fastest_up = std::max(fastest_up, speedUp(*solver));
     }
     EXPECT_TRUE(woke);
     EXPECT_LT(solver->stats().bonds_broken, 0.1 * solver->stats().bonds);
-    EXPECT_GT(speedUp(*solver), 0) << "it bounces";
+    EXPECT_GT(fastest_up, 0) << "it bounces";
 }
 
 TEST_F(MeshColliders, TheBooksCloseThroughAnImpactOnAMesh) {
