@@ -51,14 +51,22 @@ TEST(Cracks, OfAVaseWhoseCellsFollowToughOnesAreEvener) {
     EXPECT_LT(measures.faces, 0.06);
 }
 
+/// A single packing tells little: faces of 0.044 to 0.061 h. The aims hold for their mean.
 TEST(Cracks, OfARabbitWhoseCellsFollowToughOnesAreEvener) {
-    Shot shot = tests::smallScene("bunny", 2000);
-    shot.conform = true;
-    const CrackMeasures measures = measured(std::move(shot), 0.4);
-    expectSound(measures);
-    ASSERT_GT(measures.outline.length, 20);
-    EXPECT_LT(measures.outline.sideways, 0.10);
-    EXPECT_LT(measures.faces, 0.06);
+    constexpr int kPackings = 4;
+    double sideways = 0, faces = 0;
+    for (int packing = 1; packing <= kPackings; ++packing) {
+        Shot shot = tests::smallScene("bunny", 3000);
+        shot.conform = true;
+        shot.seed = packing;
+        const CrackMeasures measures = measured(std::move(shot), 0.4);
+        expectSound(measures);
+        ASSERT_GT(measures.outline.length, 20);
+        sideways += measures.outline.sideways / kPackings;
+        faces += measures.faces / kPackings;
+    }
+    EXPECT_LT(sideways, 0.10);
+    EXPECT_LT(faces, 0.06);
 }
 
 /// Where a thin limb parts, what turns over goes back ring by ring, farther than what was untangled; and
