@@ -258,11 +258,10 @@ DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Re
         contactTouchLaw<kStep>(wall, params, maxOf(at.depth, Real(0)), radius, against, softest);
     law.softens = true;
     law.elastic = at.springs * law.elastic;
-    law.normal_damping =
-        minOf(contactDamping(
-                  wall, params, dampedStiffness<kStep>(wall, full, softest, law.stiffness, landing.is_hard),
-                  contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
-              Real(kStableDamping<kStep>) / (turning.inverse_mass * params.dt));
+    law.normal_damping = minOf(
+        contactDamping(wall, params, dampedStiffness<kStep>(full, softest, law.stiffness, landing),
+                       contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
+        Real(kStableDamping<kStep>) / (turning.inverse_mass * params.dt));
     law.shear_damping =
         minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
     law.resting = law.shear_resting = Real(0);
@@ -330,9 +329,9 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     effect.friction = seenFrom(across, effect.friction);
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
     // A dry substep leaves the fragment's velocity as it is.
-    if (landing.is_hard && params.booked == KickShare::kAll)
-        arrays.fragments.push(own.id, params.dt * effect.load.force);
-    spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.is_hard);
+    if (landing.isHard() && params.booked == KickShare::kAll)
+        pushFragment<Real>(arrays.fragments, own.id, params.dt * effect.load.force);
+    spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.isHard());
     return {seenFrom(across, effect.load), false};
 }
 

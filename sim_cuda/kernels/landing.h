@@ -28,9 +28,26 @@ DEM_FN Real recedingStiffness(const PairLaw<Real>& wall) {
 template <class Real>
 struct Landing {
     Real approach{};       ///< m/s, along the normal
-    bool is_hard = false;  ///< it began faster than PairLaw::gentle
-    bool is_over = false;  ///< and the fragment goes away by now
+    Real receding{};       ///< recedingStiffness() of a touch that began faster than PairLaw::gentle; else 0
+    bool is_over = false;  ///< the fragment goes away by now
+
+    DEM_FN bool isHard() const { return receding > Real(0); }
 };
+
+/// A touch begins that is fast enough for a hard landing, or goes on that was one. `normal`: unit, out of
+/// the collider.
+template <class Real>
+DEM_APART Landing<Real> hardLanding(Handed<FragmentVelocities<Real>> fragments, Handed<PairLaw<Real>> wall,
+                                    uint32_t particle, Real own_inverse_mass, Handed<Vec3<Real>> normal,
+                                    Real approach, bool begins) {
+    if (!fragments.known() || (begins && fragments.isAlone(particle, own_inverse_mass))) return {approach};
+    return {approach, recedingStiffness(wall), dot(fragments.of(particle), normal) > Real(0)};
+}
+template <class Real>
+DEM_APART void pushFragment(Handed<FragmentVelocities<Real>> fragments, uint32_t particle,
+                            Handed<Vec3<Real>> momentum) {
+    fragments.push(particle, momentum);
+}
 
 /// Of a touch that begins now with `approach`, or what is kept of one. Only substeps, with linear contacts,
 /// know hard ones.
@@ -38,15 +55,11 @@ template <StepKind kStep, class Real>
 DEM_FN Landing<Real> landingOf(const PairLaw<Real>& wall, const SubstepArrays<Real>& arrays,
                                const StepParams<Real>& params, const OwnParticle<Real>& own,
                                const Vec3<Real>& normal, Real approach, const Vec4<Real>& kept) {
-    Landing<Real> landing{approach};
-    const FragmentVelocities<Real>& fragments = arrays.fragments;
-    if (kStep != StepKind::kSubstep || params.hertz != 0 || !(wall.gentle > Real(0)) || !fragments.known())
-        return landing;
-    landing.is_hard = holdsNothing(kept) ? !(approach < wall.gentle) &&
-                                               !fragments.isAlone(own.id, own.constants.inverseMass())
-                                         : isHardLanding(kept);
-    landing.is_over = landing.is_hard && dot(fragments.of(own.id), normal) > Real(0);
-    return landing;
+    if (kStep != StepKind::kSubstep || params.hertz != 0) return {approach};
+    const bool begins = holdsNothing(kept) && !(approach < wall.gentle) && wall.gentle > Real(0);
+    if (!begins && !isHardLanding(kept)) return {approach};
+    return hardLanding<Real>(arrays.fragments, wall, own.id, own.constants.inverseMass(), normal, approach,
+                             begins);
 }
 
 /// N/m that the law may not exceed: what has been kept since the touch began, or what one that begins now,
@@ -54,20 +67,19 @@ DEM_FN Landing<Real> landingOf(const PairLaw<Real>& wall, const SubstepArrays<Re
 template <StepKind kStep, class Real>
 DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& params, Real full,
                         const Landing<Real>& landing, const Vec4<Real>& kept) {
-    if (landing.is_over) return noStifferThan(softestOf(kept), recedingStiffness(wall) * full);
+    if (landing.is_over) return noStifferThan(softestOf(kept), landing.receding * full);
     const bool lands = kStep == StepKind::kSubstep && params.hertz == 0 && holdsNothing(kept) &&
                        landing.approach > Real(kLandingShare) * wall.gentle && landing.approach < wall.gentle;
     return lands ? Real(kGentleStiffness) * full : softestOf(kept);
 }
 /// Of the full stiffness, what the damper goes by: more than the spring where the floor is soft.
 template <StepKind kStep, class Real>
-DEM_FN Real dampedStiffness(const PairLaw<Real>& wall, Real full, Real softest, Real stiffness,
-                            bool is_hard) {
+DEM_FN Real dampedStiffness(Real full, Real softest, Real stiffness, const Landing<Real>& landing) {
     const auto isAsSoftAs = [&](Real share) {
         return softest > Real(0) && !(softest > Real(1.001) * share * full);
     };
     if (kStep != StepKind::kSubstep) return stiffness;
-    if (is_hard) return isAsSoftAs(recedingStiffness(wall)) ? full : stiffness;
+    if (landing.isHard()) return isAsSoftAs(landing.receding) ? full : stiffness;
     return isAsSoftAs(Real(kGentleStiffness)) ? Real(kGentleDamping * kGentleDamping) * full : stiffness;
 }
 
