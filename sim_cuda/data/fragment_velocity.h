@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // How fast each fragment that is moved with its bonds goes as a whole, in every substep: the velocity that
 // was fitted when its frame started or it woke, and what colliders have added since on which it landed hard.
-// Of gravity it has what half a frame brings, which is right within a hundredth of what a landing takes.
+// Of gravity it has what half a frame brings: with that of every substep blocks at 3 m/s bounce alike to
+// three digits.
 #pragma once
 #include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/backend/span.h"
