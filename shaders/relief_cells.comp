@@ -22,6 +22,7 @@ bool isOnPicture(vec3 world, float reach) {
 
 void main() {
     uint cell = gl_GlobalInvocationID.x;
+    if (cell == 0u) near_command[0] = 0u;
     if (cell >= cell_count) return;
     vec4 sphere = cell_spheres[cell];
     vec2 relief = reliefOf(cell);

@@ -143,7 +143,10 @@ void main() {
     uint most = kMostSteps[chosen];
     uvec2 share = fits == chosen ? shareOf(gl_WorkGroupID.x) : uvec2(0u);
     uvec2 place = uvec2(before.triangles[chosen], before.vertices[chosen]);
-    if (fits == chosen && gl_GlobalInvocationID.x == 0u) near_command[0] = 3u * total.triangles[chosen];
+    if (gl_GlobalInvocationID.x == 0u) {
+        near_groups[0] = 0u;  // for the next frame; this one's have begun
+        if (fits == chosen) near_command[0] = 3u * total.triangles[chosen];
+    }
     for (uint first = share.x; first < share.y; first += gl_WorkGroupSize.x) {
         NearTriangle near;
         bool is_near = first + lane < share.y && nearTriangle(first + lane, near);
@@ -151,5 +154,6 @@ void main() {
         uvec2 sum, own = sumBefore(is_near ? uvec2(trianglesIn(steps), verticesIn(steps)) : uvec2(0u), sum);
         if (is_near) cut(near, most, place.x + own.x, place.y + own.y);
         place += sum;
+        barrier();  // else lanes that cut nothing go on, and on an H100 sums of two rounds were mixed up
     }
 }

@@ -61,6 +61,9 @@ void ReliefPass::makeRoom(const FractureMesh& mesh) {
         *program = gl::Program(shaders_, {file}, "#define COMPUTED\n");
     near_.indices =
         gl::Buffer::resizable(sizeof(NearFaces::Header) + 3 * NearFaces::kMostTriangles * sizeof(uint32_t));
+    // The passes keep it: no groups is what each frame begins with.
+    const NearFaces::Header nothing{0, 1, sizeof(NearFaces::Header) / sizeof(uint32_t), 0, 0, {0, 1, 1}};
+    near_.indices.upload(std::as_bytes(std::span(&nothing, 1)));
     near_.vertices = gl::Buffer::resizable(NearFaces::kMostVertices * sizeof(MeshVertex));
     sums_ = gl::Buffer::resizable(kGroups * kSumBytes);
 }
@@ -89,8 +92,6 @@ void ReliefPass::bind(const FractureMesh& mesh) const {
 }
 
 void ReliefPass::run(const FractureMesh& mesh) {
-    const NearFaces::Header nothing{0, 1, sizeof(NearFaces::Header) / sizeof(uint32_t), 0, 0, {0, 1, 1}};
-    near_.indices.upload(std::as_bytes(std::span(&nothing, 1)));
     bind(mesh);
     const auto cells = static_cast<uint32_t>(mesh.particleCount());
     cells_.set(kCellCount, cells);
