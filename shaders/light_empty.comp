@@ -15,7 +15,7 @@ void main() {
     if (gl_LocalInvocationIndex == 0u) drawn_here = 0u;
     barrier();
     bool drawn = false;
-    for (int i = 0; i < SAMPLES && in_picture; ++i) drawn = drawn || visible[sampleIndex(pixel, SAMPLES, i)] != 0u;
+    for (int i = 0; i < SAMPLES && in_picture; ++i) drawn = drawn || depthOfSample(sampleIndex(pixel, SAMPLES, i)) != 0u;
     if (drawn) drawn_here = 1u;
     barrier();
     if (drawn_here != 0u) {

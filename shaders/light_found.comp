@@ -8,8 +8,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 void forget(ivec2 pixel) {
     for (int i = 0; i < SAMPLES; ++i) {
-        visible[sampleIndex(pixel, SAMPLES, i)] = 0u;
-        visible[sampleTotal(SAMPLES) + sampleIndex(pixel, SAMPLES, i)] = 0u;
+        visible[nameWord(sampleIndex(pixel, SAMPLES, i))] = 0u;
+        visible[depthWord(sampleIndex(pixel, SAMPLES, i))] = 0u;
         visible[crackWord(pixel, SAMPLES, i)] = 0u;
     }
 }

@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #endif
 #ifdef COMPUTED
 #include "common/visible.glsl"
-float depthAt(ivec2 pixel) { return uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, 0)]); }
+float depthAt(ivec2 pixel) { return uintBitsToFloat(depthOfSample(sampleIndex(pixel, SAMPLES, 0))); }
 #else
 #if SAMPLES > 1
 layout(binding = 0) uniform sampler2DMS depth_buffer;

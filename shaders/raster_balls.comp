@@ -40,10 +40,9 @@ void seeFromCamera(vec4 ball, uint name, ivec2 pixel) {
         if (along <= 0.0) continue;
         vec4 clip = frame.view_projection * vec4(frame.eye.xyz + along * ray, 1.0);
         precise float depth = clip.z / clip.w;
-        uint place = sampleIndex(pixel, SAMPLES, i), bits = floatBitsToUint(depth);
         if (depth <= 0.0 || depth > 1.0) continue;
-        if (naming == 0) atomicMax(visible[place], bits);
-        else if (bits == visible[place]) atomicMax(visible[sampleTotal(SAMPLES) + place], name);
+        uint place = sampleIndex(pixel, SAMPLES, i);
+        putSample(place, floatBitsToUint(depth), name, depthOfSample(place));
     }
 }
 

@@ -62,7 +62,7 @@ void paintPixel(Ribbon r, ivec2 pixel) {
         vec2 place = placeOf(r, vec2(pixel) + sample_position[i]);
         if (!isInside(r, place)) continue;
         float depth = mix(r.ends[0].clip.z / r.ends[0].clip.w, r.ends[1].clip.z / r.ends[1].clip.w, place.x / r.extent);
-        uint seen = visible[sampleIndex(pixel, SAMPLES, i)];
+        uint seen = depthOfSample(sampleIndex(pixel, SAMPLES, i));
         if (seen != 0u && depth >= uintBitsToFloat(seen)) covered |= 1u << i;
     }
     if (covered == 0u) return;

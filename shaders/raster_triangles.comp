@@ -57,7 +57,7 @@ void depthsOf(uint triangle, bool exists) {
         bool is_cut;
         cornersOf(name, p);
         int seen = lookFromCamera(p, name, is_cut);
-        shows = seen == kDoneMayShow;
+        shows = kNamesLater && seen == kDoneMayShow;
         if (seen == kLarge) views = is_cut ? 9u : 1u;
         for (int region = 0; region < 2 && shadow_texels > 0; ++region) {
             if (lookFromSun(p, region) == kLarge) views |= 2u << region;

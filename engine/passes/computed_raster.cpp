@@ -44,9 +44,10 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
     Programs& programs = programs_[targets.samples];
     if (programs.cracks.id() != 0) return programs;
     const std::string samples = "#define SAMPLES " + std::to_string(targets.samples) + "\n";
+    const std::string putting = TriangleRaster::defines() + samples;
     const std::span places(targets.sample_position.data(), static_cast<size_t>(targets.samples));
-    programs = {triangles_.make("", places), gl::Program(shaders_, {"raster_balls.comp"}, samples),
-                gl::Program(shaders_, {"raster_grit.comp"}, samples),
+    programs = {triangles_.make("", places), gl::Program(shaders_, {"raster_balls.comp"}, putting),
+                gl::Program(shaders_, {"raster_grit.comp"}, putting),
                 gl::Program(shaders_, {"raster_cracks.comp"}, samples + "#define COMPUTED\n")};
     triangles_.tell(programs.balls, places);
     triangles_.tell(programs.grit, places);
@@ -138,7 +139,7 @@ void ComputedRaster::run(const FractureMesh& mesh, const NearFaces* near, const 
     rasterise(programs, drawn, false);
     clock.mark("depths");
     glFlush();  // the GPU begins while it is told the rest
-    rasterise(programs, drawn, true);
+    if (TriangleRaster::namesLater()) rasterise(programs, drawn, true);
     clock.mark("names");
     if (with_shadows) makeCoarseShadows();
     clock.mark("coarse shadow");

@@ -81,6 +81,7 @@ void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, i
     targets.depth.bind(kOpaqueUnit);
     hide(programs, hidden_looks);
     for (const bool naming : {false, true}) {
+        if (naming && !TriangleRaster::namesLater()) break;
         TriangleRaster::runSmall(programs, naming);
         TriangleRaster::runLarge(programs, naming);
     }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "engine/gl/extension.h"
 #include "engine/passes/shadow_pass.h"
 
 namespace demolish::engine {
@@ -41,9 +42,21 @@ TriangleRaster::TriangleRaster(std::filesystem::path shaders, size_t task_room)
         *buffer = gl::Buffer::zeros(2 * sizeof(NearFaces::Header));
 }
 
+bool TriangleRaster::namesLater() {
+    static const bool later = !gl::hasExtension("GL_NV_shader_atomic_int64");
+    return later;
+}
+
+std::string TriangleRaster::defines() {
+    if (namesLater()) return "";
+    return "#extension GL_NV_shader_atomic_int64 : require\n#extension GL_ARB_gpu_shader_int64 : require\n"
+           "#define WIDE_ATOMICS\n";
+}
+
 TriangleRaster::Programs TriangleRaster::make(const std::string& defines,
                                               std::span<const glm::vec2> places) const {
-    const std::string text = defines + "#define SAMPLES " + std::to_string(places.size()) + "\n";
+    const std::string text =
+        TriangleRaster::defines() + defines + "#define SAMPLES " + std::to_string(places.size()) + "\n";
     Programs programs = {gl::Program(shaders_, {"raster_triangles.comp"}, text),
                          gl::Program(shaders_, {"raster_setup.comp"}, text),
                          gl::Program(shaders_, {"raster_squares.comp"}, text),

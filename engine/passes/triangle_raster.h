@@ -35,8 +35,11 @@ class TriangleRaster {
     /// Forgets what was found; fills `fours` times four words of what is bound as kVisible with zeros, and
     /// the shadow map with the farthest depths unless `shadow_texels` is 0.
     void clear(size_t fours, int shadow_texels);
-    /// First those that a lane does, then the others. `naming`: the second time round, once all depths are
-    /// known.
+    /// Does a driver need a second round for names, since it cannot take the nearest of depth and name in one?
+    static bool namesLater();
+    /// Goes before the text of whatever puts samples (shaders/common/put_visible.glsl, put_face.glsl).
+    static std::string defines();
+    /// First those that a lane does, then the others. `naming`: the second round, once all depths are known.
     static void runSmall(Programs& programs, bool naming);
     static void runLarge(Programs& programs, bool naming);
     static void setNaming(gl::Program& program, bool naming);

@@ -18,9 +18,9 @@
 
 const bool kShowsBodies = true;
 
-float depthAt(ivec2 pixel, int i) { return uintBitsToFloat(visible[sampleIndex(pixel, SAMPLES, i)]); }
+float depthAt(ivec2 pixel, int i) { return uintBitsToFloat(depthOfSample(sampleIndex(pixel, SAMPLES, i))); }
 
-uint nameAt(ivec2 pixel, int i) { return visible[sampleTotal(SAMPLES) + sampleIndex(pixel, SAMPLES, i)]; }
+uint nameAt(ivec2 pixel, int i) { return visible[nameWord(sampleIndex(pixel, SAMPLES, i))]; }
 
 uint crackStepsAt(ivec2 pixel, int i) { return (visible[crackWord(pixel, SAMPLES, i)] >> (16 * (i & 1))) & 0xffffu; }
 

@@ -11,11 +11,12 @@
 
 const int kFaces = KEPT;
 
-float faceDepth(ivec2 at, int k) { return uintBitsToFloat(faces[facePlace(at) + uint(k)]); }
+float faceDepth(ivec2 at, int k) { return uintBitsToFloat(faces[facePlace(at) + uint(k)].y); }
 
 // `ray`: of the sample, as rayThrough().
 GlassLayer faceOf(ivec2 at, int k, vec3 ray) {
-    uint place = facePlace(at) + uint(k), name = faces[faceNames() + place];
+    uvec2 face = faces[facePlace(at) + uint(k)];
+    uint name = face.x;
     BodyVertex v[3];
     fetchTriangle(name, v);
     FragmentTransform t = motionOf(v[0]);  // all corners are of one fragment
@@ -26,7 +27,7 @@ GlassLayer faceOf(ivec2 at, int k, vec3 ray) {
         normal += weights[c] * decodeOctahedral(unpackSnorm2x16(v[c].normal));
         rest += weights[c] * v[c].rest;
     }
-    GlassLayer layer = GlassLayer(uintBitsToFloat(faces[place]), normalize(rotate(t.rotation, normal)),
+    GlassLayer layer = GlassLayer(uintBitsToFloat(face.y), normalize(rotate(t.rotation, normal)),
                                   dot(even, frame.eye.xyz - corners.first) > 0.0, isInterior(name));
     if (!layer.broken) return layer;
     mat2x3 edges = mat2x3(v[1].rest - v[0].rest, v[2].rest - v[0].rest);
@@ -39,10 +40,7 @@ GlassLayer faceOf(ivec2 at, int k, vec3 ray) {
 // The next frame finds the ray as empty as it was.
 void forgetFaces(ivec2 at) {
     uint first = facePlace(at);
-    for (uint k = first; k < first + uint(KEPT) && faces[k] != 0u; ++k) {
-        faces[k] = 0u;
-        faces[faceNames() + k] = 0u;
-    }
+    for (uint k = first; k < first + uint(KEPT) && faces[k].y != 0u; ++k) faces[k] = uvec2(0u);
 }
 #else
 layout(binding = 3) uniform usampler2D layers[LAYERS];

@@ -11,14 +11,24 @@ vec2 cameraSize() { return float(ACROSS) * frame.viewport.xy; }
 
 vec4 clipOf(vec3 p) { return frame.view_projection * vec4(p, 1.0); }
 
+// Leaves the nearer one in a place; what it held.
+uvec2 leaveNearer(uint place, uvec2 face) {
+#ifdef WIDE_ATOMICS
+    return unpackUint2x32(atomicMax(wide_faces[place], packUint2x32(face)));
+#else
+    return uvec2(0u, atomicMax(faces[place].y, face.y));
+#endif
+}
+
 // Each place keeps the nearest that comes by and hands the other on, so that in the end they hold the nearest in order,
-// whatever order they came in. Has it found a place?
-bool keepFace(uint first, uint bits) {
-    if (bits <= faces[first + uint(KEPT - 1)]) return false;
+// whatever order they came in. Of two at one depth the higher name stays. Has it found a place?
+bool keepFace(uint first, uvec2 face) {
+    uvec2 last = faceAt(first + uint(KEPT - 1));
+    if (face.y < last.y || (face.y == last.y && face.x <= last.x)) return false;
     for (uint k = 0u; k < uint(KEPT); ++k) {
-        uint held = atomicMax(faces[first + k], bits);
-        if (held == 0u || held == bits) return true;
-        bits = min(bits, held);
+        uvec2 held = leaveNearer(first + k, face);
+        if (held.y == 0u || held.y == face.y) return true;
+        if (held.y < face.y) face = held;
     }
     return true;
 }
@@ -27,9 +37,11 @@ bool putCamera(Flat f, ivec2 at, uint covered, uint name) {
     float depth = depthAt(f, kGrid * at + sample_at[0]);
     if (depth > 1.0 || depth <= texelFetch(opaque_depth, at / ACROSS, 0).r) return false;
     uint bits = floatBitsToUint(depth), first = facePlace(at);
-    if (naming == 0) return keepFace(first, bits);
-    for (uint k = 0u; k < uint(KEPT); ++k) {
-        if (faces[first + k] == bits) atomicMax(faces[faceNames() + first + k], name);
+    if (naming == 0) return keepFace(first, uvec2(name, bits));
+#ifndef WIDE_ATOMICS
+    for (uint k = first; k < first + uint(KEPT); ++k) {
+        if (faces[k].y == bits) atomicMax(faces[k].x, name);
     }
+#endif
     return true;
 }

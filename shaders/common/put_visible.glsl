@@ -14,18 +14,27 @@ bool isShown(uint name) {
     return !isReplaced(v[0].cell);
 }
 
+// `held`: a depth that the sample has had, as bits, and by now perhaps a nearer one.
+void putSample(uint at, uint bits, uint name, uint held) {
+#ifdef WIDE_ATOMICS
+    atomicMax(visible[at], packUint2x32(uvec2(name, bits)));
+#else
+    if (naming == 0) atomicMax(visible[depthWord(at)], bits);
+    else if (bits == held) atomicMax(visible[nameWord(at)], name);
+#endif
+}
+
 // Covered samples of a pixel, a bit each. May they show the triangle, as far as one knows by now?
 bool putCamera(Flat f, ivec2 pixel, uint covered, uint name) {
     uint place = sampleIndex(pixel, SAMPLES, 0), held[SAMPLES];
-    for (int i = 0; i < SAMPLES; ++i) held[i] = visible[place + uint(i)];  // all are fetched before one is waited for
+    for (int i = 0; i < SAMPLES; ++i) held[i] = depthOfSample(place + uint(i));  // all are fetched before one is waited for
     bool shows = false;
     for (int i = 0; i < SAMPLES; ++i) {
         float depth = depthAt(f, kGrid * pixel + sample_at[i]);
-        uint bits = floatBitsToUint(depth), own = place + uint(i);
+        uint bits = floatBitsToUint(depth);
         if ((covered >> i & 1u) == 0u || depth <= 0.0 || depth > 1.0 || bits < held[i]) continue;
         shows = true;
-        if (naming == 0) atomicMax(visible[own], bits);
-        else if (bits == held[i]) atomicMax(visible[sampleTotal(SAMPLES) + own], name);
+        putSample(place + uint(i), bits, name, held[i]);
     }
     return shows;
 }

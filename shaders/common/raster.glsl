@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Depths first; then, of the
-// triangles that have this depth, the one drawn last gives its name. FACES: those of transparent bodies, both sides of them; SUMS: what these take from the sun's light, whose
+// Triangles into the pictures of a frame: the camera's, and the regions of the shadow map. Of the triangles that have the nearest
+// depth, the one drawn last gives its name: with WIDE_ATOMICS at once, otherwise in a second round, once depths are known. FACES: those of transparent bodies, both sides of them; SUMS: what these take from the sun's light, whose
 // view stands in the place of the camera's.
 #include "common/frame.glsl"
 #include "common/body_triangle.glsl"
@@ -25,6 +25,11 @@ struct Large {
 layout(std430, binding = 9) buffer Tasks { uvec2 tasks[]; };
 layout(std430, binding = 11) buffer LargeTriangles { Large large[]; };
 const int kTaskEdge = 16;
+#ifdef WIDE_ATOMICS
+const bool kNamesLater = false;
+#else
+const bool kNamesLater = true;
+#endif
 
 layout(location = 0) uniform int naming;               // 0: depths, 1: names
 layout(location = 1) uniform ivec2 sample_at[SAMPLES]; // inside the pixel, grid steps

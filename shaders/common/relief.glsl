@@ -10,7 +10,7 @@
 // Of each look (common/cell_look.glsl): x height, y length of its longest waves, m; a height of 0: none.
 layout(location = 40) uniform vec2 relief_of_look[32];
 layout(location = 35) uniform uint look_count;
-const float kWavesFrom = 10.0, kWavesWhole = 24.0;  // px of the longest waves: from here on, and in full
+const float kWavesFrom = 14.0, kWavesWhole = 26.0;  // px of the longest waves: from here on, and in full
 
 // Where there is one look, cells may have none said.
 vec2 reliefOf(uint cell) { return relief_of_look[look_count > 1u ? min(cell_look[cell] & 0xffffu, look_count - 1u) : 0u]; }

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 #include <span>
+#include <stdexcept>
 #include <vector>
 
 #include "engine/passes/relief_pass.h"
@@ -138,6 +139,7 @@ class NearBlock {
     explicit NearBlock(int along = 3, int subdivisions = 1)
         : scene_(cells([](uint32_t, glm::vec3) { return glm::vec3(0); }, subdivisions, along)) {
         moveCamera(scene_, 2.55f);
+        scene_.view.look.relief_size = 1.4f * kWaves;
         const FrameUniforms frame = makeFrameUniforms(scene_.view, 1024);
         const gl::Buffer block = gl::Buffer::immutable(sizeof(frame), &frame);
         glBindBufferBase(GL_UNIFORM_BUFFER, 0, block.id());
@@ -148,6 +150,7 @@ class NearBlock {
         NearFaces::Header header{};
         near->indices.download(std::as_writable_bytes(std::span(&header, 1)));
         indices.resize(header.count);
+        if (indices.empty()) throw std::logic_error("nothing is near");
         near->indices.download(std::as_writable_bytes(std::span(indices)), sizeof(header));
         vertices.resize(1 + *std::max_element(indices.begin(), indices.end()));
         near->vertices.download(std::as_writable_bytes(std::span(vertices)));
