@@ -15,15 +15,26 @@ layout(std430, binding = 18) writeonly buffer NearVertices { uvec2 near_words[];
 layout(location = 34) uniform uvec2 room;  // triangles, vertices
 
 shared Sums before, total;
-shared uvec2 ends[gl_WorkGroupSize.x];
+shared uvec2 ends[gl_WorkGroupSize.x];  // of a round: triangles and vertices up to and with a lane's
+shared uvec3 steps_of[gl_WorkGroupSize.x];
 
-void addSums(uint group) {
+// Of the groups `from`, `from` + work group's size, ...: x, y of all, z, w of those before this one.
+uvec4 sumsFrom(uint from, int k) {
+    uvec4 sum = uvec4(0u);
+    for (uint group = from; group < group_count; group += gl_WorkGroupSize.x) {
+        uvec2 here = uvec2(sums[group].triangles[k], sums[group].vertices[k]);
+        sum += uvec4(here, group < gl_WorkGroupID.x ? here : uvec2(0u));
+    }
+    return sum;
+}
+
+void addSums(uint from) {
     for (int k = 0; k < 4; ++k) {
-        atomicAdd(total.triangles[k], sums[group].triangles[k]);
-        atomicAdd(total.vertices[k], sums[group].vertices[k]);
-        if (group >= gl_WorkGroupID.x) continue;
-        atomicAdd(before.triangles[k], sums[group].triangles[k]);
-        atomicAdd(before.vertices[k], sums[group].vertices[k]);
+        uvec4 sum = sumsFrom(from, k);
+        atomicAdd(total.triangles[k], sum.x);
+        atomicAdd(total.vertices[k], sum.y);
+        atomicAdd(before.triangles[k], sum.z);
+        atomicAdd(before.vertices[k], sum.w);
     }
 }
 
@@ -115,11 +126,38 @@ void writeIndices(uint place, uvec3 corners) {
     for (int k = 0; k < 3; ++k) near_indices[3u * place + uint(k)] = corners[k];
 }
 
-void cut(NearTriangle near, uint most, uint triangle, uint vertex) {
-    uint steps = stepsAcross(near.steps, most), own = vertex;
-    for (uint i = 0u; i <= steps; ++i) {
-        for (uint j = 0u; i + j <= steps; ++j, ++own) writeVertex(near, placeIn(near, i, j, steps, most), own);
+// Whose vertex `vertex` of a round is, and which of its own: x lane, y number.
+uvec2 ownerOf(uint vertex) {
+    uint low = 0u, high = gl_WorkGroupSize.x - 1u;
+    while (low < high) {
+        uint middle = (low + high) / 2u;
+        if (vertex < ends[middle].y) high = middle;
+        else low = middle + 1u;
     }
+    return uvec2(low, vertex - (low > 0u ? ends[low - 1u].y : 0u));
+}
+
+// Vertex number 0, 1, ... in rows of equal `i`: (i, j).
+uvec2 inRow(uint number, uint steps) {
+    uint i = 0u;
+    for (uint row = steps + 1u; number >= row; --row, ++i) number -= row;
+    return uvec2(i, number);
+}
+
+// The vertices of a round are shared by its lanes, or few near triangles would keep all others waiting.
+void writeVertices(uint first, uint count, uint most, uint vertex) {
+    for (uint v = gl_LocalInvocationIndex; v < count; v += gl_WorkGroupSize.x) {
+        uvec2 owner = ownerOf(v);
+        NearTriangle near;
+        nearTriangle(first + owner.x, near);
+        near.steps = steps_of[owner.x];
+        uint steps = stepsAcross(near.steps, most);
+        uvec2 at = inRow(owner.y, steps);
+        writeVertex(near, placeIn(near, at.x, at.y, steps, most), vertex + v);
+    }
+}
+
+void writeTriangles(uint steps, uint triangle, uint vertex) {
     for (uint i = 0u; i < steps; ++i) {
         uint row = steps + 1u - i;  // vertices from here to where `i` is one more
         for (uint j = 0u; i + j < steps; ++j, ++vertex) {
@@ -137,7 +175,7 @@ void main() {
         total.triangles[lane] = total.vertices[lane] = 0u;
     }
     barrier();
-    for (uint group = lane; group < group_count; group += gl_WorkGroupSize.x) addSums(group);
+    addSums(lane);
     barrier();
     int fits = chooseSteps(), chosen = min(fits, 3);
     uint most = kMostSteps[chosen];
@@ -151,8 +189,10 @@ void main() {
         NearTriangle near;
         bool is_near = first + lane < share.y && nearTriangle(first + lane, near);
         uint steps = is_near ? stepsAcross(near.steps, most) : 0u;
+        steps_of[lane] = near.steps;
         uvec2 sum, own = sumBefore(is_near ? uvec2(trianglesIn(steps), verticesIn(steps)) : uvec2(0u), sum);
-        if (is_near) cut(near, most, place.x + own.x, place.y + own.y);
+        if (is_near) writeTriangles(steps, place.x + own.x, place.y + own.y);
+        writeVertices(first, sum.y, most, place.y);
         place += sum;
         barrier();  // else lanes that cut nothing go on, and on an H100 sums of two rounds were mixed up
     }

@@ -27,9 +27,8 @@ struct NearTriangle {
     uvec3 steps;    // of the edges 0-1, 1-2, 2-0
 };
 
-Corner cornerOf(uint vertex, out uint cell) {
+Corner cornerOf(uint vertex) {
     uvec2 a = interior_words[3u * vertex], b = interior_words[3u * vertex + 1u], c = interior_words[3u * vertex + 2u];
-    cell = c.y;
     return Corner(uintBitsToFloat(uvec3(a, b.x)), decodeOctahedral(unpackSnorm2x16(b.y)), unpackHalf2x16(c.x));
 }
 
@@ -50,9 +49,9 @@ uvec2 shareOf(uint group) {
 
 // Is it replaced?
 bool nearTriangle(uint t, out NearTriangle near) {
-    uint cell;
-    for (uint k = 0u; k < 3u; ++k) near.corner[k] = cornerOf(interior_indices[3u * t + k], cell);
+    uint cell = interior_words[3u * interior_indices[3u * t] + 2u].y;  // of all three corners
     if (near_cells[cell] == 0u) return false;
+    for (uint k = 0u; k < 3u; ++k) near.corner[k] = cornerOf(interior_indices[3u * t + k]);
     near.cell = cell;
     near.motion = transforms[particle_fragment[cell]];
     near.relief = reliefOf(cell);
