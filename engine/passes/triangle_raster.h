@@ -35,7 +35,8 @@ class TriangleRaster {
     /// Forgets what was found; fills `fours` times four words of what is bound as kVisible with zeros, and
     /// the shadow map with the farthest depths unless `shadow_texels` is 0.
     void clear(size_t fours, int shadow_texels);
-    /// Does a driver need a second round for names, since it cannot take the nearest of depth and name in one?
+    /// Does a driver need a second round for names, since it cannot take the nearest of depth and name in
+    /// one?
     static bool namesLater();
     /// Goes before the text of whatever puts samples (shaders/common/put_visible.glsl, put_face.glsl).
     static std::string defines();
