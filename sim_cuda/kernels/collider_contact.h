@@ -177,6 +177,7 @@ struct Turning {
     Real most_inverse{};  ///< and at most at any corner
     Real inertia{};       ///< kg m^2, that rolls at least
     Real radius{};        ///< m, likewise
+    Real damping{1};      ///< share of the damper
 };
 /// A particle that substeps move turns alone. It rolls away from what acts across, so that half of that is as
 /// good as all for the bound on the tangential damper.
@@ -262,6 +263,7 @@ DEM_FN TouchLaw<Real> pressingLaw(const PairLaw<Real>& wall, const StepParams<Re
         contactDamping(wall, params, dampedStiffness<kStep>(full, softest, law.stiffness, landing),
                        contactRadius(radius, at.depth), minOf(at.springs, Real(1)) / turning.inverse_mass),
         Real(kStableDamping<kStep>) / (turning.inverse_mass * params.dt));
+    law.normal_damping = turning.damping * law.normal_damping;
     law.shear_damping =
         minOf(law.normal_damping, Real(kShearDampingShare) / (turning.slip_inverse * params.dt));
     law.resting = law.shear_resting = Real(0);

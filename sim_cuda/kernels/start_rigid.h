@@ -3,12 +3,13 @@
 // its particles hang on it, and the particles put where it has taken them.
 #pragma once
 #include "sim_cuda/kernels/islands.h"
+#include "sim_cuda/kernels/pending_kick.h"
 #include "sim_cuda/kernels/rigid_step.h"
 
 namespace demolish {
 
-/// One thread a slot that is not moved with its bonds: its body, from the fit of the moment. Within a frame
-/// bodies go on as they are; only projectiles, which may be new, start again.
+/// One thread a slot that is not moved with its bonds, or wakes: its body, from the fit of the moment. Within
+/// a frame bodies go on as they are; only projectiles, which may be new, start again.
 template <class Real>
 struct StartBodies {
     FragmentRows rows;
@@ -25,9 +26,10 @@ struct StartBodies {
     HoldsIn holds{};
 
     DEM_FN void operator()(uint32_t slot) const {
-        if (label[slot] != slot || regime[slot] == wordOf(Regime::kBonded)) return;
+        const bool is_bonded = regime[slot] == wordOf(Regime::kBonded);
+        if (label[slot] != slot || (is_bonded && former[slot] != wordOf(Regime::kRigid))) return;
+        if (!frame_starts && (is_bonded || slot < in_bodies)) return;
         if (slot < in_bodies) {
-            if (!frame_starts) return;
             body[slot] = holds.hold(slot) ? ofHeld(slot) : ofFragment(slot);
         } else {
             if (!(constants[slot].takesPart())) return;
@@ -117,16 +119,19 @@ struct SettleRegimes {
     Span<Vec3<double>> arm;
     Span<Quat<double>> start_rotation;
     Span<Vec4<Real>> ledger;
-    Vec3<double> gravity;  ///< m/s^2
-    double substep = 0;    ///< s
+    PendingKicks pending;        ///< of those that wake,
+    SubstepArrays<Real> arrays;  ///< and what is booked of it
+    Span<Vec4<Real>> start;      ///< FragmentVelocities::start
+    Vec3<double> gravity;        ///< m/s^2
+    double substep = 0;          ///< s
     uint32_t in_bodies = 0;
     bool frame_starts = false;
 
     DEM_FN void operator()(uint32_t i) const {
         const uint32_t slot = label[i], now = regime[slot];
-        const bool wakes = now == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kRigid);
+        const bool wakes = pending.wakes(slot);
         if (!frame_starts && i < in_bodies && !wakes) return;
-        if (wakes) catchUp(i, rememberedFlight(memory[slot]));
+        if (wakes) catchUp(i, slot);
         if (now != wordOf(Regime::kBonded)) hang(i, slot);
         if (now == wordOf(Regime::kAsleep) && former[slot] != now) stop(i);
         copyState(i);
@@ -144,10 +149,27 @@ struct SettleRegimes {
                       velocityAt(fit.velocity, fit.spin, from_centre), fit.spin);
     }
     DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
-    DEM_FN void catchUp(uint32_t i, const Flight& flight) const {
-        if (flight.free == 0 || !(constants[i].takesPart())) return;
-        const Vec3<double> v = axpy(0.5 * flight.lag * substep, gravity, asDouble(xyz(in.velocity[i])));
-        state.velocity[i] = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, in.velocity[i]);
+    /// What the last contact step has not given yet: gravity to what has fallen freely, and all to what a
+    /// kick is pending for.
+    DEM_FN void catchUp(uint32_t i, uint32_t slot) const {
+        if (!(constants[i].takesPart()) || constants[i].isHeld()) return;
+        const Flight flight = rememberedFlight(memory[slot]);
+        const bool kicked = pending.isKicked(slot);
+        if (flight.free == 0 && !kicked) return;
+        const LoadedState<Real> before = loadState(in, i);
+        const Vec3<double> gained = kicked ? pending.velocity(slot) : Vec3<double>{},
+                           turn = kicked ? pending.spin(slot) : Vec3<double>{},
+                           from_centre = kicked ? exactPosition(in, i) - body[slot].centre : Vec3<double>{};
+        const Vec3<double> fallen = axpy(0.5 * flight.lag * substep, gravity, asDouble(xyz(before.velocity)));
+        const Vec3<double> v = fallen + velocityAt(gained, turn, from_centre),
+                           w = asDouble(xyz(before.spin)) + turn;
+        state.velocity[i] = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, before.velocity);
+        state.spin[i] = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
+        if (!kicked) return;
+        bookLedger(ledger[i], takeCarriedTally(arrays, i), before, loadState(in, i), Real(pending.time));
+        if (i == slot && i < in_bodies)
+            start[slot] = withW(xyz(start[slot]) + Vec3<Real>{Real(gained.x), Real(gained.y), Real(gained.z)},
+                                start[slot].w);
     }
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {

@@ -29,9 +29,9 @@ class Decisions {
 
     /// Decides for the present state, which must be complete (Stepper::placeRigid), and whose contact lists
     /// must be good. `anew`: for a frame's start, or other fragments; so many substeps have passed since the
-    /// last time. soon: s until the next decision at the latest. stride: substeps of the next contact step.
+    /// last time. soon: s until the next decision at the latest. last, next: substeps of those contact steps.
     /// Waits.
-    void decide(bool anew, uint32_t passed, double soon, uint32_t stride);
+    void decide(bool anew, uint32_t passed, double soon, uint32_t last, uint32_t next);
 
     /// Contact lists were made anew within a frame: rigid fragments need new lists of what may touch, and
     /// what comes near a sleeper within `soon` s wakes it. May wait.
@@ -61,11 +61,11 @@ class Decisions {
 };
 
 template <class Backend, class Real>
-void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon, uint32_t stride) {
+void Decisions<Backend, Real>::decide(bool anew, uint32_t passed, double soon, uint32_t last, uint32_t next) {
     auto& regimes = scene_.regimes;
     regimes.assign(scene_.data, scene_.lists, scene_.fragments.clusters, scene_.fragments.motion,
-                   scene_.params, anew, passed, soon);
-    if (scene_.setup.params.ledger && regimes.movesRigid()) bookSoftening(stride);
+                   scene_.params, anew, passed, last, soon);
+    if (scene_.setup.params.ledger && regimes.movesRigid()) bookSoftening(next);
     state_.last = scene_.substeps;
     state_.due = regimes.hitsLater() ? scene_.substeps + regimes.decisionInterval() : DecisionState::kNever;
     state_.shot_started = 0;

@@ -292,7 +292,7 @@ void FrameLoop<Backend, Real>::decide(bool frame_starts, uint32_t remaining) {
     const Release release = releasePieces(lists_.remaining(scene_.lists.horizon(), remaining));
     if (frame_starts || release.splits) scene_.markHolds(remaining * scene_.tables.time_step);
     decisions_.decide(frame_starts || release.splits, frame_starts ? decisions_.lastFrame() : 0,
-                      lists_.remaining(scene_.lists.horizon(), remaining),
+                      lists_.remaining(scene_.lists.horizon(), remaining), stepper_.contactStride(),
                       frame_->steps.lengthAt(frame_->at()));
     decisions_.hasten(release.next, kRigidStretch.length());
 }

@@ -49,6 +49,8 @@ class MovedLists {
     Span<RigidBody> bodies() { return body_.span(); }
     Span<Vec3<double>> arms() { return arm_.span(); }
     Span<Quat<double>> startRotations() { return start_rotation_.span(); }
+    /// Four a particle, all 0 between two steps (SubstepArrays).
+    Span<Vec4<Real>> carriedTally() { return carried_tally_.span(); }
 
     /// Lists what moves how by a decision, and tells `data` what substeps go by. Waits.
     void list(SolverData<Backend, Real>& data, const MeetingsIn<Real>& meetings, const FragmentRows& rows,

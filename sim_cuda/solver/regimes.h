@@ -18,6 +18,7 @@
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/moved_lists.h"
 #include "sim_cuda/solver/neighbour_lists.h"
+#include "sim_cuda/solver/pending_kicks.h"
 #include "sim_cuda/solver/solver_data.h"
 
 namespace demolish {
@@ -48,11 +49,12 @@ class Regimes {
     bool on() const { return hand_over_ || sleeping_; }
 
     /// Decides anew for the present state, whose contact lists must be good. `frame_starts`: `substeps` have
-    /// passed since the last frame started, and motion.gather() was called for the state. `soon`: s until the
-    /// next decision at the latest. Waits.
+    /// passed since the last frame started, and motion.gather() was called for the state; the last contact
+    /// step had `contact_stride`. `soon`: s until the next decision at the latest. Waits.
     void assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                 const Clustering<Backend>& clusters, FragmentMotion<Backend, Real>& motion,
-                const StepParams<Real>& params, bool frame_starts, uint32_t substeps, double soon);
+                const StepParams<Real>& params, bool frame_starts, uint32_t substeps, uint32_t contact_stride,
+                double soon);
     /// Contact lists were made within a frame, and nothing is rigid: does something that is awake come near
     /// something asleep within `soon`, so that all must be decided anew? Waits.
     bool stirs(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
@@ -124,9 +126,10 @@ class Regimes {
     ChooseRegimes<Real> flagIslands(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                                     const StepParams<Real>& params, bool frame_starts);
     void startBodies(const ChooseRegimes<Real>& choose, SolverData<Backend, Real>& data,
-                     const MeetingsIn<Real>& meetings, const FragmentRows& rows,
-                     const FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
-                     bool frame_starts, uint32_t substeps);
+                     NeighbourLists<Backend, Real>& lists, const MeetingsIn<Real>& meetings,
+                     const FragmentRows& rows, const FragmentMotion<Backend, Real>& motion,
+                     const StepParams<Real>& params, bool frame_starts, uint32_t substeps,
+                     uint32_t contact_stride);
 
     Backend& backend_;
     ParticleCounts counts_of_;
@@ -141,6 +144,7 @@ class Regimes {
     Buffer<BodyMemory> body_memory_;
     Buffer<CalmClock> clock_;
     MovedLists<Backend, Real> moved_;
+    PendingKickSums<Backend, Real> pending_;
     typename Backend::Reader reader_;
     Span<const RigidMotion> fits_;  ///< of the frame's start
     RegimeMemory memory_;
@@ -171,6 +175,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
       crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
       moved_(backend),
+      pending_(backend, setup.params.ledger),
       reader_(backend) {
     if (!on()) return;
     const uint32_t total = counts_of_.total;
@@ -194,6 +199,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
     body_memory_ = backend.template allocate<BodyMemory>(total);
     clock_ = backend.template allocate<CalmClock>(total);
     moved_.allocate(tables);
+    pending_.allocate(total);
     backend.synchronize();  // the host copies go out of scope
 }
 
@@ -236,7 +242,8 @@ template <class Backend, class Real>
 void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLists<Backend, Real>& lists,
                                     const Clustering<Backend>& clusters,
                                     FragmentMotion<Backend, Real>& motion, const StepParams<Real>& params,
-                                    bool frame_starts, uint32_t substeps, double soon) {
+                                    bool frame_starts, uint32_t substeps, uint32_t contact_stride,
+                                    double soon) {
     const FragmentRows rows = clusters.rows();
     const StateIn<Real> state = data.particles.in(data.current);
     if (frame_starts) {
@@ -245,7 +252,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     const ChooseRegimes<Real> choose = flagIslands(meetings, rows, params, frame_starts);
-    startBodies(choose, data, meetings, rows, motion, params, frame_starts, substeps);
+    startBodies(choose, data, lists, meetings, rows, motion, params, frame_starts, substeps, contact_stride);
     const Span<const uint32_t> meets = frame_starts ? Span<const uint32_t>{} : meets_.view();
     moved_.list(data, meetings, rows, params.colliders,
                 {regime_.view(), flags_.view(), meets, body_memory_.span()});
@@ -342,10 +349,11 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
 
 template <class Backend, class Real>
 void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, SolverData<Backend, Real>& data,
+                                         NeighbourLists<Backend, Real>& lists,
                                          const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                                          const FragmentMotion<Backend, Real>& motion,
-                                         const StepParams<Real>& params, bool frame_starts,
-                                         uint32_t substeps) {
+                                         const StepParams<Real>& params, bool frame_starts, uint32_t substeps,
+                                         uint32_t contact_stride) {
     auto& particles = data.particles;
     const uint32_t total = counts_of_.total;
     const StartBodies<Real> start{rows,
@@ -365,14 +373,23 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
     StartVelocities<Real> velocities = data.startVelocities(
         rows, motion.poses(), holds_, (0.5 * substeps) * double(params.dt) * asDouble(params.gravity));
     velocities.moved = {regime_.view(), former_.view(), moved_.bodies(), frame_starts};
-    backend_.forEach(total, InTurn{choose, InTurn{start, velocities}}, "choose regimes and start bodies");
+    RigidWork bodies;
+    bodies.body = moved_.bodies();
+    bodies.label = meetings.label;
+    const PendingKicks pending =
+        pending_.of(bodies, regime_.view(), former_.view(), contact_stride, double(params.dt));
+    backend_.forEach(total, InTurn{InTurn{choose, pending}, InTurn{start, velocities}},
+                     "choose regimes and start bodies");
+    SubstepArrays<Real> arrays = data.arrays(lists.contacts());
+    arrays.carried_tally = moved_.carriedTally();
+    pending_.gather(arrays, params, bodies, pending, contact_stride);
     backend_.forEach(
         total,
         SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),
                             meetings.constants, meetings.label, regime_.view(), former_.view(),
                             body_memory_.view(), moved_.bodies(), moved_.arms(), moved_.startRotations(),
-                            data.ledger.span(), asDouble(params.gravity), double(params.dt),
-                            counts_of_.in_bodies, frame_starts},
+                            data.ledger.span(), pending, arrays, velocities.start, asDouble(params.gravity),
+                            double(params.dt), counts_of_.in_bodies, frame_starts},
         "settle regimes");
 }
 

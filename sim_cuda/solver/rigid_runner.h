@@ -7,22 +7,10 @@
 #include "sim_cuda/backend/cpu_backend.h"
 #include "sim_cuda/kernels/rigid_step.h"
 #include "sim_cuda/solver/contact_steps.h"
+#include "sim_cuda/solver/rigid_params.h"
 #include "sim_cuda/solver/solver_data.h"
 
 namespace demolish {
-
-/// What a contact step of `stride` substeps after one of `previous` changes in the constants of a substep.
-/// What touches may push for longer than the step lasts, and its laws have to bear that.
-template <class Real>
-StepParams<Real> rigidParams(StepParams<Real> params, uint32_t previous, uint32_t stride) {
-    const double length = std::max<double>(stride, pushedSubsteps(previous, stride)),
-                 dt = length * static_cast<double>(params.dt);
-    params.drift = static_cast<Real>(previous) * params.dt;
-    params.dt = static_cast<Real>(dt);
-    params.stiffness_cap = params.face_cap = static_cast<Real>(kContactStiffnessShare / (dt * dt));
-    params.softening = params.leaves_out = 1;
-    return params;
-}
 
 /// A contact step as both backends need it. Its loads are gathered before the substeps that carry some of the
 /// particles on, its bodies moved after them.

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rigid pieces that wake while they press on a floor: they go on with what they have taken in, and with no
+// more (architecture 9, physics B.1).
+#include <gtest/gtest.h>
+
+#include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/regimes_of.h"
+#include "tests/physics/solver/solver_under_test.h"
+
+namespace demolish::tests {
+namespace {
+
+class Waking : public OnEitherDevice {};
+
+constexpr double kWakesAt = 0.05;  ///< s, or up to three frames before
+
+/// A block that has become rigid lands at 1 m/s after `lands` s, slowly enough to stay so; a ball from above
+/// wakes it before it hits it. A contact step is 3.3 ms, a frame.
+SceneSetup blockAndBall(double lands) {
+    constexpr double kSpeed = 1, kBallSpeed = 8, kHeight = 0.3;
+    SceneSetup setup = with(freeBody(latticeBody(3, 3, 3, kHeight / 3)), {true, false});
+    setup.params.colliders.push_back(Plane{});
+    setup.params.substeps = 50;
+    setup.params.frame_time = 10.0 / (60 * setup.params.substeps);
+    BodyInstance& block = setup.bodies[0];
+    block.material.critical_velocity = 10;
+    block.velocity = {0, -kSpeed, 0};
+    block.position = {0, kSpeed * lands, 0};
+    Projectile ball;
+    ball.radius = 0.03;
+    ball.position = {0.01, kHeight + ball.radius + kBallSpeed * (kWakesAt + 0.002), 0};
+    ball.velocity = {0, -kBallSpeed, 0};
+    setup.projectiles = {ball};
+    return setup;
+}
+
+/// What it has in the end, less what it had at the start, over that. Something wakes meanwhile.
+double energyFound(const SceneSetup& setup) {
+    auto solver = makeSolver(setup);
+    solver->measure();
+    const double before = energySum(solver->stats().energy);
+    bool was_rigid = false, wakes = false;
+    for (double time = 0; time < kWakesAt + 0.01; time += setup.params.frame_time) {
+        EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        wakes = wakes || (was_rigid && solver->stats().rigid_fragments == 0);
+        was_rigid = solver->stats().rigid_fragments > 0;
+    }
+    EXPECT_TRUE(wakes);
+    solver->measure();
+    return energySum(solver->stats().energy) / before - 1;
+}
+
+/// Half of the last contact step's kick comes when they wake; what is left is that of physics B.1.
+TEST_F(Waking, KeepsTheEnergyOfABlockThatPressesOnItsFloor) {
+    for (int k = 0; k < 20; ++k) {
+        const double lands = kWakesAt - 0.001 * k;
+        EXPECT_NEAR(energyFound(blockAndBall(lands)), 0, 8e-3) << "lands after " << lands << " s";
+    }
+}
+
+/// A contact step has driven a cell into the floor, and no contact has seen it yet, when the block beside it
+/// wakes; then all are moved with their bonds.
+TEST_F(Waking, FindsNoEnergyInWhatHasGoneIntoTheFloorUnseen) {
+    constexpr double kSpeed = 20;
+    for (int k = 0; k < 20; ++k) {
+        const double lands = kWakesAt - 0.006 - 0.0002 * k;
+        SceneSetup setup = blockAndBall(kWakesAt + 0.05);
+        BodyInstance cell = setup.bodies[0];
+        cell.body = ballBody(0.05);
+        cell.velocity = {0, -kSpeed, 0};
+        cell.position = {1, kSpeed * lands, 0};
+        setup.bodies.push_back(cell);
+        EXPECT_NEAR(energyFound(setup), 0, 8e-3) << "lands after " << lands << " s";
+    }
+}
+
+/// Bodies are in no snapshot, and the books are none of the state's business.
+TEST_F(Waking, GivesTheSameStateAfterASnapshotAndWithoutBooks) {
+    for (const double lands : {kWakesAt - 0.004, kWakesAt - 0.009, kWakesAt - 0.014}) {
+        SceneSetup setup = blockAndBall(lands);
+        auto solver = makeSolver(setup), other = makeSolver(setup);
+        setup.params.ledger = false;
+        auto without_books = makeSolver(setup);
+        bool was_rigid = false, wakes = false;
+        for (int frame = 0; frame < 18; ++frame) {
+            other->restore(solver->save());
+            for (Solver* each : {solver.get(), other.get(), without_books.get()})
+                ASSERT_EQ(each->advanceFrame(), StepStatus::kOk);
+            ASSERT_EQ(other->stateHash(), solver->stateHash()) << "frame " << frame;
+            ASSERT_EQ(without_books->stateHash(), solver->stateHash()) << "frame " << frame;
+            wakes = wakes || (was_rigid && solver->stats().rigid_fragments == 0);
+            was_rigid = solver->stats().rigid_fragments > 0;
+        }
+        EXPECT_TRUE(wakes);
+    }
+}
+
+}  // namespace
+}  // namespace demolish::tests
