@@ -206,13 +206,24 @@ struct StepRigid {
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
-                const LoadedState<Real> after = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+                const LoadedState<Real> after = afterKick(body, seat, before);
                 bookLedger(arrays.ledger[i], loads.at(seat.place).tally, before, after, Real(push()));
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
                                Real(carried_share * push()));
             }
         }
+    }
+    /// What a kick gives and takes needs the velocity right after it, before drift and turn have changed arm
+    /// and spin.
+    DEM_FN LoadedState<Real> afterKick(const RigidBody& body, const RigidSeat<Real>& seat,
+                                       const LoadedState<Real>& before) const {
+        const Vec3<double> w = body.isHeld() ? body.spin : spinAt(body, body.kicked),
+                           v = velocityAt(body.velocity, w, rotate(body.kicked, seat.arm));
+        LoadedState<Real> after = before;
+        after.velocity = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, before.velocity);
+        after.spin = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
+        return after;
     }
     /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
     DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& now) const {

@@ -37,6 +37,7 @@ struct RigidBody {
     Vec3<double> angular;        ///< L about X_c, kg m^2/s
     Vec3<double> spin;           ///< omega, rad/s
     Quat<double> turned;         ///< since the start
+    Quat<double> kicked;         ///< the same when it was kicked last
     Sym3 inverse_inertia;        ///< J^-1 at the start, 1/(kg m^2)
     double inverse_mass = 0;     ///< 1/kg
     uint32_t contact_share = 1;  ///< contacts among which its mass is shared,
@@ -65,6 +66,7 @@ DEM_FN void advance(RigidBody& body, const Vec3<double>& push, const Vec3<double
     body.velocity = axpy(body.inverse_mass, push, body.velocity + fall);
     body.centre = axpy(dt, body.velocity, body.centre);
     body.angular = body.angular + turn;
+    body.kicked = body.turned;
     const Quat<double> half = advanced(body.turned, spinAt(body, body.turned), 0.5 * dt);
     body.turned = advanced(body.turned, spinAt(body, half), dt);
     body.spin = spinAt(body, body.turned);
@@ -73,6 +75,7 @@ DEM_FN void advance(RigidBody& body, const Vec3<double>& push, const Vec3<double
 /// A held body goes on as it is led; dt s of the drift.
 DEM_FN void lead(RigidBody& body, double dt) {
     body.centre = axpy(dt, body.velocity, body.centre);
+    body.kicked = body.turned;
     if (length2(body.spin) > 0) body.turned = advanced(body.turned, body.spin, dt);
 }
 
