@@ -3,7 +3,6 @@
 #pragma once
 #include <cstdint>
 
-#include "sim_cuda/physics/rigid_motion.h"
 #include "sim_cuda/solver/decisions.h"
 #include "sim_cuda/solver/list_schedule.h"
 #include "sim_cuda/solver/projectiles.h"
@@ -14,7 +13,7 @@ namespace demolish {
 struct LoopState {
     uint64_t substeps = 0;  ///< since the start
     uint64_t quiet = 0;     ///< 1: nothing has moved in the last frame, nor will unless it is shot at
-    uint64_t contact_stride = kRigidStride;  ///< substeps of the last contact step
+    uint64_t contact_stride = 1;  ///< as Stepper::contactStride(): all has been moved with its bonds
     Projectiles::State projectiles;
     ListSchedule::State lists;
     DecisionState decisions;

@@ -63,7 +63,7 @@ class Stepper {
     bool lists_stand_ =
         false;                 ///< since the last step nothing that steps read has been written but the state
     bool rigid_lags_ = false;  ///< contact steps have moved bodies whose particles have not followed yet
-    uint32_t contact_stride_ = kRigidStride;
+    uint32_t contact_stride_ = 1;
     bool recorded_ahead_[2] = {};  ///< GPU: without and with the ledger
 };
 

@@ -116,6 +116,29 @@ TEST_F(HardHit, InContactStepsIsFoundHoweverThePieceTurns) {
     }
 }
 
+/// Bodies settle with their bonds, so that the first contact step comes after a substep, and pushes for as
+/// long as that says. What the softer contacts let sink is damped.
+TEST_F(HardHit, IsNotWhatAColumnFeelsThatIsHandedOverAfterItHasSettled) {
+    for (const uint32_t substeps : {1u, 2u, 5u, 10u, 20u}) {
+        SCOPED_TRACE(substeps);
+        SceneSetup setup = with(freeBody(latticeBody(1, 2, 1, 0.1)), {true, false});
+        setup.params.gravity = {0, -9.81, 0};
+        setup.params.colliders.push_back(Plane{});
+        setup.params.substeps = 40;
+        setup.params.settle_time = 0.3;
+        setup.params.frame_time = substeps / (60.0 * setup.params.substeps);
+        auto solver = makeSolver(setup);
+        solver->measure();
+        const double before = energySum(solver->stats().energy);
+        for (double time = 0; time < 0.02; time += setup.params.frame_time)
+            ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        solver->measure();
+        EXPECT_EQ(solver->stats().rigid_fragments, 1u);
+        const EnergyLedger& energy = solver->stats().energy;
+        EXPECT_NEAR(energySum(energy), before, 0.05 * energy.damping);
+    }
+}
+
 /// Where a contact step is longer than the one before it what presses changes its energy (physics B.1), so
 /// that none is much longer than another, however many substeps a frame has.
 TEST_F(HardHit, InContactStepsIsFoundWhateverTheSubstepsOfAFrame) {
