@@ -11,8 +11,8 @@ namespace demolish {
 
 /// What changes on the host while stepping.
 struct LoopState {
-    uint64_t substeps = 0;  ///< since the start
-    uint64_t quiet = 0;     ///< 1: nothing has moved in the last frame, nor will unless it is shot at
+    uint64_t substeps = 0;        ///< since the start
+    uint64_t quiet = 0;           ///< 1: nothing has moved in the last frame, nor will unless it is shot at
     uint64_t contact_stride = 1;  ///< as Stepper::contactStride(): all has been moved with its bonds
     Projectiles::State projectiles;
     ListSchedule::State lists;
