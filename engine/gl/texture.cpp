@@ -61,6 +61,13 @@ void Texture::uploadLayer(int layer, const uint8_t* texels) {
     glTextureSubImage3D(id(), 0, 0, 0, layer, width(), height(), 1, GL_RGBA, GL_UNSIGNED_BYTE, texels);
 }
 
+void Texture::uploadPart(int x, int y, int width, int height, GLenum format, GLenum type, const void* first,
+                         int row) {
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, row);
+    glTextureSubImage2D(id(), 0, x, y, width, height, format, type, first);
+    glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+}
+
 void Texture::makeMipMaps(float anisotropy) {
     glGenerateTextureMipmap(id());
     if (GLAD_GL_ARB_texture_filter_anisotropic != 0)

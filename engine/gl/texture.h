@@ -28,6 +28,9 @@ class Texture {
     static Texture makeArray(GLenum format, int width, int height, int layers, int levels);
     /// Of the array's size, RGBA, row after row.
     void uploadLayer(int layer, const uint8_t* texels);
+    /// Into a plain 2D texture, at `x`, `y`. `first`: of a picture of `row` texels a row, in client memory.
+    void uploadPart(int x, int y, int width, int height, GLenum format, GLenum type, const void* first,
+                    int row);
     /// `anisotropy`: most texels of a footprint along its longer side, where the driver can.
     void makeMipMaps(float anisotropy);
 

@@ -44,10 +44,11 @@ void ShadowPass::begin(int size, bool erase_tiles) {
     glPolygonOffset(kShadowSlopes, kShadowSteps);
 }
 
-void ShadowPass::enter(int region) {
+void ShadowPass::enter(int region, const SmallTriangles* small) {
     glViewport(region * map_.height(), 0, map_.height(), map_.height());
     body_.set(kRegion, region);
     region_ = region;
+    if (small != nullptr) putSmall(*small);
 }
 
 void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks,
@@ -65,6 +66,15 @@ void ShadowPass::drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t
     body_.use();
     if (!masked) body.drawExterior(mesh, seen);
     body.drawInterior(body_, mesh, near, seen);
+}
+
+void ShadowPass::putSmall(const SmallTriangles& small) {
+    const auto region = static_cast<size_t>(region_);
+    const PixelBox& box = small.touched(region + 1);
+    if (box.isEmpty()) return;
+    const int size = map_.height();
+    map_.uploadPart(region_ * size + box.left, box.low, box.width(), box.height(), GL_DEPTH_COMPONENT,
+                    GL_FLOAT, small.depths(region).data() + box.low * size + box.left, size);
 }
 
 void ShadowPass::finish(bool erase_tiles) {

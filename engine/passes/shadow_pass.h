@@ -10,6 +10,7 @@
 #include "engine/gl/texture.h"
 #include "engine/passes/body_geometry.h"
 #include "engine/passes/depth_eraser.h"
+#include "engine/render/small_triangles.h"
 #include "engine/scene/collider_draw.h"
 
 namespace demolish::engine {
@@ -41,7 +42,8 @@ class ShadowPass {
     /// `erase_tiles`: only where something was drawn last time (DepthEraser).
     void begin(int size, bool erase_tiles);
     /// `region`: 0 near, 1 far (FrameUniforms::light_matrix).
-    void enter(int region);
+    /// `small`: what the CPU has found of it, null: nothing.
+    void enter(int region, const SmallTriangles* small);
     /// `with_looks`: without what the models' own looks cut out. `near` and `seen` as in BodyGeometry.
     void drawBody(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden_looks, bool with_looks,
                   const NearFaces* near, const SeenList* seen);
@@ -51,6 +53,7 @@ class ShadowPass {
     static void unbindMap();
 
   private:
+    void putSmall(const SmallTriangles& small);
     std::filesystem::path shaders_;
     gl::Program body_, masked_;  ///< the second: made when first needed
     int region_ = 0;

@@ -30,7 +30,7 @@ float shareOf(SolidTexture texture) {
 
 }  // namespace
 
-SurfacePass::SurfacePass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+SurfacePass::SurfacePass(const std::filesystem::path& shaders) : shaders_(shaders), named_(shaders) {}
 
 SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_looks) {
     Programs& programs = programs_[{texture, with_looks}];
@@ -45,7 +45,8 @@ SurfacePass::Programs& SurfacePass::programsFor(SolidTexture texture, bool with_
 }
 
 void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks,
-                       const NearFaces* near, const SeenList* seen) {
+                       const NearFaces* near, const SeenMesh* seen, const RenderTargets& targets) {
+    const SeenList* list = seen != nullptr ? &seen->onPicture() : nullptr;
     const std::vector<SurfaceLook> looks = looksOf(view);
     const bool both_sides = with_looks && mesh.looks()->isDoubleSided();
     for (size_t k = 0; k < looks.size(); ++k) {
@@ -58,11 +59,12 @@ void SurfacePass::draw(BodyGeometry& body, const FractureMesh& mesh, const Frame
         }
         programs.exterior.use();
         if (both_sides) glDisable(GL_CULL_FACE);
-        body.drawExterior(mesh, seen);
+        body.drawExterior(mesh, list);
         if (both_sides) glEnable(GL_CULL_FACE);
         programs.interior.use();
-        body.drawInterior(programs.interior, mesh, near, seen);
+        body.drawInterior(programs.interior, mesh, near, list);
     }
+    if (seen != nullptr && seen->small() != nullptr) named_.draw(looks[0], *seen->small(), targets);
 }
 
 SurfaceLook withoutCoat(SurfaceLook look) {

@@ -8,7 +8,9 @@
 
 #include "engine/gl/program.h"
 #include "engine/passes/body_geometry.h"
+#include "engine/passes/named_pass.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/seen_mesh.h"
 #include "engine/scene/frame_view.h"
 
 namespace demolish::engine {
@@ -24,9 +26,10 @@ class SurfacePass {
   public:
     explicit SurfacePass(const std::filesystem::path& shaders);
     /// Everything that is not transparent. `with_looks`: the outside as its model file says.
-    /// `near` and `seen` as in BodyGeometry.
+    /// `near` as in BodyGeometry; `seen`: no more of the mesh than this, null: all. Into `targets`, which are
+    /// bound.
     void draw(BodyGeometry& body, const FractureMesh& mesh, const FrameView& view, bool with_looks,
-              const NearFaces* near, const SeenList* seen);
+              const NearFaces* near, const SeenMesh* seen, const RenderTargets& targets);
 
   private:
     struct Programs {
@@ -34,6 +37,7 @@ class SurfacePass {
     };
     Programs& programsFor(SolidTexture texture, bool with_looks);
     std::filesystem::path shaders_;
+    NamedPass named_;
     std::map<std::pair<SolidTexture, bool>, Programs> programs_;  ///< made when first needed
 };
 

@@ -2,8 +2,11 @@
 // A mesh's streams as the CPU reads them: the same bytes, and the same motion, as in
 // shaders/common/body.glsl.
 #pragma once
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <glm/gtc/packing.hpp>
 #include <span>
 
 #include "engine/gl/buffer.h"
@@ -25,6 +28,16 @@ static_assert(sizeof(MeshVertex) == 24 && sizeof(MeshTransform) == 32);
 inline glm::vec3 rotated(const glm::vec4& quaternion, const glm::vec3& v) {
     const glm::vec3 q(quaternion);
     return v + 2.0f * glm::cross(q, glm::cross(q, v) + quaternion.w * v);
+}
+
+/// From MeshVertex::normal, as shaders/common/gbuffer.glsl has it.
+inline glm::vec3 normalOf(uint32_t octahedral) {
+    const glm::vec2 e = glm::unpackSnorm2x16(octahedral);
+    glm::vec3 n(e, 1 - std::abs(e.x) - std::abs(e.y));
+    const float fold = std::max(-n.z, 0.0f);
+    n.x += n.x >= 0 ? -fold : fold;
+    n.y += n.y >= 0 ? -fold : fold;
+    return glm::normalize(n);
 }
 
 /// What moves a mesh's cells, read where it lies for as long as this lives.

@@ -189,7 +189,7 @@ void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& 
     if (shadow.holds(shadowScene(mesh, view), shadowMapSize(view.quality))) return clock.mark("shadow");
     shadow.begin(shadowMapSize(view.quality), erasesTiles(view));
     for (int region = 0; region < kShadowRegions; ++region) {
-        shadow.enter(region);
+        shadow.enter(region, chooses ? seen.small() : nullptr);
         if (showsSolid(mesh, view))
             shadow.drawBody(body, *mesh, hiddenUnless(false, looksOf(view)), with_looks, near,
                             chooses ? &seen.inShadow(region) : nullptr);
@@ -210,7 +210,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     glDepthFunc(GL_GEQUAL);
     clock.mark("clear");
     if (showsSolid(mesh, view))
-        surface.draw(body, *mesh, view, with_looks, near, chooses ? &seen.onPicture() : nullptr);
+        surface.draw(body, *mesh, view, with_looks, near, chooses ? &seen : nullptr, *targets);
     if (mesh != nullptr && view.mode == ViewMode::kParticles) spheres.drawParticles(*mesh, view.colour_map);
     spheres.drawSpheres();
     colliders.drawMaterials();

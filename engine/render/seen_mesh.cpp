@@ -5,16 +5,16 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/passes/shadow_pass.h"
+#include "engine/render/shown.h"
+
 namespace demolish::engine {
 namespace {
 
-SampleGrid gridOf(const FrameUniforms& frame, const RenderTargets& targets) {
-    const auto& at = targets.sample_position;
-    return {frame.view_projection, targets.width, targets.height, {at.begin(), at.begin() + targets.samples}};
-}
+using Targets = std::array<SmallTriangles::Target, SmallTriangles::kPictures>;
 
 /// The region's u and v, 0..1, as shaders/shadow.vert puts them onto its part of the map.
-SampleGrid shadowGrid(const glm::mat4& light_matrix, int texels) {
+SmallTriangles::Target shadowTarget(const glm::mat4& light_matrix, int texels) {
     glm::mat4 to_clip = light_matrix;
     for (int column = 0; column < 4; ++column) {
         to_clip[column].x = 2 * light_matrix[column].x - light_matrix[column].w;
@@ -23,20 +23,38 @@ SampleGrid shadowGrid(const glm::mat4& light_matrix, int texels) {
     return {to_clip, texels, texels};
 }
 
+Targets targetsOf(const FrameUniforms& frame, const RenderTargets& targets, int shadow_texels) {
+    const auto& at = targets.sample_position;
+    return {
+        SmallTriangles::Target{
+            frame.view_projection, targets.width, targets.height, {at.begin(), at.begin() + targets.samples}},
+        shadowTarget(frame.light_matrix[0], shadow_texels),
+        shadowTarget(frame.light_matrix[1], shadow_texels)};
+}
+
+SampleGrid gridOf(const SmallTriangles::Target& target) {
+    return {target.to_clip, target.width, target.height, target.samples};
+}
+
 }  // namespace
 
 void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const FrameView& view,
                     const FrameUniforms& frame, const RenderTargets& targets, int shadow_texels,
                     const SeenTriangles::Wanted& wanted) {
+    const bool names_small = namesSmall(mesh, view, near);
     const uint64_t near_version = near != nullptr ? near->version : 0;
-    Key key{mesh.version(),  near_version,  frame.view_projection, {},    targets.width, targets.height,
-            targets.samples, shadow_texels, view.look.crack_width, wanted};
+    Key key{mesh.version(),  near_version,  frame.view_projection, {},     targets.width, targets.height,
+            targets.samples, shadow_texels, view.look.crack_width, wanted, names_small};
     std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), key.light_matrix);
     if (key == key_) return;
     key_ = key;
-    const SampleGrid pictures[] = {gridOf(frame, targets), shadowGrid(frame.light_matrix[0], shadow_texels),
-                                   shadowGrid(frame.light_matrix[1], shadow_texels)};
-    triangles_.find(mesh, near, pictures, wanted);
+    const Targets all = targetsOf(frame, targets, shadow_texels);
+    if (names_small) {
+        small_.find(mesh, all, frame, kShadowSlopes, kShadowSteps);
+    } else {
+        const SampleGrid pictures[] = {gridOf(all[0]), gridOf(all[1]), gridOf(all[2])};
+        triangles_.find(mesh, near, pictures, wanted);
+    }
     cracks_.find(mesh, view.look.crack_width);
 }
 

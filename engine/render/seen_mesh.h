@@ -8,6 +8,7 @@
 #include "engine/render/render_targets.h"
 #include "engine/render/seen_cracks.h"
 #include "engine/render/seen_triangles.h"
+#include "engine/render/small_triangles.h"
 
 namespace demolish::engine {
 
@@ -19,9 +20,11 @@ class SeenMesh {
     void find(const FractureMesh& mesh, const NearFaces* near, const FrameView& view,
               const FrameUniforms& frame, const RenderTargets& targets, int shadow_texels,
               const SeenTriangles::Wanted& wanted);
-    const SeenList& onPicture() const { return triangles_.in(0); }
+    const SeenList& onPicture() const { return in(0); }
     /// `region`: 0 near, 1 far.
-    const SeenList& inShadow(int region) const { return triangles_.in(static_cast<size_t>(region) + 1); }
+    const SeenList& inShadow(int region) const { return in(static_cast<size_t>(region) + 1); }
+    /// What is shown beside these lists; null: nothing.
+    const SmallTriangles* small() const { return key_.names_small ? &small_ : nullptr; }
     const SeenCracks& cracks() const { return cracks_; }
 
   private:
@@ -31,10 +34,15 @@ class SeenMesh {
         int width = 0, height = 0, samples = 0, shadow_texels = 0;
         float crack_width = -1;
         SeenTriangles::Wanted wanted;
+        bool names_small = false;
         bool operator==(const Key&) const = default;
     };
+    const SeenList& in(size_t picture) const {
+        return key_.names_small ? small_.large(picture) : triangles_.in(picture);
+    }
     Key key_;
     SeenTriangles triangles_;
+    SmallTriangles small_;
     SeenCracks cracks_;
 };
 

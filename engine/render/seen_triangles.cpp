@@ -8,14 +8,11 @@
 
 #include <algorithm>
 
-#include "engine/render/mesh_motion.h"
-
 namespace demolish::engine {
 namespace {
 
 constexpr uint32_t kStretch = 3 * 8192;  // indices
 constexpr uint32_t kRemembered = 256, kNone = 0xffffffffu;
-constexpr size_t kLeastBytes = 64;
 
 /// A corner on every picture.
 using Places = std::array<PicturePoint, SeenTriangles::kMostPictures>;
@@ -55,22 +52,6 @@ class Corners {
     std::array<Places, kRemembered> places_;
     uint32_t fragment_ = kNone;
     std::array<Projection, SeenTriangles::kMostPictures> projections_;
-};
-
-/// Triangles of two buffers, read where they lie for as long as this lives.
-class ListReading {
-  public:
-    ListReading(const gl::Buffer& vertices, const gl::Buffer& indices, size_t first, size_t count)
-        : vertices_(vertices), indices_(indices), first_(first), count_(count) {}
-    std::span<const MeshVertex> vertices() const { return vertices_.as<MeshVertex>(); }
-    std::span<const uint32_t> indices() const {
-        const auto all = indices_.as<uint32_t>();
-        return all.subspan(first_, std::min(count_, all.size() - first_));
-    }
-
-  private:
-    gl::BufferReading vertices_, indices_;
-    size_t first_, count_;
 };
 
 }  // namespace
@@ -128,11 +109,7 @@ void SeenTriangles::find(const FractureMesh& mesh, const NearFaces* near,
         tbb::parallel_for(size_t{0}, stretches.size(),
                           [&](size_t k) { findIn(search, all, k * kStretch, stretches[k]); });
     };
-    const ListReading outside(mesh.exteriorVertices(), mesh.stream(StreamId::kExteriorIndices), 0,
-                              commandOf(mesh, kExteriorCommand).count);
-    const ListReading inside(mesh.stream(StreamId::kInteriorVertices),
-                             mesh.stream(StreamId::kInteriorIndices), 0,
-                             commandOf(mesh, kInteriorCommand).count);
+    const ListReading outside = outsideOf(mesh), inside = insideOf(mesh);
     searchIn({outside.vertices(), outside.indices(), wanted.both_sides, {}}, outside_);
     near_.clear();
     if (near == nullptr) {
@@ -155,20 +132,10 @@ void SeenTriangles::find(const FractureMesh& mesh, const NearFaces* near,
 }
 
 void SeenTriangles::collect(TriangleList SeenList::*side, const std::vector<Found>& stretches) {
-    for (size_t k = 0; k < lists_.size(); ++k) {
-        TriangleList& list = lists_[k].*side;
-        size_t count = 0;
-        for (const Found& found : stretches) count += found.indices[k].size();
-        list.count = static_cast<uint32_t>(count);
-        if (list.indices.size() == 0) list.indices = gl::Buffer::resizable(kLeastBytes, GL_STREAM_DRAW);
-        list.indices.resize(std::max(kLeastBytes, count * sizeof(uint32_t)));
-        size_t at = 0;
-        for (const Found& found : stretches) {
-            const auto bytes = std::as_bytes(std::span(found.indices[k]));
-            list.indices.upload(bytes, at);
-            at += bytes.size();
-        }
-    }
+    for (size_t k = 0; k < lists_.size(); ++k)
+        (lists_[k].*side)
+            .fill(
+                stretches, [&](const Found& found) -> const auto& { return found.indices[k]; });
 }
 
 }  // namespace demolish::engine

@@ -6,23 +6,13 @@
 #include <span>
 #include <vector>
 
-#include "engine/gl/buffer.h"
 #include "engine/render/fracture_mesh.h"
 #include "engine/render/hidden_triangles.h"
+#include "engine/render/mesh_lists.h"
 #include "engine/render/near_faces.h"
 #include "engine/render/sample_grid.h"
 
 namespace demolish::engine {
-
-/// Indices of triangles, in the order in which the mesh has them.
-struct TriangleList {
-    gl::Buffer indices;
-    uint32_t count = 0;  ///< indices, three a triangle
-};
-
-struct SeenList {
-    TriangleList exterior, interior, near;
-};
 
 class SeenTriangles {
   public:

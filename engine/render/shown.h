@@ -81,4 +81,11 @@ inline SeenTriangles::Wanted wantedOf(const FractureMesh& mesh, const FrameView&
             .hidden = has_holes || showsGlass(&mesh, view)};
 }
 
+/// Whether a software renderer's processor finds small triangles itself: in drafts of bodies that all look
+/// the same.
+inline bool namesSmall(const FractureMesh& mesh, const FrameView& view, const NearFaces* near) {
+    return view.quality == RenderQuality::kDraft && near == nullptr && view.more_looks.empty() &&
+           view.look.variation <= 0 && !showsModelLooks(&mesh, view);
+}
+
 }  // namespace demolish::engine

@@ -20,7 +20,8 @@ enum class RenderQuality { kFull, kDraft };
 
 /// How the body is brought onto the picture: drawn, or, kFull and the surface only, found in compute passes.
 /// The pictures differ by rounding. kAuto computes on GPUs whose driver can; in software it draws, but first
-/// leaves out what nothing is seen of, which is the same picture.
+/// leaves out what nothing is seen of, which is the same picture; in drafts small triangles are found on the
+/// CPU, which differs by rounding.
 enum class Rasteriser { kAuto, kDraw, kCompute };
 
 /// A sphere that is not part of the body (the iron ball), drawn as metal.
