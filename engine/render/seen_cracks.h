@@ -7,14 +7,16 @@
 
 #include "engine/gl/buffer.h"
 #include "engine/render/fracture_mesh.h"
+#include "engine/render/frame_uniforms.h"
 
 namespace demolish::engine {
 
 class SeenCracks {
   public:
-    /// `width`: of the widest line between two fragments, m. Lines of no width are left out, and those whose
-    /// ends have both come apart by more than what CrackPass fades over.
-    void find(const FractureMesh& mesh, float width);
+    /// `width`: of the widest line between two fragments, m. Lines are left out whose ends both show nothing:
+    /// of no width, come apart by more than what CrackPass fades over, and, unless `frame` is null, turned
+    /// away from its eye or too thin for its picture.
+    void find(const FractureMesh& mesh, float width, const FrameUniforms* frame = nullptr);
     /// As StreamId::kCrackEdges.
     const gl::Buffer& lines() const { return lines_; }
     /// Of vertices 4 k + 0..3 of line k: two triangles each.

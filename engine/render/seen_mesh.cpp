@@ -55,7 +55,7 @@ void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const Frame
         const SampleGrid pictures[] = {gridOf(all[0]), gridOf(all[1]), gridOf(all[2])};
         triangles_.find(mesh, near, pictures, wanted);
     }
-    cracks_.find(mesh, view.look.crack_width);
+    cracks_.find(mesh, view.look.crack_width, &frame);
 }
 
 }  // namespace demolish::engine

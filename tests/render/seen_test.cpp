@@ -131,8 +131,8 @@ TEST_F(Seen, ADraftIsTheSameEveryTime) {
     EXPECT_EQ(differingPixels(first, drawPicture(renderer(), scene), 0), 0u);
 }
 
-/// Lines between the halves of a block, of which the second is moved by `gap`.
-uint32_t linesAcross(float gap, float width) {
+/// Lines between the halves of a block, of which the second is moved by `gap`. `frame`: as SeenCracks has it.
+uint32_t linesAcross(float gap, float width, const FrameUniforms* frame = nullptr) {
     const BlockBody body({.cells = 2});
     FractureMesh mesh = body.makeMesh();
     const auto half = [&](uint32_t cell) { return body.cellCentre(cell).x > 0 ? 1u : 0u; };
@@ -146,7 +146,7 @@ uint32_t linesAcross(float gap, float width) {
     const float moved[16] = {0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 1, gap, 0, 0, 0};
     mesh.stream(StreamId::kTransforms).upload(std::as_bytes(std::span(moved)));
     SeenCracks seen;
-    seen.find(mesh, width);
+    seen.find(mesh, width, frame);
     return seen.indexCount() / 6;
 }
 
@@ -154,6 +154,17 @@ TEST_F(Seen, LinesOfPiecesThatPartedAreLeftOut) {
     EXPECT_GT(linesAcross(0, 0.01f), 0u);
     EXPECT_EQ(linesAcross(0.029f, 0.01f), linesAcross(0, 0.01f));
     EXPECT_EQ(linesAcross(0.04f, 0.01f), 0u);
+}
+
+TEST_F(Seen, LinesTurnedAwayOrTooThinAreLeftOut) {
+    FrameView view = wholeBlock().view;
+    const FrameUniforms near = makeFrameUniforms(view, 64);
+    moveCamera(view.camera, 1e5f);
+    const FrameUniforms far = makeFrameUniforms(view, 64);
+    const uint32_t all = linesAcross(0, 0.01f), shown = linesAcross(0, 0.01f, &near);
+    EXPECT_GT(shown, 0u);
+    EXPECT_LT(shown, 0.8 * all);
+    EXPECT_EQ(linesAcross(0, 0.01f, &far), 0u);
 }
 
 }  // namespace
