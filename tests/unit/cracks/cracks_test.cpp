@@ -22,13 +22,27 @@ void expectSound(const CrackMeasures& measures) {
     EXPECT_LT(measures.volume_error, 1e-3);
 }
 
+/// A single packing tells little: lines of 0.089 to 0.118 h, faces of 0.044 to 0.087. Where no face is large
+/// enough it has none.
 TEST(Cracks, OfAVaseAreEvenLinesAndEvenFaces) {
-    const CrackMeasures measures = measured(tests::smallScene("vase", 1500, {17}), 0.4);
-    expectSound(measures);
-    ASSERT_GT(measures.outline.length, 20);
-    EXPECT_LT(measures.outline.deviation, 0.11);  // 0.17 with the teeth of the cells
-    EXPECT_LT(measures.outline.turning, 0.5);     // 1.5
-    EXPECT_LT(measures.faces, 0.08);
+    constexpr int kPackings = 6;
+    double deviation = 0, turning = 0, faces = 0;
+    int with_faces = 0;
+    for (int packing = 1; packing <= kPackings; ++packing) {
+        Shot shot = tests::smallScene("vase", 1500, {17});
+        shot.seed = packing;
+        const CrackMeasures measures = measured(std::move(shot), 0.4);
+        expectSound(measures);
+        ASSERT_GT(measures.outline.length, 20);
+        deviation += measures.outline.deviation / kPackings;
+        turning += measures.outline.turning / kPackings;
+        faces += measures.faces;
+        with_faces += measures.faces > 0;
+    }
+    EXPECT_LT(deviation, 0.11);  // 0.17 with the teeth of the cells
+    EXPECT_LT(turning, 0.5);     // 1.5
+    ASSERT_GE(with_faces, 3);
+    EXPECT_LT(faces / with_faces, 0.08);
 }
 
 TEST(Cracks, OfARabbitAreEvenLinesAndEvenFaces) {
