@@ -3,6 +3,7 @@
 // more (architecture 9, physics B.1).
 #include <gtest/gtest.h>
 
+#include "sim_cuda/kernels/start_velocities.h"
 #include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/regimes_of.h"
 #include "tests/physics/solver/solver_under_test.h"
@@ -92,6 +93,34 @@ TEST_F(Waking, GivesTheSameStateAfterASnapshotAndWithoutBooks) {
             was_rigid = solver->stats().rigid_fragments > 0;
         }
         EXPECT_TRUE(wakes);
+    }
+}
+
+/// What was known of it when it was moved with its bonds last must not count: no snapshot has that.
+TEST_F(Waking, ASleeperThatWakesWithinAFrameStartsFromRest) {
+    const uint32_t bonded = wordOf(Regime::kBonded), own = 0, one = 1;
+    PoseSums pose;
+    pose.now = massOf(2.0, {}, {3, 0, 0});
+    RigidBody body;
+    body.velocity = {5, 0, 0};
+    for (const Regime before : {Regime::kAsleep, Regime::kRigid, Regime::kBonded}) {
+        const uint32_t former = wordOf(before);
+        Vec4<float> start{7, 7, 7, 7};
+        uint64_t added[2][3] = {{9, 9, 9}, {9, 9, 9}};
+        const FragmentRows rows{{&own, 1}, {&own, 1}, {&own, 1}, {&one, 1}};
+        const StartVelocities<float> kernel{rows,
+                                            {&own, 1},
+                                            {&pose, 1},
+                                            {},
+                                            {},
+                                            {&start, 1},
+                                            {{added[0], 3}, {added[1], 3}},
+                                            {{&bonded, 1}, {&former, 1}, {&body, 1}, false}};
+        kernel(0);
+        const bool goes_on = before == Regime::kBonded;
+        EXPECT_EQ(start.x, goes_on ? 7.0f : before == Regime::kRigid ? 5.0f : 0.0f);
+        EXPECT_EQ(start.w, goes_on ? 7.0f : 0.5f);
+        EXPECT_EQ(added[0][0], goes_on ? 9u : 0u);
     }
 }
 
