@@ -194,6 +194,6 @@ void main() {
         if (is_near) writeTriangles(steps, place.x + own.x, place.y + own.y);
         writeVertices(first, sum.y, most, place.y);
         place += sum;
-        barrier();  // else lanes that cut nothing go on, and on an H100 sums of two rounds were mixed up
+        barrier();  // until here the sums of this round are read; without it an H100 left triangles out
     }
 }

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <glm/gtc/packing.hpp>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "engine/image/png.h"
 #include "engine/render/frame_uniforms.h"
+#include "engine/render/mesh_motion.h"
 #include "engine/surroundings/surroundings.h"
 #include "tests/render/reference/reference_shot.h"
 
@@ -37,16 +37,6 @@ glm::vec3 turned(const glm::vec3& v) {
 glm::vec3 rotated(const Float4& q, const glm::vec3& v) {
     const glm::vec3 axis(q.x, q.y, q.z);
     return v + 2.0f * glm::cross(axis, glm::cross(axis, v) + q.w * v);
-}
-
-/// As shaders/common/gbuffer.glsl decodes it.
-glm::vec3 normalOf(uint32_t packed) {
-    const glm::vec2 e = glm::unpackSnorm2x16(packed);
-    glm::vec3 n(e, 1 - std::abs(e.x) - std::abs(e.y));
-    const float fold = std::max(-n.z, 0.0f);
-    n.x += n.x >= 0 ? -fold : fold;
-    n.y += n.y >= 0 ? -fold : fold;
-    return glm::normalize(n);
 }
 
 std::map<uint32_t, Piece> piecesOf(const HostFrame& frame) {
@@ -97,7 +87,7 @@ class ObjFile {
         const Float3 p = vertex.position, t = motion.translation;
         const glm::vec3 place =
             turned(rotated(motion.rotation, scale * glm::vec3(p.x, p.y, p.z)) + glm::vec3(t.x, t.y, t.z));
-        const glm::vec3 normal = turned(rotated(motion.rotation, normalOf(vertex.normal)));
+        const glm::vec3 normal = turned(rotated(motion.rotation, engine::normalOf(vertex.normal)));
         out_ << "v " << place.x << ' ' << place.y << ' ' << place.z << "\nvn " << normal.x << ' ' << normal.y
              << ' ' << normal.z << '\n';
     }
