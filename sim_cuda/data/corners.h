@@ -20,4 +20,16 @@ struct CornersIn {
     Span<const Vec4<Real>> from_seed;  ///< (x y z in m; 0), where the particle's rotation is 1
 };
 
+/// Those of one particle, in whatever memory.
+template <class Real>
+struct OwnCorners {
+    Span<const Vec4<Real>> from_seed;  ///< as CornersIn has it; none: a sphere of the floor radius
+    Real inner_radius{};               ///< m, as CornerRow has it
+};
+template <class Real>
+DEM_FN OwnCorners<Real> cornersOf(const CornersIn<Real>& corners, uint32_t i) {
+    const CornerRow<Real> row = corners.row[i];
+    return {corners.from_seed.part(row.first, row.last - row.first), row.inner_radius};
+}
+
 }  // namespace demolish

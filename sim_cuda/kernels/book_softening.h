@@ -59,10 +59,12 @@ struct BookSoftening {
         Real lost{};
         if (!becameRigid(i)) return lost;
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
-        forEachCollider(bonded.params, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
+        forEachCollider(bonded.params.colliders, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
             if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost += bonded.colliderEnergy(before, c, bound, TurnsAlone<Real>{}) -
-                        rigid.colliderEnergy(after, c, bound, TurnsFragment<Real>{work});
+                lost += bonded.colliderEnergy(before, c, bound,
+                                              TurnsAlone<Real>{cornersOf(bonded.arrays.corners, i)}) -
+                        rigid.colliderEnergy(after, c, bound,
+                                             TurnsFragment<Real>{work, cornersOf(rigid.arrays.corners, i)});
         });
         return lost;
     }

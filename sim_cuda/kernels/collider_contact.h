@@ -3,6 +3,8 @@
 // springs side by side. What they press with acts at their centre of pressure, and so do friction and damper.
 // A particle without corners is a sphere.
 #pragma once
+#include <type_traits>
+
 #include "sim_cuda/kernels/landing.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
@@ -16,6 +18,14 @@ inline constexpr double kCornerShare = 0.2;
 inline constexpr double kCornerRolling = 0.3;
 /// Steps ahead in which a contact is reckoned with that is still to come.
 inline constexpr double kStepsAhead = 1.5;
+
+/// A particle's cell as a step sees it.
+template <class Real>
+struct SeenCell {
+    OwnCorners<Real> corners;
+    Quat<Real> turned;  ///< its orientation
+    Real drift{};       ///< s, way from the state before to this one
+};
 
 /// How a particle is pressed on a collider.
 template <class Real>
@@ -63,7 +73,7 @@ class DepthSums {
 
 /// `tangent`: of the collider from the particle's centre.
 template <class Real>
-DEM_FN Pressed<Real> pressedSphere(const StepParams<Real>& params, const OwnParticle<Real>& own,
+DEM_FN Pressed<Real> pressedSphere(const OwnParticle<Real>& own, Real drift,
                                    const TangentPlane<Real>& tangent) {
     Pressed<Real> at;
     at.normal = xyz(tangent.plane);
@@ -71,7 +81,7 @@ DEM_FN Pressed<Real> pressedSphere(const StepParams<Real>& params, const OwnPart
     at.gap = -at.depth;
     at.arm = -tangent.distance * at.normal;
     const Real opening = dot(xyz(own.state.velocity), at.normal);
-    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, params.drift));
+    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, drift));
     return at;
 }
 /// What a point of depth -distance leaves to the ledger; `opening`: m/s.
@@ -82,9 +92,10 @@ DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
 
 /// Calls visit(corner) for each in turn; `kAtOnce` are read at once, since on a GPU the way to each is long.
 template <uint32_t kAtOnce, class Real, class Visit>
-DEM_FN void forEachCorner(const CornersIn<Real>& corners, const CornerRow<Real>& row, const Visit& visit) {
-    for (uint32_t first = row.first; first < row.last; first += kAtOnce) {
-        const uint32_t count = minOf(row.last - first, kAtOnce);
+DEM_FN void forEachCorner(const OwnCorners<Real>& corners, const Visit& visit) {
+    const auto last = static_cast<uint32_t>(corners.from_seed.size());
+    for (uint32_t first = 0; first < last; first += kAtOnce) {
+        const uint32_t count = minOf(last - first, kAtOnce);
         Vec3<Real> corner[kAtOnce];
         for (uint32_t k = 0; k < kAtOnce; ++k)
             corner[k] = xyz(corners.from_seed[k < count ? first + k : first]);
@@ -94,73 +105,72 @@ DEM_FN void forEachCorner(const CornersIn<Real>& corners, const CornerRow<Real>&
 }
 
 /// Corners on a plane, whose normal is turned into the cell's frame rather than its corners out of it: a
-/// fifth of the work. `turned`: the particle's orientation.
+/// fifth of the work.
 template <bool kLedger, class Real>
-DEM_FN void pressOnPlane(const CornersIn<Real>& corners, const StepParams<Real>& params,
-                         const OwnParticle<Real>& own, const Quat<Real>& turned,
+DEM_FN void pressOnPlane(const OwnParticle<Real>& own, const SeenCell<Real>& cell,
                          const TangentPlane<Real>& tangent, DepthSums<Real>& sums, Pressed<Real>& at) {
-    const CornerRow<Real> row = corners.row[own.id];
-    const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(turned), normal);
-    const Vec3<Real> rising = rotate(conjugate(turned), cross(normal, xyz(own.state.spin)));
+    const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(cell.turned), normal);
+    const Vec3<Real> rising = rotate(conjugate(cell.turned), cross(normal, xyz(own.state.spin)));
     const Real opening = dot(xyz(own.state.velocity), normal);
-    forEachCorner<4>(corners, row, [&](const Vec3<Real>& corner) {
+    forEachCorner<4>(cell.corners, [&](const Vec3<Real>& corner) {
         const Real distance = tangent.distance + dot(up, corner);
         sums.add(distance, corner);
-        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), params.drift);
+        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), cell.drift);
     });
     at.normal = normal;
     at.gap = sums.nearest();
-    if (sums.touches()) at.arm = rotate(turned, sums.arm());
+    if (sums.touches()) at.arm = rotate(cell.turned, sums.arm());
 }
 
 /// Corners on collider c of any shape, and a sphere within the cell, since edges of the collider reach
 /// between corners.
 template <bool kLedger, class Real>
-DEM_FN void pressOnShape(const CornersIn<Real>& corners, const StepParams<Real>& params,
-                         const OwnParticle<Real>& own, const Quat<Real>& turned, uint32_t c,
-                         const TangentPlane<Real>& tangent, DepthSums<Real>& sums, Pressed<Real>& at) {
+DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<Real>& own,
+                         const SeenCell<Real>& cell, uint32_t c, const TangentPlane<Real>& tangent,
+                         DepthSums<Real>& sums, Pressed<Real>& at) {
     const LoadedState<Real>& state = own.state;
     const Vec3<Real> low = lowPart(state.position, state.velocity, state.spin);
-    const CornerRow<Real> row = corners.row[own.id];
     Vec3<Real> normal;
     const auto addPoint = [&](const Vec3<Real>& arm, const Vec3<Real>& out, Real distance) {
         normal = axpy(sums.add(distance, arm), out, normal);
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
-        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), params.drift);
+        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), cell.drift);
     };
     // Off a mesh no normal is looked for.
-    const bool is_mesh = params.colliders.isMesh(c);
+    const bool is_mesh = colliders.isMesh(c);
     const auto isOff = [&](const Vec3<Real>& arm) {
         if (kLedger || !is_mesh) return false;
-        const Real distance = distanceToMesh(params.colliders.collider[c], xyz(state.position), low + arm);
+        const Real distance = distanceToMesh(colliders.collider[c], xyz(state.position), low + arm);
         if (distance > Real(0)) sums.add(distance, arm);
         return distance > Real(0);
     };
-    forEachCorner<1>(corners, row, [&](const Vec3<Real>& corner) {
-        const Vec3<Real> arm = rotate(turned, corner);
+    forEachCorner<1>(cell.corners, [&](const Vec3<Real>& corner) {
+        const Vec3<Real> arm = rotate(cell.turned, corner);
         if (isOff(arm)) return;
-        const TangentPlane<Real> below = params.colliders.tangent(c, xyz(state.position), low + arm);
+        const TangentPlane<Real> below = colliders.tangent(c, xyz(state.position), low + arm);
         addPoint(arm, xyz(below.plane), below.distance);
     });
     const Vec3<Real> out = xyz(tangent.plane);
-    addPoint(-tangent.distance * out, out, tangent.distance - row.inner_radius);
+    addPoint(-tangent.distance * out, out, tangent.distance - cell.corners.inner_radius);
     at.normal = sums.touches() ? inverseSqrt(length2(normal)) * normal : out;
     at.gap = sums.nearest();
     if (sums.touches()) at.arm = sums.arm();
 }
 
-template <bool kLedger, class Real>
-DEM_FN Pressed<Real> pressedOn(const CornersIn<Real>& corners, const StepParams<Real>& params,
-                               const OwnParticle<Real>& own, const Quat<Real>& turned, uint32_t c,
+/// Colliders, here and below: ColliderSet or PlanesOnly.
+template <bool kLedger, class Real, class Colliders>
+DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& colliders,
+                               const OwnParticle<Real>& own, const SeenCell<Real>& cell, uint32_t c,
                                const TangentPlane<Real>& tangent) {
-    const CornerRow<Real> row = corners.row[own.id];
-    if (row.first == row.last) return pressedSphere(params, own, tangent);
+    if (cell.corners.from_seed.empty()) return pressedSphere(own, cell.drift, tangent);
     Pressed<Real> at;
     DepthSums<Real> sums(params.hertz);
-    if (params.colliders.isPlane(c))
-        pressOnPlane<kLedger>(corners, params, own, turned, tangent, sums, at);
+    if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>)
+        pressOnPlane<kLedger>(own, cell, tangent, sums, at);
+    else if (colliders.isPlane(c))
+        pressOnPlane<kLedger>(own, cell, tangent, sums, at);
     else
-        pressOnShape<kLedger>(corners, params, own, turned, c, tangent, sums, at);
+        pressOnShape<kLedger>(colliders, own, cell, c, tangent, sums, at);
     at.rolling = Real(kCornerRolling);
     if (!sums.touches()) return at;
     at.depth = sums.depth();
@@ -184,7 +194,10 @@ struct Turning {
 template <class Real>
 struct TurnsAlone {
     static constexpr StepKind kStep = StepKind::kSubstep;
-    DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const { return asQuat(own.state.rotation); }
+    OwnCorners<Real> corners;
+    DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
+        return {corners, asQuat(own.state.rotation), params.drift};
+    }
     DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
         const Real mass = own.constants.inverseMass(), turn = own.constants.inverse_inertia;
         return {mass,
@@ -197,12 +210,11 @@ struct TurnsAlone {
 };
 
 /// Calls visit(c, bound) for every collider, as the particle has it.
-template <class Real, class Visit>
-DEM_FN void forEachCollider(const StepParams<Real>& params, const OwnParticle<Real>& own,
-                            const Visit& visit) {
+template <class Real, class Colliders, class Visit>
+DEM_FN void forEachCollider(const Colliders& colliders, const OwnParticle<Real>& own, const Visit& visit) {
     const LoadedState<Real>& state = own.state;
-    forEachCollider(params.colliders, xyz(state.position),
-                    lowPart(state.position, state.velocity, state.spin), visit);
+    forEachCollider(colliders, xyz(state.position), lowPart(state.position, state.velocity, state.spin),
+                    visit);
 }
 
 /// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
@@ -214,22 +226,40 @@ DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
     return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
 }
 
+/// One may touch it in this step, as far as bounds say.
+template <StepKind kStep, class Real, class Colliders>
+DEM_FN bool isNearColliders(const StepParams<Real>& params, const Colliders& colliders,
+                            const OwnParticle<Real>& own) {
+    if (own.constants.isHeld() || !own.constants.isMovedHere()) return false;
+    bool near = false;
+    forEachCollider(colliders, own, [&](uint32_t, const TangentPlane<Real>& bound) {
+        near = near || !isClearOf<kStep>(own, bound.distance - own.constants.floor_radius, params.dt);
+    });
+    return near;
+}
+
 /// Of collider c, from what bounds it.
-template <class Real>
-DEM_FN TangentPlane<Real> tangentFrom(const ColliderSet<Real>& colliders, uint32_t c,
-                                      const OwnParticle<Real>& own, const TangentPlane<Real>& bound) {
+template <class Real, class Colliders>
+DEM_FN TangentPlane<Real> tangentFrom(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own,
+                                      const TangentPlane<Real>& bound) {
     const LoadedState<Real>& state = own.state;
     return colliders.isMesh(c) ? colliders.tangent(c, xyz(state.position),
                                                    lowPart(state.position, state.velocity, state.spin))
                                : bound;
 }
 
-/// m, of mesh c: what most of a body near it can be told by.
-template <class Real>
-DEM_FN Real leastToMesh(const ColliderSet<Real>& colliders, uint32_t c, const OwnParticle<Real>& own) {
-    const LoadedState<Real>& state = own.state;
-    return leastDistanceToMesh(colliders.collider[c], xyz(state.position),
-                               lowPart(state.position, state.velocity, state.spin));
+/// Of a mesh one number of its grid tells so of most that is near it.
+template <StepKind kStep, class Real, class Colliders>
+DEM_FN bool isClearOfMesh(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own, Real dt) {
+    if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>) {
+        return false;
+    } else {
+        if (!colliders.isMesh(c)) return false;
+        const LoadedState<Real>& state = own.state;
+        const Real least = leastDistanceToMesh(colliders.collider[c], xyz(state.position),
+                                               lowPart(state.position, state.velocity, state.spin));
+        return isClearOf<kStep>(own, sureDistance(least) - own.constants.floor_radius, dt);
+    }
 }
 
 /// All springs of a contact together never get stiffer than a share over dt^2, in terms of what answers at
@@ -288,23 +318,21 @@ struct ColliderLoad {
 
 /// Collider c: nothing moves on its side. `bound`: of it, from the particle's centre; `turned_with`: what
 /// turns with the particle.
-template <bool kLedger, class Real, class TurnedWith>
+template <bool kLedger, class Real, class Colliders, class TurnedWith>
 DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                          const OwnParticle<Real>& own, uint32_t c,
-                                          const TangentPlane<Real>& bound, Tally<Real>& tally,
+                                          const Colliders& colliders, const OwnParticle<Real>& own,
+                                          uint32_t c, const TangentPlane<Real>& bound, Tally<Real>& tally,
                                           const TurnedWith& turned_with) {
     constexpr StepKind kStep = TurnedWith::kStep;
     const Real radius = own.constants.floor_radius;
-    if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
-    const bool is_mesh = params.colliders.isMesh(c);
-    const auto isClear = [&](Real least) {
-        return isClearOf<kStep>(own, sureDistance(least) - radius, params.dt);
-    };
-    if (is_mesh && isClear(leastToMesh(params.colliders, c, own))) return {};
-    const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
-    if (is_mesh && isClear(tangent.distance)) return {};
+    if (isClearOf<kStep>(own, bound.distance - radius, params.dt) ||
+        isClearOfMesh<kStep>(colliders, c, own, params.dt))
+        return {};
+    const TangentPlane<Real> tangent = tangentFrom(colliders, c, own, bound);
+    if (colliders.isMesh(c) && isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
+        return {};
     const Pressed<Real> at =
-        pressedOn<kLedger>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
+        pressedOn<kLedger>(params, colliders, own, turned_with.cell(params, own), c, tangent);
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
     const KeptTouch<Real> before{xyz(spring), softestOf(spring)};
     const Real down = -dot(at.arm, at.normal);
@@ -332,7 +360,7 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
     // A dry substep leaves the fragment's velocity as it is.
     if (landing.isHard() && params.booked == KickShare::kAll)
-        pushFragment<Real>(arrays.fragments, own.id, params.dt * effect.load.force);
+        pushFragment(arrays, own.id, params.dt * effect.load.force);
     spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.isHard());
     return {seenFrom(across, effect.load), false};
 }

@@ -34,19 +34,21 @@ struct Landing {
     DEM_FN bool isHard() const { return receding > Real(0); }
 };
 
-/// A touch begins that is fast enough for a hard landing, or goes on that was one. `normal`: unit, out of
-/// the collider.
+/// A touch begins that is fast enough for a hard landing, or goes on that was one. `receding`: of the
+/// collider; `normal`: unit, out of it. Apart, as what follows is: what rarely runs takes no registers.
 template <class Real>
-DEM_APART Landing<Real> hardLanding(Handed<FragmentVelocities<Real>> fragments, Handed<PairLaw<Real>> wall,
-                                    uint32_t particle, Real own_inverse_mass, Handed<Vec3<Real>> normal,
-                                    Real approach, bool begins) {
+DEM_APART Landing<Real> hardLanding(const SubstepArrays<Real>& arrays, uint32_t particle,
+                                    Real own_inverse_mass, Handed<Vec3<Real>> normal, Real approach,
+                                    Real receding, bool begins) {
+    const FragmentVelocities<Real>& fragments = arrays.fragments;
     if (!fragments.known() || (begins && fragments.isAlone(particle, own_inverse_mass))) return {approach};
-    return {approach, recedingStiffness(wall), dot(fragments.of(particle), normal) > Real(0)};
+    return {approach, receding, dot(fragments.of(particle), normal) > Real(0)};
 }
+/// momentum: N s.
 template <class Real>
-DEM_APART void pushFragment(Handed<FragmentVelocities<Real>> fragments, uint32_t particle,
+DEM_APART void pushFragment(const SubstepArrays<Real>& arrays, uint32_t particle,
                             Handed<Vec3<Real>> momentum) {
-    fragments.push(particle, momentum);
+    arrays.fragments.push(particle, momentum);
 }
 
 /// Of a touch that begins now with `approach`, or what is kept of one. Only substeps, with linear contacts,
@@ -58,8 +60,8 @@ DEM_FN Landing<Real> landingOf(const PairLaw<Real>& wall, const SubstepArrays<Re
     if (kStep != StepKind::kSubstep || params.hertz != 0) return {approach};
     const bool begins = holdsNothing(kept) && !(approach < wall.gentle) && wall.gentle > Real(0);
     if (!begins && !isHardLanding(kept)) return {approach};
-    return hardLanding<Real>(arrays.fragments, wall, own.id, own.constants.inverseMass(), normal, approach,
-                             begins);
+    return hardLanding(arrays, own.id, own.constants.inverseMass(), normal, approach, recedingStiffness(wall),
+                       begins);
 }
 
 /// N/m that the law may not exceed: what has been kept since the touch began, or what one that begins now,

@@ -110,8 +110,9 @@ struct MeasureEnergy {
             sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
         }
         if (own.constants.isHeld()) return sum;
-        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-            sum += static_cast<double>(colliderEnergy(own, c, bound, TurnsAlone<Real>{}));
+        forEachCollider(params.colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+            sum += static_cast<double>(
+                colliderEnergy(own, c, bound, TurnsAlone<Real>{cornersOf(arrays.corners, own.id)}));
         });
         return sum;
     }
@@ -162,7 +163,7 @@ struct MeasureEnergy {
         if (is_far || isNew(isMoved(own.id, Regime::kRigid), spring)) return Real(0);
         const TangentPlane<Real> tangent = tangentFrom(params.colliders, c, own, bound);
         const Pressed<Real> at =
-            pressedOn<false>(arrays.corners, params, own, turned_with.orientation(own), c, tangent);
+            pressedOn<false>(params, params.colliders, own, turned_with.cell(params, own), c, tangent);
         if (!(at.depth > Real(0))) return Real(0);
         const TouchLaw<Real> law = pressingLaw<TurnedWith::kStep>(
             wallLaw(arrays, params, own.owner, c), params, own, at, turned_with(own, at), {}, spring);

@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// What moves a particle in a substep once the loads of its bonds and contacts are summed: colliders, kick and
-// drift, ledger. The same text on the CPU and in the first of the threads that share a particle on the GPU.
+// What moves a particle in a substep: what colliders give it, then kick and drift with that and the loads of
+// its bonds and contacts, and the ledger. The same text on the CPU and on the GPU.
 #pragma once
 #include "sim_cuda/kernels/collider_contact.h"
 #include "sim_cuda/kernels/integrate.h"
 
 namespace demolish {
 
-/// Writes the particle's state after the substep. `load`: of its slots, N, N m; `tally`: what they book.
+/// N, N m, of all colliders that it isNearColliders() of; its own state alone says it.
+template <bool kLedger, class Real, class Colliders>
+DEM_FN Wrench<Real> collidersPush(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                  const Colliders& colliders, const OwnParticle<Real>& own,
+                                  Tally<Real>& tally) {
+    Wrench<Real> load;
+    const TurnsAlone<Real> alone{cornersOf(arrays.corners, own.id)};
+    forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+        add(load, colliderContact<kLedger>(arrays, params, colliders, own, c, bound, tally, alone).wrench);
+    });
+    return load;
+}
+
+/// Writes the particle's state after the substep. `load`: of its slots and of colliders, N, N m; `tally`:
+/// what they book.
 template <bool kLedger, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                         const OwnParticle<Real>& own, Wrench<Real> load, Tally<Real>& tally) {
-    const bool held = own.constants.isHeld();
-    if (own.constants.isMovedHere() && !held)
-        forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-            add(load,
-                colliderContact<kLedger>(arrays, params, own, c, bound, tally, TurnsAlone<Real>{}).wrench);
-        });
+                         const OwnParticle<Real>& own, const Wrench<Real>& load, const Tally<Real>& tally) {
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
     if constexpr (kLedger) {
@@ -24,7 +32,7 @@ DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Rea
             bookCarried(arrays, own.id, tally);
         else
             bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt, params.booked);
-        if (held && !own.isCarried())
+        if (own.constants.isHeld() && !own.isCarried())
             bookHold(arrays.ledger[own.id], load, own.state, next, params.dt, params.booked);
     }
     storeState(arrays.out, own.id, next);

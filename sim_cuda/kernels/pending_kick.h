@@ -62,7 +62,9 @@ struct PendingKicks {
 /// The particle's own orientation, into which its body has been brought.
 template <class Real>
 struct TurnsWithBody : TurnsFragment<Real> {
-    DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const { return asQuat(own.state.rotation); }
+    DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
+        return {this->corners, asQuat(own.state.rotation), params.drift};
+    }
     DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
         Turning<Real> turning = TurnsFragment<Real>::operator()(own, at);
         turning.damping = Real(0);
@@ -93,9 +95,10 @@ struct GatherPendingKick {
                                  asDouble(lowPart(own.state.position, own.state.velocity, own.state.spin)) -
                                  body.centre;
         own.constants = sharedConstants(body, rotate(conjugate(body.turned), arm), own.constants);
-        forEachCollider(contact_step, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-            add(load, colliderContact<kLedger>(arrays, contact_step, own, c, bound, tally,
-                                               TurnsWithBody<Real>{{work}})
+        const ColliderSet<Real>& colliders = contact_step.colliders;
+        forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+            add(load, colliderContact<kLedger>(arrays, contact_step, colliders, own, c, bound, tally,
+                                               TurnsWithBody<Real>{{work, cornersOf(arrays.corners, i)}})
                           .wrench);
         });
         if constexpr (kLedger) bookCarried(arrays, i, tally);

@@ -135,9 +135,14 @@ template <class Real>
 struct TurnsFragment {
     static constexpr StepKind kStep = StepKind::kContact;
     RigidWork work;
-    DEM_FN Quat<Real> orientation(const OwnParticle<Real>& own) const {
-        const Quat<double> q = multiply(work.body[work.label[own.id]].turned, work.start_rotation[own.id]);
-        return {Real(q.x), Real(q.y), Real(q.z), Real(q.w)};
+    OwnCorners<Real> corners;
+    /// What is softened in the first contact step of a body has got its overlap in a substep.
+    DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
+        const RigidBody& body = work.body[work.label[own.id]];
+        const Quat<double> q = multiply(body.turned, work.start_rotation[own.id]);
+        return {corners,
+                {Real(q.x), Real(q.y), Real(q.z), Real(q.w)},
+                body.starts != 0 ? params.carry_time : params.drift};
     }
     DEM_FN Turning<Real> operator()(const OwnParticle<Real>& own, const Pressed<Real>& at) const {
         const RigidBody& body = work.body[work.label[own.id]];
@@ -163,21 +168,16 @@ struct TurnsFragment {
     }
 };
 
-/// What is softened in the first contact step of a body has got its overlap in a substep.
-template <class Real>
-DEM_FN StepParams<Real> bookedAfter(const RigidBody& body, StepParams<Real> params) {
-    if (body.starts != 0) params.drift = params.carry_time;
-    return params;
-}
 template <bool kLedger, class Real>
-DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& step,
-                                     const RigidWork& work, const OwnParticle<Real>& own) {
+DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                     const RigidWork& work, const OwnParticle<Real>& own,
+                                     const OwnCorners<Real>& corners) {
     RigidLoad<Real> load;
-    if (own.constants.isHeld()) return load;
-    const StepParams<Real> params = kLedger ? bookedAfter(work.body[work.label[own.id]], step) : step;
-    forEachCollider(params, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-        const ColliderLoad<Real> at =
-            colliderContact<kLedger>(arrays, params, own, c, bound, load.tally, TurnsFragment<Real>{work});
+    const ColliderSet<Real>& colliders = params.colliders;
+    if (!isNearColliders<StepKind::kContact>(params, colliders, own)) return load;
+    forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+        const ColliderLoad<Real> at = colliderContact<kLedger>(
+            arrays, params, colliders, own, c, bound, load.tally, TurnsFragment<Real>{work, corners});
         add(load.wrench, counted(at.wrench, load.touching));
         load.coming += at.comes ? 1 : 0;
     });
@@ -208,7 +208,8 @@ struct GatherRigidLoad {
                                                  contactFragment(arrays, work.label, slot), rows));
         rows.wrench = sums.total();
         loads.ofRows(place) = rows;
-        loads.ofColliders(place) = collidersLoad<kLedger>(arrays, params, work, own);
+        loads.ofColliders(place) =
+            collidersLoad<kLedger>(arrays, params, work, own, cornersOf(arrays.corners, own.id));
     }
 };
 

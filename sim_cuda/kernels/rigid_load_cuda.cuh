@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What acts on the particles of rigid fragments, on the GPU: T threads go through the rows of a particle.
 #pragma once
+#include <cuda_pipeline.h>
+
 #include "sim_cuda/kernels/rigid_load.h"
 #include "sim_cuda/kernels/substep_cuda.cuh"
 
@@ -73,17 +75,44 @@ __device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, ui
     if (present && lane == 0) keepLoad<kLedger>(gather.loads.ofRows(place), out);
 }
 
-/// What colliders give. Their part needs no other particle, and so a thread each.
+/// Corners of a particle that are fetched at once: as many as cells have. Threads that do so, of which one
+/// does the rest.
+inline constexpr uint32_t kFetchedCorners = 16, kFetching = 4;
+/// Of the particle that this thread shares with others.
+template <class Real>
+__device__ __forceinline__ Vec4<Real>* cornerMemory() {
+    constexpr uint32_t kCorners = kSubstepBlock / kFetching * kFetchedCorners;
+    __shared__ alignas(16) unsigned char memory[kCorners * sizeof(Vec4<Real>)];
+    return reinterpret_cast<Vec4<Real>*>(memory) + threadIdx.x / kFetching * kFetchedCorners;
+}
+/// In nearer memory. All threads of the particle take part.
+template <class Real>
+__device__ __forceinline__ OwnCorners<Real> fetched(OwnCorners<Real> corners, uint32_t lane) {
+    const auto count = static_cast<uint32_t>(corners.from_seed.size());
+    Vec4<Real>* near = cornerMemory<Real>();
+    if (count <= kFetchedCorners) {
+        for (uint32_t k = lane; k < count; k += kFetching)
+            __pipeline_memcpy_async(&near[k], &corners.from_seed[k], sizeof(Vec4<Real>));
+        corners.from_seed.data = near;
+    }
+    __pipeline_commit();
+    __pipeline_wait_prior(0);
+    __syncwarp();
+    return corners;
+}
+
+/// What colliders give. Their part needs no other particle.
 template <bool kLedger, class Real>
 __device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gather, uint32_t block,
                                                   uint32_t count) {
-    const uint32_t place = block * kSubstepBlock + threadIdx.x;
-    const uint32_t id = gather.work.active[place < count ? place : count - 1];
+    const uint32_t place = block * (kSubstepBlock / kFetching) + threadIdx.x / kFetching;
+    const uint32_t id = gather.work.active[place < count ? place : count - 1], lane = threadIdx.x % kFetching;
+    const OwnCorners<Real> corners = fetched(cornersOf(gather.arrays.corners, id), lane);
     awaitPrevious();
-    if (place >= count) return;
+    if (place >= count || lane != 0) return;
     const OwnParticle<Real> own = loadOwn(gather.arrays, id);
     keepLoad<kLedger>(gather.loads.ofColliders(place),
-                      collidersLoad<kLedger>(gather.arrays, gather.params, gather.work, own));
+                      collidersLoad<kLedger>(gather.arrays, gather.params, gather.work, own, corners));
 }
 
 /// The first `collider_blocks` see to colliders, the others, with T threads a particle, to rows. The first
@@ -96,7 +125,7 @@ __global__ void __launch_bounds__(kSubstepBlock, 5)
     const uint32_t block = blockIdx.x, count = gather.work.counts[kActiveCount];
     if (block == 0 && count == 0) awaitPrevious();
     if (block < collider_blocks) {
-        if (block < gatherBlocks<1>(count)) gatherCollidersOf<kLedger>(gather, block, count);
+        if (block < gatherBlocks<kFetching>(count)) gatherCollidersOf<kLedger>(gather, block, count);
     } else if (block - collider_blocks < gatherBlocks<T>(count)) {
         gatherRowsOf<T, kLedger>(gather, block - collider_blocks, count);
     }

@@ -19,8 +19,11 @@ class CpuParticleStep {
     [[gnu::flatten]] void operator()(uint32_t i) const {
         const OwnParticle<Real> own = loadOwn(arrays_, i);
         Tally<Real> tally;
-        const Wrench<Real> load =
+        Wrench<Real> load =
             i < params_.in_bodies ? sumRow<kPartials>(own, tally) : sumRow<kLongPartials>(own, tally);
+        if (const auto& colliders = params_.colliders;
+            isNearColliders<StepKind::kSubstep>(params_, colliders, own))
+            add(load, collidersPush<kLedger>(arrays_, params_, colliders, own, tally));
         moveParticle<kLedger>(arrays_, params_, own, load, tally);
     }
 

@@ -138,7 +138,7 @@ class RigidRunner<CudaBackend, Real> {
     template <uint32_t T, bool kLedger>
     static void launchGatherT(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                               uint32_t active) {
-        const uint32_t collider_blocks = gatherBlocks<1>(active);
+        const uint32_t collider_blocks = gatherBlocks<kFetching>(active);
         backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, collider_blocks + gatherBlocks<T>(active),
                        kSubstepBlock, "gathering loads of rigid fragments", gather, collider_blocks);
     }

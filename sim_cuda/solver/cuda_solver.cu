@@ -26,7 +26,8 @@ CudaDevice findCudaDevice() {
     cudaDeviceProp properties{};
     if (problem == cudaSuccess) problem = cudaGetDeviceProperties(&properties, device.ordinal);
     cudaFuncAttributes attributes{};
-    if (problem == cudaSuccess) problem = cudaFuncGetAttributes(&attributes, substepKernel<4, false, float>);
+    if (problem == cudaSuccess)
+        problem = cudaFuncGetAttributes(&attributes, substepKernel<4, false, true, float>);
     cudaGetLastError();  // a missing GPU is no error of what follows
     if (problem != cudaSuccess) {
         device.problem = cudaGetErrorString(problem);

@@ -82,8 +82,13 @@ class SubstepRunner<CudaBackend, Real> {
     /// One substep by so many threads a particle.
     static void launchOne(CudaBackend& backend, bool follows, uint32_t threads,
                           const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
-        ledger ? launchWith<true>({backend, follows}, threads, arrays, params)
-               : launchWith<false>({backend, follows}, threads, arrays, params);
+        const Launch launch{backend, follows};
+        if (ledger)
+            launchWith<true, false>(launch, threads, arrays, params);
+        else if (params.colliders.arePlanes())
+            launchWith<false, true>(launch, threads, arrays, params);
+        else
+            launchWith<false, false>(launch, threads, arrays, params);
     }
 
   private:
@@ -109,23 +114,23 @@ class SubstepRunner<CudaBackend, Real> {
         return threadsPerParticle(work.all() ? params.in_bodies : work.at_most);
     }
 
-    template <bool kLedger>
+    template <bool kLedger, bool kOnlyPlanes>
     static void launchWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
         if (threads >= 16)
-            launchT<16, kLedger>(launch, arrays, params);
+            launchT<16, kLedger, kOnlyPlanes>(launch, arrays, params);
         else if (threads >= 8)
-            launchT<8, kLedger>(launch, arrays, params);
+            launchT<8, kLedger, kOnlyPlanes>(launch, arrays, params);
         else
-            launchT<4, kLedger>(launch, arrays, params);
+            launchT<4, kLedger, kOnlyPlanes>(launch, arrays, params);
     }
 
-    template <uint32_t T, bool kLedger>
+    template <uint32_t T, bool kLedger, bool kOnlyPlanes>
     static void launchT(const Launch& launch, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
-        launch.backend.launch(launch.follows, substepKernel<T, kLedger, Real>,
-                              blocksFor(arrays.work, params, T), kSubstepBlock, "starting a substep", arrays,
-                              params);
+        launch.backend.launch(launch.follows, substepKernel<T, kLedger, kOnlyPlanes, Real>,
+                              blocksFor(arrays.work, params, T), kSubstepThreads<T>, "starting a substep",
+                              arrays, params);
     }
     static uint32_t blocksFor(const BondedWork& work, const StepParams<Real>& params, uint32_t threads) {
         const uint32_t particles = kSubstepBlock / threads;
