@@ -198,7 +198,8 @@ state remeshed
 }
 
 /// A block of vertex colours without red, with as much green as there may be: painted by red it is weak, by
-/// green as strong as it is unpainted.
+/// green as strong as it is unpainted. States are of one moment: how far a shot comes in so many turns of the
+/// window depends on how busy the machine is.
 TEST_F(WindowProgram, PaintedColoursAreChosenAndWeaken) {
     const std::string red_is_dark =
         "v 0 0 0 0 1 0.5\nv 0 0 1 0 1 0.5\nv 1 0 1 0 1 0.5\nv 1 0 0 0 1 0.5\n"
@@ -206,8 +207,9 @@ TEST_F(WindowProgram, PaintedColoursAreChosenAndWeaken) {
         "f 4 3 2 1\nf 5 6 7 8\nf 2 6 5 1\nf 3 7 6 2\nf 4 8 7 3\nf 1 5 8 4\n";
     const std::string file = folder_.write("painted.obj", red_is_dark).string();
     const auto shot = [](const std::string& name) {
-        return "key r\nwait 2\nkey space\nwait 40\nkey space\nwait 2\nstate " + name + "\nscreenshot 32_" +
-               name + "\n";
+        return "key r\nwait 2\nkey space\nwait 60\nkey space\nwait 2\ntype transport.timeline 24\nwait "
+               "2\nstate " +
+               name + "\nscreenshot 32_" + name + "\n";
     };
     const auto choose = [](const std::string& channel) {
         return "click particles.painted\nclick particles.painted." + channel +
@@ -224,6 +226,8 @@ TEST_F(WindowProgram, PaintedColoursAreChosenAndWeaken) {
     const auto broken = [&](const std::string& name) { return read(name)["bonds_broken"].get<int>(); };
     EXPECT_EQ(broken("green"), broken("plain")) << "as strong as it is where the colour is full";
     EXPECT_GT(broken("red"), broken("plain")) << "a tenth as strong where it is dark";
+    for (const char* name : {"red", "green"}) EXPECT_EQ(read(name)["time"], read("plain")["time"]) << name;
+    EXPECT_EQ(read("plain")["replaying"], true);
     for (const char* name : {"plain", "red", "green"}) {
         EXPECT_EQ(read(name)["message"], "") << name;
         EXPECT_EQ(read(name)["particles"], read("plain")["particles"]) << name;
