@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "sim_cuda/data/make_collider_set.h"
 #include "sim_cuda/effects/effect_state.h"
 #include "sim_cuda/effects/hard_hits.h"
 #include "sim_cuda/effects/move_effects.h"

@@ -5,6 +5,7 @@
 #pragma once
 #include <type_traits>
 
+#include "sim_cuda/data/planes_only.h"
 #include "sim_cuda/kernels/landing.h"
 #include "sim_cuda/kernels/touch_slots.h"
 

@@ -196,6 +196,7 @@ __device__ __forceinline__ void gatherParticle(const SubstepArrays<Real>& arrays
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
 /// bodies' particles: all, or those of the work list. Started while the substep before still runs:
 /// what no substep changes is read before its end is waited for. kOnlyPlanes: as PlanesOnly.
+/// __grid_constant__: what lands hard is told the arrays by their address.
 template <uint32_t T, bool kLedger, bool kOnlyPlanes, class Real>
 __global__ void __launch_bounds__(kSubstepThreads<T>, kLedger ? 3 : blocksAtOnce(T))
     substepKernel(const __grid_constant__ SubstepArrays<Real> arrays,

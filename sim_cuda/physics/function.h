@@ -13,7 +13,8 @@
 namespace demolish {
 
 /// How a function that is called takes what it reads: on a GPU by value, since parameters of a kernel have no
-/// address without a copy; on the host by reference, since there the copy is what costs.
+/// address without a copy, unless they are __grid_constant__; on the host by reference, since there the copy
+/// is what costs.
 #if defined(__CUDACC__)
 template <class T>
 using Handed = const T;

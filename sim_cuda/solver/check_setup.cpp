@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "sim_cuda/api/errors.h"
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 #include "sim_cuda/solver/scene_tables.h"
 
 namespace demolish {

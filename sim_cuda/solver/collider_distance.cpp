@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 
 namespace demolish {
 

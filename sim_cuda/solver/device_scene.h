@@ -4,7 +4,6 @@
 #pragma once
 #include <vector>
 
-#include "sim_cuda/data/make_collider_set.h"
 #include "sim_cuda/kernels/paths_now.h"
 #include "sim_cuda/patterns/piece_release.h"
 #include "sim_cuda/solver/fragments.h"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 
 namespace demolish {
 namespace {

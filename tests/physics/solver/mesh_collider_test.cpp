@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim_cuda/api/errors.h"
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 #include "tests/physics/solver/collider_meshes.h"
 #include "tests/physics/solver/exported_frame.h"
 #include "tests/physics/solver/impact_on_collider.h"

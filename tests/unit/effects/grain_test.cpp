@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a grain flies, falls, bounces, slides and rests, against closed forms.
 #include "sim_cuda/effects/grain.h"
-#include "sim_cuda/data/make_collider_set.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How a puff is slowed, grows, settles and fades.
 #include "sim_cuda/effects/puff.h"
-#include "sim_cuda/data/make_collider_set.h"
 
 #include <gtest/gtest.h>
 

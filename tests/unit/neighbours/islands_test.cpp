@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sim_cuda/data/make_collider_set.h"
 #include "sim_cuda/kernels/islands.h"
 #include "tests/unit/neighbours/particle_cloud.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Signed distance and outward normal of each shape against closed forms, far away, near and inside.
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "sim_cuda/api/errors.h"
-#include "sim_cuda/data/make_collider_set.h"
+#include "sim_cuda/data/colliders.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish::tests {
