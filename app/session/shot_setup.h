@@ -16,6 +16,8 @@ namespace demolish {
 /// failure is kDefaultFailureStrain and the body does not sag under its own weight (models.md E.1, E.2, E.4).
 double wantedWaveSpeed(const Shot& shot, double body_height);
 inline constexpr double kDefaultFailureStrain = 0.011;
+/// dt_crit c_eff / h of compact bodies, models.md E.1: 0.65-0.72.
+inline constexpr double kKappa = 0.68;
 
 /// n_sub of models.md E.1: c_eff / (kappa safety 60 h), with the kappa of this very body, or the wave speed
 /// and the strength with it would hang on how many cells there are through a wall. Of the usual kappa without
@@ -26,7 +28,7 @@ uint32_t substepsFor(const Shot& shot, const BreakableBody& body, double step_sa
 using BodyList = std::vector<std::shared_ptr<const BreakableBody>>;
 
 /// The bodies in their places, without projectiles: those are fired while the shot runs. So many substeps
-/// that no body is softer than its own material wants it.
+/// that no body is softer than its own material wants it, or a multiple of them (step_division.h).
 SceneSetup makeSetup(const Shot& shot, const BodyList& bodies);
 
 /// Box round all bodies of the shot as they stand, m.

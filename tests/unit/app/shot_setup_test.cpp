@@ -81,6 +81,40 @@ TEST(ShotSetup, WithoutASceneTheStiffnessFollowsStrengthAndWeight) {
     EXPECT_GT(wantedWaveSpeed(shot, 2.0), 200);      // a tall body must carry itself
 }
 
+/// A cube of 4^3 particles with one bond that is so many spacings long.
+std::shared_ptr<const BreakableBody> bondedCube(double length) {
+    auto body = std::make_shared<BreakableBody>(gridCube(4));
+    BondGeometry bond;
+    bond.j = 1;
+    bond.area = body->spacing * body->spacing;
+    bond.length = length * body->spacing;
+    bond.normal = {1, 0, 0};
+    body->bonds = {bond};
+    return body;
+}
+
+/// By the strain of beta v_c / (kappa safety 60 h n) at failure; bonds stay as soft as n substeps make them.
+TEST(ShotSetup, RubberAndLongCellsHaveTheirSubstepsDividedInTwo) {
+    Shot shot;
+    shot.material.critical_velocity = 5;
+    shot.material.beta = 0.4;
+    const auto paramsOf = [&shot](uint32_t substeps, double length) {
+        shot.substeps = substeps;
+        return makeSetup(shot, {bondedCube(length)}).params;
+    };
+    const double at_limit = 0.4 * 5 / (0.1 * 0.68 * 0.5 * 60 * 0.25);
+    const auto few = static_cast<uint32_t>(std::floor(at_limit)), enough = few + 1;
+    EXPECT_EQ(paramsOf(enough, 1).substeps, enough);
+    EXPECT_EQ(paramsOf(enough, 1).step_safety, 0.5);
+    EXPECT_EQ(paramsOf(few, 1).substeps, 2 * few);
+    EXPECT_EQ(paramsOf(few, 1).step_safety, 0.25);
+    EXPECT_EQ(paramsOf(enough, 5.9).substeps, enough);
+    EXPECT_EQ(paramsOf(enough, 6.1).substeps, 2 * enough);
+    EXPECT_EQ(paramsOf(enough, 6.1).step_safety, 0.25);
+    shot.material.critical_velocity = 1e6;
+    EXPECT_EQ(paramsOf(few, 1).substeps, few) << "it is not meant to break";
+}
+
 TEST(ShotSetup, BodiesStandWhereTheSceneSaysAtEveryHeight) {
     Shot shot;
     shot.bodies = {standing({0, 0, 0}, 0, 0), standing({3, 0, -1}, std::numbers::pi / 2, 1)};
