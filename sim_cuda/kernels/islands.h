@@ -31,6 +31,10 @@ struct HardHits {
     bool later = false, at_once = false;
 };
 
+/// Of the sum of two contact radii: a ball that comes farther in a contact step is met in substeps, however
+/// few particles it hits. It would be through a crumb before contact steps had pushed it back.
+inline constexpr double kFarInAStep = 1;
+
 /// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;
 
@@ -138,6 +142,7 @@ struct HitRules {
     Span<const WakeLaw<Real>> wake;  ///< per owner; a projectile leaves it to the other
     uint32_t crumb = 1;              ///< particles of the largest piece that stays whole once it is rigid
     HoldsIn holds{};
+    Real contact_step{};  ///< s
 
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
     DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
@@ -152,7 +157,14 @@ struct HitRules {
                          sizeOf(meetings.label[j]));
     }
     DEM_FN bool canBeHard(uint32_t i, uint32_t j) const {
-        return !isCrumb(meetings.label[i]) || !isCrumb(meetings.label[j]);
+        return !isCrumb(meetings.label[i]) || !isCrumb(meetings.label[j]) || comesFar(i, j);
+    }
+    /// A ball, to or from what it may hit.
+    DEM_FN bool comesFar(uint32_t i, uint32_t j) const {
+        if (isProjectile(i) == isProjectile(j)) return false;
+        const Real far =
+            Real(kFarInAStep) * (meetings.constants[i].contact_radius + meetings.constants[j].contact_radius);
+        return contact_step * contact_step * meetings.relativeSpeed2(i, j) > far * far;
     }
     /// What comes fast towards a sleeper and cannot meet it before the next decision at the latest: the
     /// sleeper sleeps on, and wakes with its bonds. Were it rigid in between, it would sink into the floor as

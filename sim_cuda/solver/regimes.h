@@ -326,7 +326,8 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
     if (frame_starts) memory_.all_bonded = most_bonded ? 1 : 0;
     const RegimeRules rules{hand_over_, sleeping_,      frame_starts,  memory_.all_bonded != 0,
                             no_bonds_,  calm_substeps_, rest_substeps_};
-    const HitRules<Real> hits{meetings, rows, regime_.view(), wake_.view(), crumb_, holds_};
+    const HitRules<Real> hits{
+        meetings, rows, regime_.view(), wake_.view(), crumb_, holds_, Real(kRigidStride) * params.dt};
     const Span<uint32_t> words = moved_.words();
     backend_.forEach(total,
                      StartIslands{island_.span(), flags_.span(), meets_.span(), moved_.activeMarks(),
