@@ -72,11 +72,15 @@ struct TurnsWithBody : TurnsFragment<Real> {
     }
 };
 
+/// Over what breaks a bond: faces that are found under such a load go on as soft as in a contact step. Less
+/// is as little as the bond held.
+inline constexpr double kUnseenLoad = 2;
+
 /// One thread a particle or projectile slot, after PendingKicks has been cleared. Contacts with colliders are
 /// those of a contact step: one that begins now takes in what it can bear there, or substeps would find its
 /// overlap loaded with more than the body has brought. Of contacts with particles only those of two bodies
-/// that wake count, and only what has been touching: to what goes on as it did a body has given all that it
-/// got.
+/// that wake count, and only what has been touching, or faces that begin likewise: to what goes on as it did
+/// a body has given all that it got.
 template <bool kLedger, class Real>
 struct GatherPendingKick {
     SubstepArrays<Real> arrays;  ///< with the particles' own constants
@@ -90,11 +94,7 @@ struct GatherPendingKick {
         OwnParticle<Real> own = loadOwn(arrays, i);
         Tally<Real> tally;
         Wrench<Real> load = rowsLoad(own, tally);
-        const RigidBody& body = work.body[slot];
-        const Vec3<double> arm = asDouble(xyz(own.state.position)) +
-                                 asDouble(lowPart(own.state.position, own.state.velocity, own.state.spin)) -
-                                 body.centre;
-        own.constants = sharedConstants(body, rotate(conjugate(body.turned), arm), own.constants);
+        own.constants = shared(own);
         const ColliderSet<Real>& colliders = contact_step.colliders;
         forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
             add(load, colliderContact<kLedger>(arrays, contact_step, colliders, own, c, bound, tally,
@@ -102,15 +102,30 @@ struct GatherPendingKick {
                           .wrench);
         });
         if constexpr (kLedger) bookCarried(arrays, i, tally);
-        if (!isNullWrench(load)) pending.add(slot, arm, asDouble(load.force), asDouble(load.torque));
+        if (!isNullWrench(load)) pending.add(slot, armOf(own), asDouble(load.force), asDouble(load.torque));
     }
 
   private:
+    /// m, from the centre of its body.
+    DEM_FN Vec3<double> armOf(const OwnParticle<Real>& of) const {
+        return asDouble(xyz(of.state.position)) +
+               asDouble(lowPart(of.state.position, of.state.velocity, of.state.spin)) -
+               work.body[work.label[of.id]].centre;
+    }
+    /// Its constants in contact steps.
+    DEM_FN ParticleConstants<Real> shared(const OwnParticle<Real>& of) const {
+        const RigidBody& body = work.body[work.label[of.id]];
+        return sharedConstants(body, rotate(conjugate(body.turned), armOf(of)), of.constants);
+    }
     DEM_FN Wrench<Real> rowsLoad(const OwnParticle<Real>& own, Tally<Real>& tally) const {
         Wrench<Real> load;
         for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s) {
             const LinkEnd end = linkEnd(arrays, s);
             if (isBonded(end.link) || !isShared(own.id, end.id)) continue;
+            if (facesBegin(own, s, end)) {
+                add(load, newFaces(own, s, end, tally));
+                continue;
+            }
             add(load, untouched(arrays.bond_spring[s], tally, [&](Tally<Real>& booked) {
                     return formerBondSlot<kLedger>(arrays, substep, own, s, end, booked);
                 }));
@@ -122,6 +137,28 @@ struct GatherPendingKick {
                 }));
         }
         return load;
+    }
+    /// Faces of a broken bond that the last contact step has pressed on each other, and that nothing has seen
+    /// touch yet.
+    DEM_FN bool facesBegin(const OwnParticle<Real>& own, uint32_t s, const LinkEnd& end) const {
+        if (pairState(end.link) != PairState::kBroken || !holdsNothing(arrays.bond_spring[s])) return false;
+        const LoadedState<Real> there = loadWithoutRotation(arrays.in, arrays.in.position[end.id], end.id);
+        const Real length_now = length(separation(own.state, there));
+        const BondConstants<Real> bond =
+            bondConstants(arrays.rest[s], end.link.grade, arrays.body_laws[own.owner]);
+        const Real load =
+            brokenRepulsion(bond.stiffness.normal, brokenOverlap(length(bond.rest), length_now));
+        return load > Real(kUnseenLoad * kPi) * bond.strength * (bond.radius * bond.radius);
+    }
+    /// They begin as in a contact step.
+    DEM_FN Wrench<Real> newFaces(const OwnParticle<Real>& own, uint32_t s, const LinkEnd& end,
+                                 Tally<Real>& tally) const {
+        OwnParticle<Real> here = own, there = loadOwn(arrays, end.id);
+        here.constants = shared(here);
+        there.constants = shared(there);
+        const FormerBond<Real> faces{
+            s, end.link, there.state, there.constants, arrays.rest[s], arrays.bond_spring[s]};
+        return touchingFormerBond<kLedger, StepKind::kContact>(arrays, contact_step, here, faces, tally);
     }
     /// Of two bodies that both wake.
     DEM_FN bool isShared(uint32_t i, uint32_t j) const {

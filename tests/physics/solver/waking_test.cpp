@@ -75,6 +75,28 @@ TEST_F(Waking, FindsNoEnergyInWhatHasGoneIntoTheFloorUnseen) {
     }
 }
 
+/// Nor in faces of a broken bond: two cells that hardly hang together go slowly apart as they spin, and a
+/// third one drives the lower against the upper when the block beside them wakes.
+TEST_F(Waking, FindsNoEnergyInFacesThatHaveMetUnseen) {
+    constexpr double kSpeed = 3;
+    for (int k = 0; k < 20; ++k) {
+        const double meets = kWakesAt - 0.01 - 0.0005 * k;
+        SceneSetup setup = blockAndBall(kWakesAt + 0.05);
+        BodyInstance pair = setup.bodies[0], third = pair;
+        pair.body = latticeBody(1, 2, 1, 0.1);
+        pair.material.critical_velocity = 0.001;
+        pair.velocity = {};
+        pair.angular_velocity = {0, 0, 5};
+        pair.position = {1, 1, 0};
+        third.body = ballBody(0.05);
+        third.velocity = {0, kSpeed, 0};
+        third.position = {1, 1 - 0.1 - kSpeed * meets, 0};
+        setup.bodies.push_back(pair);
+        setup.bodies.push_back(third);
+        EXPECT_NEAR(energyFound(setup), 0, 1e-3) << "they meet after " << meets << " s";
+    }
+}
+
 /// Bodies are in no snapshot, and the books are none of the state's business.
 TEST_F(Waking, GivesTheSameStateAfterASnapshotAndWithoutBooks) {
     for (const double lands : {kWakesAt - 0.004, kWakesAt - 0.009, kWakesAt - 0.014}) {
