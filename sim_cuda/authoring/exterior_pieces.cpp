@@ -5,6 +5,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,10 +104,12 @@ GatheredPieces ExteriorPieces::gather() const {
         all.cell_start[cell] += all.cell_start[cell - 1];
         first_corner[cell] += first_corner[cell - 1];
     }
-    all.pieces.resize(all.cell_start.back());
-    all.keys.resize(first_corner.back());
-    all.barycentrics.resize(first_corner.back());
-    all.across.resize(first_corner.back());
+    tbb::parallel_invoke([&] { all.keys.resize(first_corner.back()); },  // memory comes page by page
+                         [&] { all.barycentrics.resize(first_corner.back()); },
+                         [&] {
+                             all.pieces.resize(all.cell_start.back());
+                             all.across.resize(first_corner.back());
+                         });
     std::vector<uint32_t> next_piece(all.cell_start.begin(), all.cell_start.end() - 1);
     std::vector<std::vector<std::pair<uint32_t, uint32_t>>> targets(blocks_.size());  // piece, corner
     for (size_t b = 0; b < blocks_.size(); ++b)
