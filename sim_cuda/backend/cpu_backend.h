@@ -89,6 +89,15 @@ class CpuBackend {
         forRanges(n, [&](size_t first, size_t last) { runRange(kernel, first, last); });
     }
 
+    /// kernel(ids[k], step) for all k below count[0] at the same time, for step = 0, 1 ... steps-1, one after
+    /// the other, until kernel.isOver(step).
+    template <class Kernel>
+    void forEachInSteps(Span<const uint32_t> ids, Span<const uint32_t> count, uint32_t steps,
+                        const Kernel& kernel, const char* name) {
+        for (uint32_t step = 0; step < steps && !kernel.isOver(step); ++step)
+            forEach(count[0], StepOf<Kernel>{ids, kernel, step}, name);
+    }
+
     /// range(first, last) over parts of 0..n-1 that do not depend on the number of threads.
     template <class Range>
     void forRanges(size_t n, const Range& range) {
@@ -196,6 +205,13 @@ class CpuBackend {
     };
 
   private:
+    template <class Kernel>
+    struct StepOf {
+        Span<const uint32_t> ids;
+        const Kernel& kernel;
+        uint32_t step;
+        void operator()(uint32_t k) const { kernel(ids[k], step); }
+    };
     static constexpr size_t kGrain = 256;
 
     /// Flat, as a GPU's compiler makes a kernel: left to itself this one calls half of the vector arithmetic.

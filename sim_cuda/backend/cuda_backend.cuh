@@ -14,6 +14,7 @@
 #include "sim_cuda/backend/atomics.h"
 #include "sim_cuda/backend/cuda_chained_launch.cuh"
 #include "sim_cuda/backend/cuda_error.h"
+#include "sim_cuda/backend/cuda_steps.cuh"
 #include "sim_cuda/backend/reduction.h"
 #include "sim_cuda/backend/span.h"
 
@@ -144,6 +145,14 @@ class CudaBackend {
         if (n == 0) return;
         const auto blocks = static_cast<unsigned>((n + kCudaBlock - 1) / kCudaBlock);
         launch(true, runForEach<Kernel>, blocks, kCudaBlock, name, static_cast<uint32_t>(n), kernel);
+    }
+
+    /// kernel(ids[k], step) for all k below count[0] at the same time, for step = 0, 1 ... steps-1, one after
+    /// the other, until kernel.isOver(step). Does not wait; not inside a graph that is being recorded.
+    template <class Kernel>
+    void forEachInSteps(Span<const uint32_t> ids, Span<const uint32_t> count, uint32_t steps,
+                        const Kernel& kernel, const char* name) {
+        if (ids.count > 0) launchSteps(stream_, multiprocessors_, ids, count, steps, kernel, name);
     }
 
     /// A kernel that calls letNextStart() and awaitPrevious(); `follows` as in LaunchShape. Throws on

@@ -11,26 +11,27 @@ namespace demolish {
 /// Share of the way to the neighbours' mean.
 inline constexpr float kRelaxationFactor = 0.6f;
 
-/// Of one vertex.
+/// Of one vertex; isOver() as steps have it.
 struct RelaxPoolVertices {
     PoolCorners corners;
     Span<const uint8_t> face_state;
     Span<const uint32_t> smallest;
-    Span<const Float3> rest, before;
+    Span<const Float3> rest;
     Span<const float> spacing;
+    TwoCopies copies;
     StepsThatMoved steps;
-    Span<Float3> after;
 
-    DEM_FN void operator()(uint32_t v) const {
-        if (steps.isOver()) return;
+    DEM_FN bool isOver(uint32_t step) const { return steps.isOver(step); }
+    DEM_FN void operator()(uint32_t v, uint32_t step) const {
         const CrackSmoothing smoothing = crackSmoothing(smallest[v]);
-        const bool moves = steps.step < smoothing.steps;
-        if (moves) steps.note();
-        after[v] = moves ? relaxed(v, smoothing.limit * spacing[v]) : before[v];
+        const bool moves = step < smoothing.steps;
+        if (moves) steps.note(step);
+        const Span<const Float3> before = copies.before(step);
+        copies.after(step)[v] = moves ? relaxed(v, smoothing.limit * spacing[v], before) : before[v];
     }
 
   private:
-    DEM_FN Float3 relaxed(uint32_t v, float limit) const {
+    DEM_FN Float3 relaxed(uint32_t v, float limit, const Span<const Float3>& before) const {
         Vec3<float> sum;
         float count = 0;
         for (uint32_t c = corners.start[v]; c < corners.start[v + 1]; ++c) {

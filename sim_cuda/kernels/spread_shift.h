@@ -3,6 +3,7 @@
 // are given, and what stays.
 #pragma once
 #include "sim_cuda/data/outside_mesh.h"
+#include "sim_cuda/kernels/steps_that_moved.h"
 
 namespace demolish {
 
@@ -29,14 +30,16 @@ struct WeighCorners {
 struct SpreadShift {
     /// The best for a spectral radius of 0.98, about that of a cell's outside with ten points across.
     static constexpr float kMomentum = 1.65f;
-    static constexpr int kSteps = 24;
+    static constexpr uint32_t kSteps = 24;
 
     OutsideMesh mesh;
     Span<const RimLink> link;
-    Span<const Float3> now;
-    Span<Float3> before;  ///< becomes what comes next
+    TwoCopies copies;  ///< of the shift: the one written holds what was before, and becomes what comes next
 
-    DEM_FN void operator()(uint32_t p) const {
+    DEM_FN bool isOver(uint32_t) const { return false; }
+    DEM_FN void operator()(uint32_t p, uint32_t step) const {
+        const Span<const Float3> now = copies.before(step);
+        const Span<Float3> before = copies.after(step);
         if (link[p].kind != RimKind::kNone) return;
         Vec3<float> mean;
         for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c)

@@ -97,12 +97,13 @@ struct Untangle {
     LayOnOutside lay;
     Span<const RimLink> link;
     Span<const uint32_t> moves;
-    Span<const Float3> before;
-    Span<Float3> after;
+    TwoCopies copies;
     StepsThatMoved steps;
 
-    DEM_FN void operator()(uint32_t p) const {
-        if (steps.isOver()) return;
+    DEM_FN bool isOver(uint32_t step) const { return steps.isOver(step); }
+    DEM_FN void operator()(uint32_t p, uint32_t step) const {
+        const Span<const Float3> before = copies.before(step);
+        const Span<Float3> after = copies.after(step);
         const OutsideMesh& mesh = parts.mesh;
         Vec3<float> sum;
         float count = 0;
@@ -123,7 +124,7 @@ struct Untangle {
             after[p] = before[p];
             return;
         }
-        steps.note();
+        steps.note(step);
         // More than one part pulls: their mean, taken a little too far.
         const float share = count > 1.5f ? 1.4f / count : 1.0f;
         const Vec3<float> push =
@@ -141,28 +142,29 @@ struct Untangle {
 struct TakeBack {
     static constexpr uint32_t kSteps = 24;
     static constexpr uint32_t kPartSteps = 6;  ///< the first ones, in which a part of the way is kept
-    static constexpr float kKept = 0.6f;
+    static constexpr float kKept = 0.6f;       ///< of the way
 
     PartsOfOutside parts;
     LayOnOutside lay;
-    float kept = 0;  ///< of the way
-    Span<const Float3> start, before;
-    Span<Float3> after;
+    Span<const Float3> start;
+    TwoCopies copies;
     StepsThatMoved steps;
 
-    DEM_FN void operator()(uint32_t p) const {
-        if (steps.isOver()) return;
+    DEM_FN bool isOver(uint32_t step) const { return steps.isOver(step); }
+    DEM_FN void operator()(uint32_t p, uint32_t step) const {
+        const Span<const Float3> before = copies.before(step);
+        const float kept = step < kPartSteps ? kKept : 0.0f;
         const Vec3<float> from = toVec3(start[p]);
         Float3 to = before[p];
-        if (isTurnedOver(p)) {
-            steps.note();
+        if (isTurnedOver(p, before)) {
+            steps.note(step);
             to = kept > 0 ? toFloat3(lay(p, axpy(kept, toVec3(to) - from, from))) : start[p];
         }
-        after[p] = to;
+        copies.after(step)[p] = to;
     }
 
   private:
-    DEM_FN bool isTurnedOver(uint32_t p) const {
+    DEM_FN bool isTurnedOver(uint32_t p, const Span<const Float3>& before) const {
         const OutsideMesh& mesh = parts.mesh;
         for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
             const PartAt part = parts.at(p, c, before);

@@ -243,18 +243,16 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
         "choose movable vertices");
     movable_.gather();
     backend_.fill(steps_moved_.span(), 0u);
-    for (uint32_t step = 0; step < kMostSmoothingSteps; ++step) {
-        std::swap(position_, previous_position_);
-        movable_.forEach(RelaxPoolVertices{corners(),
-                                           face_state_.view(),
-                                           smallest_.view(),
-                                           rest_.view(),
-                                           previous_position_.view(),
-                                           spacing_.view(),
-                                           {steps_moved_.span(), step},
-                                           position_.span()},
-                         "relax pool vertices");
-    }
+    static_assert(kMostSmoothingSteps % 2 == 0, "it ends where it has begun");
+    movable_.forEachInSteps(kMostSmoothingSteps,
+                            RelaxPoolVertices{corners(),
+                                              face_state_.view(),
+                                              smallest_.view(),
+                                              rest_.view(),
+                                              spacing_.view(),
+                                              {position_.span(), previous_position_.span()},
+                                              {steps_moved_.span()}},
+                            "relax pool vertices");
     movable_.forEach(RoughenPoolVertices{surface_distance_.view(), smallest_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");

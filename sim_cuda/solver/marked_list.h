@@ -59,6 +59,13 @@ class MarkedList {
         backend_.forEach(threads, OverList<Kernel>{ids_.view(), count, threads, kernel}, name);
     }
 
+    /// kernel(id, step) for all that is listed at the same time, step after step, until kernel.isOver(step).
+    template <class Kernel>
+    void forEachInSteps(uint32_t steps, const Kernel& kernel, const char* name) {
+        const Span<const uint32_t> count = place_.view().part(marks_.size(), 1);
+        backend_.forEachInSteps(ids_.view(), count, steps, kernel, name);
+    }
+
   private:
     /// As many as a large GPU runs at once, or nearly so.
     static constexpr size_t kMostThreads = 1u << 17;

@@ -205,11 +205,10 @@ void OutsideSurface<Backend>::chooseMoving() {
 
 template <class Backend>
 void OutsideSurface<Backend>::spread() {
-    for (int step = 0; step < SpreadShift::kSteps; ++step) {
-        moving_.forEach(SpreadShift{mesh(), link_.view(), shift_.view(), shift_before_.span()},
-                        "spread shift");
-        std::swap(shift_, shift_before_);
-    }
+    static_assert(SpreadShift::kSteps % 2 == 0, "it ends where it has begun");
+    moving_.forEachInSteps(SpreadShift::kSteps,
+                           SpreadShift{mesh(), link_.view(), {shift_.span(), shift_before_.span()}},
+                           "spread shift");
 }
 
 template <class Backend>
@@ -225,31 +224,14 @@ void OutsideSurface<Backend>::untangle() {
     moving_.forEach(WidenTangled{mesh(), widened_.view(), moves, tangled_.marks()}, "widen tangled");
     tangled_.gather();
     backend_.fill(steps_moved_.span(), 0u);
+    static_assert(Untangle::kSteps % 2 == 0 && TakeBack::kSteps % 2 == 0, "they end where they have begun");
+    const TwoCopies copies{position_.span(), position_before_.span()};
     const Span<uint32_t> untangling = steps_moved_.span().part(0, Untangle::kSteps),
                          taking_back = steps_moved_.span().part(Untangle::kSteps, TakeBack::kSteps);
-    for (uint32_t step = 0; step < Untangle::kSteps; ++step) {
-        std::swap(position_, position_before_);
-        tangled_.forEach(Untangle{parts,
-                                  lay,
-                                  link_.view(),
-                                  moves,
-                                  position_before_.view(),
-                                  position_.span(),
-                                  {untangling, step}},
-                         "untangle");
-    }
-    for (uint32_t step = 0; step < TakeBack::kSteps; ++step) {
-        std::swap(position_, position_before_);
-        const float kept = step < TakeBack::kPartSteps ? TakeBack::kKept : 0.0f;
-        moving_.forEach(TakeBack{parts,
-                                 lay,
-                                 kept,
-                                 start_.view(),
-                                 position_before_.view(),
-                                 position_.span(),
-                                 {taking_back, step}},
-                        "take back");
-    }
+    tangled_.forEachInSteps(Untangle::kSteps, Untangle{parts, lay, link_.view(), moves, copies, {untangling}},
+                            "untangle");
+    moving_.forEachInSteps(TakeBack::kSteps, TakeBack{parts, lay, start_.view(), copies, {taking_back}},
+                           "take back");
 }
 
 template <class Backend>

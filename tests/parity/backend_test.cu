@@ -86,5 +86,41 @@ TEST_F(CudaBackendTest, WorkSideBySideComesAfterWhatWasStartedBeforeAndBeforeWha
     }
 }
 
+/// Each step reads what the one before has written elsewhere in the list, and the last one moves nothing.
+struct MixAround {
+    Span<uint32_t> even, odd, moved;
+    uint32_t listed, last;
+    DEM_FN bool isOver(uint32_t step) const { return step > 0 && moved[step - 1] == 0; }
+    DEM_FN void operator()(uint32_t id, uint32_t step) const {
+        const Span<uint32_t>&from = step % 2 == 0 ? even : odd, &to = step % 2 == 0 ? odd : even;
+        const uint32_t k = id / 3, far = (k * 7919u + step) % listed;
+        to[id] = step < last ? from[id] * 5u + from[3 * far] : from[id];
+        if (step < last) raise(moved[step]);
+    }
+};
+
+template <class Backend>
+std::vector<uint32_t> mixedAround(uint32_t listed, uint32_t last, uint32_t steps) {
+    Backend backend;
+    std::vector<uint32_t> ids(listed + 10), numbers = someNumbers(3 * size_t{listed} + 3);
+    for (uint32_t k = 0; k < ids.size(); ++k) ids[k] = 3 * k;
+    const auto list = backend.uploaded(ids), count = backend.uploaded(std::vector<uint32_t>{listed});
+    auto even = backend.uploaded(numbers), odd = backend.uploaded(numbers);
+    auto moved = backend.template allocate<uint32_t>(steps);
+    backend.forEachInSteps(list.view(), count.view(), steps,
+                           MixAround{even.span(), odd.span(), moved.span(), listed, last}, "mix around");
+    std::vector<uint32_t> all = backend.downloaded(even.view());
+    for (const auto& more : {backend.downloaded(odd.view()), backend.downloaded(moved.view())})
+        all.insert(all.end(), more.begin(), more.end());
+    return all;
+}
+
+TEST_F(CudaBackendTest, StepsOfAListAreThoseOfTheCpuForFewElementsAndMany) {
+    for (const uint32_t listed : {1u, 500u, 70'000u, 300'000u})
+        for (const uint32_t last : {0u, 11u, 24u})
+            EXPECT_EQ(mixedAround<CudaBackend>(listed, last, 24), mixedAround<CpuBackend>(listed, last, 24))
+                << listed << " listed, over after " << last;
+}
+
 }  // namespace
 }  // namespace demolish::tests
