@@ -15,7 +15,7 @@ template <class Real>
 struct KickRigid {
     SubstepArrays<Real> arrays;  ///< at the moment that is measured
     RigidWork work;
-    RigidLoads<Real> loads;
+    Span<const RigidLoadsOf<Real>> loads;  ///< by place
     Span<const ParticleConstants<Real>> own_constants;
     Real time{};  ///< s, from as long before the moment as after it
     uint32_t carries = 0, ledger = 0;
@@ -25,14 +25,14 @@ struct KickRigid {
         const uint32_t i = work.active[place];
         const ParticleConstants<Real> own = own_constants[i];
         if (own.isHeld()) return;
-        Wrench<Real> load = loads.at(place).wrench;
+        Wrench<Real> load = loads[place].push().wrench;
         Vec4<Real>&kick = arrays.carried[2 * size_t{i}], &turn = arrays.carried[2 * size_t{i} + 1];
         if (carries != 0) add(load, Wrench<Real>{xyz(kick), xyz(turn)});
         kick = withW((time * own.inverseMass()) * load.force, Real(0));
         turn = withW((time * own.inverse_inertia) * load.torque, Real(0));
         if (ledger == 0) return;
         const LoadedState<Real> now = loadState(arrays.in, i);
-        bookLedger(arrays.ledger[i], loads.at(place).tally, now, now, time, KickShare::kFirstHalf);
+        bookLedger(arrays.ledger[i], loads[place].tally(), now, now, time, KickShare::kFirstHalf);
         if (carries != 0)
             bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), now, now, time, KickShare::kFirstHalf);
     }

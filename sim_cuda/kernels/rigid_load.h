@@ -9,37 +9,51 @@
 
 namespace demolish {
 
-/// A part of what acts on one active particle.
+/// A part of what acts on one active particle. Aligned, so that it takes as few reads as can be.
 template <class Real>
-struct RigidLoad {
+struct alignas(32) RigidPush {
     Wrench<Real> wrench;    ///< about the particle's centre
     uint32_t touching = 0;  ///< contacts that give it
     uint32_t coming = 0;    ///< contacts with colliders that the next step will bring
-    Tally<Real> tally;      ///< filled only for the ledger
 
-    DEM_FN void operator+=(const RigidLoad& other) {
+    DEM_FN void operator+=(const RigidPush& other) {
         add(wrench, other.wrench);
         touching += other.touching;
         coming += other.coming;
-        tally += other.tally;
     }
 };
-
-/// By the particle's place in RigidWork::active: what neighbours give it, and what colliders give it. A GPU
-/// gathers the two side by side, since either is a long way of reads that wait for one another. They lie next
-/// to each other, so that where a place lies depends on no length: graphs are kept for a memory, however much
-/// of it is used.
 template <class Real>
-struct RigidLoads {
-    Span<RigidLoad<Real>> memory;
+struct RigidLoad {
+    RigidPush<Real> push;
+    Tally<Real> tally;  ///< filled only for the ledger
+};
 
-    static size_t needed(uint32_t places) { return 2 * size_t{places}; }
-    DEM_FN RigidLoad<Real>& ofRows(uint32_t place) const { return memory[2 * size_t{place}]; }
-    DEM_FN RigidLoad<Real>& ofColliders(uint32_t place) const { return memory[2 * size_t{place} + 1]; }
-    DEM_FN uint32_t standing(uint32_t place) const { return ofColliders(place).touching; }
-    DEM_FN RigidLoad<Real> at(uint32_t place) const {
-        RigidLoad<Real> sum = ofRows(place);
-        sum += ofColliders(place);
+/// What neighbours give a particle, and what colliders give it: a GPU gathers the two side by side, since
+/// either is a long way of reads that wait for one another.
+template <class Real>
+struct RigidLoadsOf {
+    RigidPush<Real> rows, colliders;
+    Tally<Real> rows_tally, colliders_tally;
+
+    template <bool kLedger>
+    DEM_FN void keepRows(const RigidLoad<Real>& load) {
+        rows = load.push;
+        if constexpr (kLedger) rows_tally = load.tally;
+    }
+    template <bool kLedger>
+    DEM_FN void keepColliders(const RigidLoad<Real>& load) {
+        colliders = load.push;
+        if constexpr (kLedger) colliders_tally = load.tally;
+    }
+    DEM_FN uint32_t standing() const { return colliders.touching; }
+    DEM_FN RigidPush<Real> push() const {
+        RigidPush<Real> sum = rows;
+        sum += colliders;
+        return sum;
+    }
+    DEM_FN Tally<Real> tally() const {
+        Tally<Real> sum = rows_tally;
+        sum += colliders_tally;
         return sum;
     }
 };
@@ -82,7 +96,7 @@ DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const Ste
                                     const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const LinkEnd end = linkEnd(arrays, slot);
-    return countedSlot(arrays.constants[end.id], arrays.bond_spring[slot], load.touching, [&] {
+    return countedSlot(arrays.constants[end.id], arrays.bond_spring[slot], load.push.touching, [&] {
         return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
@@ -105,7 +119,7 @@ DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const 
                                        const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEnd(arrays, slot);
-    return countedSlot(end.constants, arrays.contact_spring[slot], load.touching, [&] {
+    return countedSlot(end.constants, arrays.contact_spring[slot], load.push.touching, [&] {
         return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }
@@ -168,18 +182,17 @@ struct TurnsFragment {
     }
 };
 
-template <bool kLedger, class Real>
+template <bool kLedger, class Real, class Colliders>
 DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                     const RigidWork& work, const OwnParticle<Real>& own,
-                                     const OwnCorners<Real>& corners) {
+                                     const Colliders& colliders, const RigidWork& work,
+                                     const OwnParticle<Real>& own, const OwnCorners<Real>& corners) {
     RigidLoad<Real> load;
-    const ColliderSet<Real>& colliders = params.colliders;
     if (!isNearColliders<StepKind::kContact>(params, colliders, own)) return load;
     forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at = colliderContact<kLedger>(
             arrays, params, colliders, own, c, bound, load.tally, TurnsFragment<Real>{work, corners});
-        add(load.wrench, counted(at.wrench, load.touching));
-        load.coming += at.comes ? 1 : 0;
+        add(load.push.wrench, counted(at.wrench, load.push.touching));
+        load.push.coming += at.comes ? 1 : 0;
     });
     return load;
 }
@@ -190,7 +203,7 @@ struct GatherRigidLoad {
     SubstepArrays<Real> arrays;
     StepParams<Real> params;
     RigidWork work;
-    RigidLoads<Real> loads;
+    Span<RigidLoadsOf<Real>> loads;  ///< by the particle's place in RigidWork::active
 
     DEM_FN void operator()(uint32_t place) const {
         const OwnParticle<Real> own = loadOwn(arrays, work.active[place]);
@@ -206,10 +219,10 @@ struct GatherRigidLoad {
             sums.add(slot - first,
                      countedContactSlot<kLedger>(arrays, params, work.label[own.id], own, slot,
                                                  contactFragment(arrays, work.label, slot), rows));
-        rows.wrench = sums.total();
-        loads.ofRows(place) = rows;
-        loads.ofColliders(place) =
-            collidersLoad<kLedger>(arrays, params, work, own, cornersOf(arrays.corners, own.id));
+        rows.push.wrench = sums.total();
+        loads[place].template keepRows<kLedger>(rows);
+        loads[place].template keepColliders<kLedger>(collidersLoad<kLedger>(
+            arrays, params, params.colliders, work, own, cornersOf(arrays.corners, own.id)));
     }
 };
 

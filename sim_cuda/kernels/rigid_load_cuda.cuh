@@ -14,7 +14,7 @@ struct RigidGather {
     SubstepArrays<Real> arrays;
     StepParams<Real> params;
     RigidWork work;
-    RigidLoads<Real> loads;
+    Span<RigidLoadsOf<Real>> loads;  ///< by the place in RigidWork::active
 };
 
 /// Blocks that so many particles take, with T threads for each.
@@ -24,17 +24,10 @@ DEM_FN uint32_t gatherBlocks(uint32_t active) {
     return (active + kParticles - 1) / kParticles;
 }
 
-/// Particles up to which sixteen threads go through the rows of one, beyond them eight.
-inline constexpr uint32_t kFewActive = 8192;
-
-/// Without the ledger, without what is for that alone: it is most of it.
-template <bool kLedger, class Real>
-__device__ __forceinline__ void keepLoad(RigidLoad<Real>& kept, const RigidLoad<Real>& load) {
-    if constexpr (kLedger) kept.tally = load.tally;
-    kept.wrench = load.wrench;
-    kept.touching = load.touching;
-    kept.coming = load.coming;
-}
+/// Up to so many particles, which a GPU holds all at once, rows and colliders are seen to side by side;
+/// beyond them by a kernel each, since rows need fewer registers. Threads that go through the rows of a
+/// particle.
+inline constexpr uint32_t kFewActive = 8192, kThreadsOfFew = 16, kThreadsOfMany = 8;
 
 /// What the rows give; `block`: of those that do this.
 template <uint32_t T, bool kLedger, class Real>
@@ -68,11 +61,11 @@ __device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, ui
         return countedContactSlot<kLedger>(arrays, params, label, own, slot, other, out);
     });
     __syncwarp();
-    out.wrench = sum.total();
+    out.push.wrench = sum.total();
     for (uint32_t step = T / 2; step > 0; step /= 2)
-        out.touching += __shfl_down_sync(0xffffffffu, out.touching, step, T);
+        out.push.touching += __shfl_down_sync(0xffffffffu, out.push.touching, step, T);
     if constexpr (kLedger) sumTally<T>(out.tally);
-    if (present && lane == 0) keepLoad<kLedger>(gather.loads.ofRows(place), out);
+    if (present && lane == 0) gather.loads[place].template keepRows<kLedger>(out);
 }
 
 /// Corners of a particle that are fetched at once: as many as cells have. Threads that do so, of which one
@@ -102,33 +95,55 @@ __device__ __forceinline__ OwnCorners<Real> fetched(OwnCorners<Real> corners, ui
 }
 
 /// What colliders give. Their part needs no other particle.
-template <bool kLedger, class Real>
-__device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gather, uint32_t block,
-                                                  uint32_t count) {
+template <bool kLedger, class Real, class Colliders>
+__device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gather, const Colliders& colliders,
+                                                  uint32_t block, uint32_t count) {
     const uint32_t place = block * (kSubstepBlock / kFetching) + threadIdx.x / kFetching;
     const uint32_t id = gather.work.active[place < count ? place : count - 1], lane = threadIdx.x % kFetching;
     const OwnCorners<Real> corners = fetched(cornersOf(gather.arrays.corners, id), lane);
     awaitPrevious();
     if (place >= count || lane != 0) return;
     const OwnParticle<Real> own = loadOwn(gather.arrays, id);
-    keepLoad<kLedger>(gather.loads.ofColliders(place),
-                      collidersLoad<kLedger>(gather.arrays, gather.params, gather.work, own, corners));
+    gather.loads[place].template keepColliders<kLedger>(
+        collidersLoad<kLedger>(gather.arrays, gather.params, colliders, gather.work, own, corners));
 }
 
-/// The first `collider_blocks` see to colliders, the others, with T threads a particle, to rows. The first
-/// block waits for the step before in any case, so that the next one may rely on it. With six blocks a
-/// multiprocessor instead of five, what a corner needs does not fit into registers.
-template <uint32_t T, bool kLedger, class Real>
-__global__ void __launch_bounds__(kSubstepBlock, 5)
-    rigidLoadKernel(const RigidGather<Real> gather, uint32_t collider_blocks) {
+/// Both side by side: the first `collider_blocks` see to colliders, the others to rows. The first block waits
+/// for the step before in any case, so that the next one may rely on it; so do the other two kernels. With a
+/// block more on a multiprocessor what a corner needs does not fit into registers.
+template <bool kLedger, bool kOnlyPlanes, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, 4)
+    rigidLoadKernel(const __grid_constant__ RigidGather<Real> gather, uint32_t collider_blocks) {
     letNextStart();
+    const auto& colliders = seenColliders<kOnlyPlanes>(gather.params.colliders);
     const uint32_t block = blockIdx.x, count = gather.work.counts[kActiveCount];
     if (block == 0 && count == 0) awaitPrevious();
     if (block < collider_blocks) {
-        if (block < gatherBlocks<kFetching>(count)) gatherCollidersOf<kLedger>(gather, block, count);
-    } else if (block - collider_blocks < gatherBlocks<T>(count)) {
-        gatherRowsOf<T, kLedger>(gather, block - collider_blocks, count);
+        if (block < gatherBlocks<kFetching>(count))
+            gatherCollidersOf<kLedger>(gather, colliders, block, count);
+    } else if (block - collider_blocks < gatherBlocks<kThreadsOfFew>(count)) {
+        gatherRowsOf<kThreadsOfFew, kLedger>(gather, block - collider_blocks, count);
     }
+}
+/// Rows alone.
+template <bool kLedger, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, 6)
+    rigidRowsKernel(const __grid_constant__ RigidGather<Real> gather) {
+    letNextStart();
+    const uint32_t block = blockIdx.x, count = gather.work.counts[kActiveCount];
+    if (block == 0 && count == 0) awaitPrevious();
+    if (block < gatherBlocks<kThreadsOfMany>(count))
+        gatherRowsOf<kThreadsOfMany, kLedger>(gather, block, count);
+}
+/// Colliders alone.
+template <bool kLedger, bool kOnlyPlanes, class Real>
+__global__ void __launch_bounds__(kSubstepBlock, 4)
+    rigidCollidersKernel(const __grid_constant__ RigidGather<Real> gather) {
+    letNextStart();
+    const auto& colliders = seenColliders<kOnlyPlanes>(gather.params.colliders);
+    const uint32_t block = blockIdx.x, count = gather.work.counts[kActiveCount];
+    if (block == 0 && count == 0) awaitPrevious();
+    if (block < gatherBlocks<kFetching>(count)) gatherCollidersOf<kLedger>(gather, colliders, block, count);
 }
 
 }  // namespace demolish

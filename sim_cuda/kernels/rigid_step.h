@@ -124,7 +124,7 @@ struct StepRigid {
     StateOut<Real> state;        ///< the memory behind arrays.in
     StepParams<Real> params;     ///< of a substep
     RigidWork work;
-    RigidLoads<Real> loads;
+    Span<const RigidLoadsOf<Real>> loads;       ///< by the place in RigidWork::active
     Span<ParticleConstants<Real>> constants;    ///< those that contact steps use,
     Span<ParticleConstants<Real>> in_substeps;  ///< and those of carried particles, if any, in substeps
     Span<const ParticleConstants<Real>> own_constants;
@@ -149,14 +149,14 @@ struct StepRigid {
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
             const Wrench<Real> felt = carried(seat.particle);
-            const RigidLoad<Real> load = loads.at(seat.place);
+            const RigidPush<Real> load = loads[seat.place].push();
             sums.coming += load.coming;
             if (isNullWrench(load.wrench) && isNullWrench(felt)) continue;
             const Vec3<double> force = axpy(carried_share, asDouble(felt.force), asDouble(load.wrench.force));
             const Vec3<double> torque =
                 axpy(carried_share, asDouble(felt.torque), asDouble(load.wrench.torque));
             const Vec3<double> arm = rotate(body.turned, seat.arm);
-            add(sums, {force, torque + cross(arm, force), load.touching, loads.standing(seat.place), 0});
+            add(sums, {force, torque + cross(arm, force), load.touching, loads[seat.place].standing(), 0});
         }
         return sums;
     }
@@ -207,7 +207,7 @@ struct StepRigid {
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
             if constexpr (kLedger) {
                 const LoadedState<Real> after = afterKick(body, seat, before);
-                bookLedger(arrays.ledger[i], loads.at(seat.place).tally, before, after, Real(push()));
+                bookLedger(arrays.ledger[i], loads[seat.place].tally(), before, after, Real(push()));
                 if (carried_share > 0)
                     bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
                                Real(carried_share * push()));
@@ -228,7 +228,7 @@ struct StepRigid {
     /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
     DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& now) const {
         Vec4<Real>& ledger = arrays.ledger[seat.particle];
-        bookHold(ledger, loads.at(seat.place).wrench, now, now, Real(push()));
+        bookHold(ledger, loads[seat.place].push().wrench, now, now, Real(push()));
         bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push()));
     }
     /// The CPU: all lanes of a fragment in turn.

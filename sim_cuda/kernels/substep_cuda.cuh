@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // One substep on the GPU, one kernel: T threads gather a particle's slots and agree on the sum in the fixed
-// order; the first of them moves it, or another thread that has found out meanwhile what colliders give.
+// order; another thread, which has found out meanwhile what colliders give, moves it, or the first of them.
 // Whatever T is, slot k of a row ends in partial sum k mod kPartials and is added in slot order, so that
 // every T, and the CPU, give the same bits (frame facts 3).
 #pragma once
@@ -56,27 +56,36 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
     return own.isCarried() ? Wrench<Real>{} : solidBondSlot<kLedger>(arrays, params, own, law, read, tally);
 }
 
-/// Where many threads share a particle there is room for a warp more in each block, which moves what the
-/// others have gathered for: a thread each finds out meanwhile what colliders give.
-template <uint32_t T>
-inline constexpr bool kMovesApart = T >= 8;
-template <uint32_t T>
-inline constexpr uint32_t kSubstepThreads = kSubstepBlock + (kMovesApart<T> ? 32 : 0);
-
-/// gathered(tally): waits for what the rows give, and adds what they book; all threads of the warp take part.
-template <bool kLedger, class Real, class Colliders, class Gathered>
-__device__ __forceinline__ void pushAndMove(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                            const Colliders& colliders, uint32_t id, bool present,
-                                            const Gathered& gathered) {
-    const OwnParticle<Real> own = loadOwn(arrays, id);
-    const bool near = present && isNearColliders<StepKind::kSubstep>(params, colliders, own);
-    Tally<Real> tally;
-    Wrench<Real> push;
-    if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally);
-    Wrench<Real> load = gathered(tally);
-    if (near) add(load, push);
-    if (present) moveParticle<kLedger>(arrays, params, own, load, tally);
+/// Moves apart: a warp more in each block moves what the others have gathered for; a thread each finds out
+/// meanwhile what colliders give. Of so many particles that a GPU has enough to do in any case, the first of
+/// a particle's threads moves it.
+constexpr uint32_t substepThreads(bool moves_apart) {
+    return kSubstepBlock + (moves_apart ? 32 : 0);
 }
+/// The thread that moves a particle, as far as it comes before the others have gathered.
+template <bool kLedger, class Real>
+struct MovingThread {
+    OwnParticle<Real> own;
+    Wrench<Real> push;  ///< of colliders
+    Tally<Real> tally;
+    bool near = false;
+
+    template <class Colliders>
+    __device__ __forceinline__ void start(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                          const Colliders& colliders, uint32_t id) {
+        own = loadOwn(arrays, id);
+        near = isNearColliders<StepKind::kSubstep>(params, colliders, own);
+        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally);
+    }
+    /// From the rows: what they give, and what is booked with it.
+    __device__ __forceinline__ void finish(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                           const Wrench<Real>& gathered, const Tally<Real>& booked) {
+        Wrench<Real> load = gathered;
+        tally += booked;
+        if (near) add(load, push);
+        moveParticle<kLedger>(arrays, params, own, load, tally);
+    }
+};
 
 /// What one of kLongPartials threads gathers of a long row.
 template <bool kLedger, class Real>
@@ -112,7 +121,7 @@ __device__ __forceinline__ void foldSums(Wrench<Real>* sums, Tally<Real>* tallie
 }
 
 /// A projectile: its row is long, so that a whole block gathers it into kLongPartials sums.
-template <uint32_t T, bool kLedger, class Real, class Colliders>
+template <bool kMovesApart, bool kLedger, class Real, class Colliders>
 __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                const Colliders& colliders, uint32_t i) {
     static_assert(kSubstepBlock == kLongPartials);
@@ -121,27 +130,25 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     auto* sums = reinterpret_cast<Wrench<Real>*>(sums_memory);
     auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
     const uint32_t lane = threadIdx.x;
+    constexpr uint32_t kMover = kMovesApart ? kSubstepBlock : 0;
+    MovingThread<kLedger, Real> mover;
     if (lane < kSubstepBlock) {
         Tally<Real> tally;
         sums[lane] = longRowPart<kLedger>(arrays, params, loadOwn(arrays, i), lane, tally);
         if constexpr (kLedger) tallies[lane] = tally;
+    } else if (lane == kMover) {
+        mover.start(arrays, params, colliders, i);
     }
-    constexpr uint32_t kMover = kMovesApart<T> ? kSubstepBlock : 0;
-    if (lane / 32 != kMover / 32) {
-        foldSums<kLedger>(sums, tallies);
-        return;
-    }
-    pushAndMove<kLedger>(arrays, params, colliders, i, lane == kMover, [&](Tally<Real>& tally) {
-        foldSums<kLedger>(sums, tallies);
-        if constexpr (kLedger) tally += tallies[0];
-        return sums[0];
-    });
+    if constexpr (!kMovesApart)
+        if (lane == kMover) mover.start(arrays, params, colliders, i);
+    foldSums<kLedger>(sums, tallies);
+    if (lane == kMover) mover.finish(arrays, params, sums[0], kLedger ? tallies[0] : Tally<Real>{});
 }
 
 /// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
 /// registers are worth more than blocks.
-constexpr int blocksAtOnce(uint32_t threads) {
-    return threads >= 16 ? 3 : threads >= 8 ? 4 : 6;
+constexpr int blocksAtOnce(uint32_t threads, bool moves_apart) {
+    return threads >= 16 ? 3 : moves_apart ? 4 : 6;
 }
 
 /// Places of the work list.
@@ -158,19 +165,17 @@ __device__ __forceinline__ uint32_t workAt(const SubstepArrays<Real>& arrays, co
     return arrays.work.all() ? place : arrays.work.ids[place];
 }
 
-/// A particle that T threads share. Where none moves apart the first of them does so itself; else it leaves
-/// what they have gathered to the one that does.
-template <uint32_t T, bool kLedger, class Real, class Colliders, class Leave>
+/// A particle that T threads share. The first of them leaves what they have gathered.
+template <uint32_t T, bool kLedger, class Real, class Leave>
 __device__ __forceinline__ void gatherParticle(const SubstepArrays<Real>& arrays,
-                                               const StepParams<Real>& params, const Colliders& colliders,
-                                               uint32_t id, bool present, const Leave& leave) {
+                                               const StepParams<Real>& params, uint32_t id, bool present,
+                                               const Leave& leave) {
     const uint32_t lane = threadIdx.x % T;
     const RowEnds ends = rowEnds(arrays, id, present);
     const BodyLaw<Real> law = arrays.body_laws[arrays.owner[id]];
     const FirstEnds first_ends = firstEnds<T>(arrays, ends, lane);
     awaitPrevious();
     const OwnParticle<Real> own = loadOwn(arrays, id);
-    const bool near = !kMovesApart<T> && isNearColliders<StepKind::kSubstep>(params, colliders, own);
     LanePartial<T, Real> sum;
     Tally<Real> tally;
     gatherRows<T>(
@@ -182,23 +187,17 @@ __device__ __forceinline__ void gatherParticle(const SubstepArrays<Real>& arrays
             return contactSlot<kLedger>(arrays, params, own, slot, end, tally);
         });
     __syncwarp();
-    Wrench<Real> load = sum.total();
+    const Wrench<Real> load = sum.total();
     if constexpr (kLedger) sumTally<T>(tally);
-    if (lane != 0) return;
-    if constexpr (kMovesApart<T>) {
-        leave(load, tally);
-    } else if (present) {
-        if (near) add(load, collidersPush<kLedger>(arrays, params, colliders, own, tally));
-        moveParticle<kLedger>(arrays, params, own, load, tally);
-    }
+    if (lane == 0) leave(load, tally);
 }
 
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
 /// bodies' particles: all, or those of the work list. Started while the substep before still runs:
 /// what no substep changes is read before its end is waited for. kOnlyPlanes: as PlanesOnly.
 /// __grid_constant__: what lands hard is told the arrays by their address.
-template <uint32_t T, bool kLedger, bool kOnlyPlanes, class Real>
-__global__ void __launch_bounds__(kSubstepThreads<T>, kLedger ? 3 : blocksAtOnce(T))
+template <uint32_t T, bool kMovesApart, bool kLedger, bool kOnlyPlanes, class Real>
+__global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blocksAtOnce(T, kMovesApart))
     substepKernel(const __grid_constant__ SubstepArrays<Real> arrays,
                   const __grid_constant__ StepParams<Real> params) {
     const uint32_t block = blockIdx.x;
@@ -208,35 +207,43 @@ __global__ void __launch_bounds__(kSubstepThreads<T>, kLedger ? 3 : blocksAtOnce
     if (block < kMaxProjectiles) {
         awaitPrevious();
         const uint32_t shot = params.in_bodies + block;
-        if (arrays.work.movesProjectile(shot)) stepProjectile<T, kLedger>(arrays, params, colliders, shot);
+        if (arrays.work.movesProjectile(shot))
+            stepProjectile<kMovesApart, kLedger>(arrays, params, colliders, shot);
         return;
     }
-    __shared__ alignas(16) unsigned char sums_memory[kParticles * sizeof(Wrench<Real>)];
-    __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kParticles * sizeof(Tally<Real>) : 16];
-    auto* sums = reinterpret_cast<Wrench<Real>*>(sums_memory);
-    auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
     const bool moves = threadIdx.x >= kSubstepBlock;
     const uint32_t place = moves ? threadIdx.x - kSubstepBlock : threadIdx.x / T;
     const uint32_t first = (block - kMaxProjectiles) * kParticles, k = first + place;
     const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = k < count && place < kParticles;
-    if (!moves) {
-        gatherParticle<T, kLedger>(arrays, params, colliders, id, present,
-                                   [&](const Wrench<Real>& load, const Tally<Real>& tally) {
-                                       sums[place] = load;
-                                       if constexpr (kLedger) tallies[place] = tally;
-                                   });
-        if constexpr (kMovesApart<T>) __syncthreads();
-        return;
-    }
-    awaitPrevious();
-    pushAndMove<kLedger>(arrays, params, colliders, id, present, [&](Tally<Real>& tally) {
+    MovingThread<kLedger, Real> mover;
+    if constexpr (kMovesApart) {
+        __shared__ alignas(16) unsigned char sums_memory[kParticles * sizeof(Wrench<Real>)];
+        __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kParticles * sizeof(Tally<Real>) : 16];
+        auto* sums = reinterpret_cast<Wrench<Real>*>(sums_memory);
+        auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
+        if (moves) {
+            awaitPrevious();
+            if (present) mover.start(arrays, params, colliders, id);
+        } else {
+            gatherParticle<T, kLedger>(arrays, params, id, present,
+                                       [&](const Wrench<Real>& load, const Tally<Real>& tally) {
+                                           sums[place] = load;
+                                           if constexpr (kLedger) tallies[place] = tally;
+                                       });
+        }
         __syncthreads();
-        const uint32_t at = place < kParticles ? place : 0;
-        if constexpr (kLedger) tally += tallies[at];
-        return sums[at];
-    });
+        if (moves && present)
+            mover.finish(arrays, params, sums[place], kLedger ? tallies[place] : Tally<Real>{});
+    } else {
+        gatherParticle<T, kLedger>(arrays, params, id, present,
+                                   [&](const Wrench<Real>& load, const Tally<Real>& tally) {
+                                       if (!present) return;
+                                       mover.start(arrays, params, colliders, id);
+                                       mover.finish(arrays, params, load, tally);
+                                   });
+    }
 }
 
 }  // namespace demolish

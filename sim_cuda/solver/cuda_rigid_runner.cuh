@@ -7,6 +7,7 @@
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/rigid_runner.h"
+#include "sim_cuda/solver/substep_width.h"
 
 namespace demolish {
 
@@ -53,10 +54,10 @@ class RigidRunner<CudaBackend, Real> {
         move(backend, step, stride, stride, true);
     }
     /// As on the CPU; does not wait.
-    RigidLoads<Real> loadsNow(CudaBackend& backend, const Step& step) {
+    Span<const RigidLoadsOf<Real>> loadsNow(CudaBackend& backend, const Step& step) {
         makeRoom(backend, step.work);
         gather(backend, step, step.before, step.before, false);
-        return loads();
+        return load_.view();
     }
 
     /// The graphs that so many particles may need, so that none is recorded while things break. Runner: that
@@ -76,13 +77,13 @@ class RigidRunner<CudaBackend, Real> {
                             move_nothing();
                         }
                     });
-        forEachWidth(particles, [&](uint32_t threads) {
+        forEachWidth(particles, [&](const SubstepWidth& width) {
             for (uint32_t active : {kFewActive, kFewActive + 1})
                 if (active == kFewActive || active < 2 * particles)
                     graphs_.recordAhead(backend, [&] {
                         launchGather(backend, false, {}, active, ledger);
                         for (uint32_t k = 0; k < kRigidStride; ++k)
-                            Runner::launchOne(backend, true, threads, {}, {}, ledger);
+                            Runner::launchOne(backend, true, width, {}, {}, ledger);
                         move_nothing();
                     });
         });
@@ -111,39 +112,45 @@ class RigidRunner<CudaBackend, Real> {
     }
 
     void makeRoom(CudaBackend& backend, const RigidWork& work) {
-        const size_t needed = RigidLoads<Real>::needed(work.active_at_most);
+        const size_t needed = work.active_at_most;
         if (load_.size() >= needed) return;
         backend.synchronize();  // what was started before may still use it
-        load_ = backend.allocate<RigidLoad<Real>>(needed + needed / 2);
+        load_ = backend.allocate<RigidLoadsOf<Real>>(needed + needed / 2);
     }
 
     /// Always after another kernel of the step.
     void move(CudaBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
-        step.ledger ? launchMove(backend, step.template mover<true>(loads(), previous, stride, carried))
-                    : launchMove(backend, step.template mover<false>(loads(), previous, stride, carried));
+        step.ledger
+            ? launchMove(backend, step.template mover<true>(load_.view(), previous, stride, carried))
+            : launchMove(backend, step.template mover<false>(load_.view(), previous, stride, carried));
     }
     static void launchGather(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                              uint32_t active, bool ledger) {
-        ledger ? launchGatherWith<true>(backend, follows, gather, active)
-               : launchGatherWith<false>(backend, follows, gather, active);
+        if (ledger)
+            launchGatherWith<true, false>(backend, follows, gather, active);
+        else if (gather.params.colliders.arePlanes())
+            launchGatherWith<false, true>(backend, follows, gather, active);
+        else
+            launchGatherWith<false, false>(backend, follows, gather, active);
     }
-    template <bool kLedger>
+    template <bool kLedger, bool kOnlyPlanes>
     static void launchGatherWith(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
                                  uint32_t active) {
-        if (active <= kFewActive)
-            launchGatherT<16, kLedger>(backend, follows, gather, active);
-        else
-            launchGatherT<8, kLedger>(backend, follows, gather, active);
-    }
-    template <uint32_t T, bool kLedger>
-    static void launchGatherT(CudaBackend& backend, bool follows, const RigidGather<Real>& gather,
-                              uint32_t active) {
+        const char* name = "gathering loads of rigid fragments";
         const uint32_t collider_blocks = gatherBlocks<kFetching>(active);
-        backend.launch(follows, rigidLoadKernel<T, kLedger, Real>, collider_blocks + gatherBlocks<T>(active),
-                       kSubstepBlock, "gathering loads of rigid fragments", gather, collider_blocks);
+        if (active <= kFewActive) {
+            backend.launch(follows, rigidLoadKernel<kLedger, kOnlyPlanes, Real>,
+                           collider_blocks + gatherBlocks<kThreadsOfFew>(active), kSubstepBlock, name, gather,
+                           collider_blocks);
+        } else {
+            backend.launch(follows, rigidRowsKernel<kLedger, Real>, gatherBlocks<kThreadsOfMany>(active),
+                           kSubstepBlock, name, gather);
+            backend.launch(true, rigidCollidersKernel<kLedger, kOnlyPlanes, Real>, collider_blocks,
+                           kSubstepBlock, name, gather);
+        }
     }
     RigidGather<Real> gatherOf(const Step& step, uint32_t previous, uint32_t stride) {
-        return {step.arrays(), rigidParams(step.params, previous, stride), step.work, loads()};
+        return {step.arrays(), rigidParams(step.params, previous, stride), step.work, load_.span()};
     }
     template <bool kLedger>
     static void launchMove(CudaBackend& backend, const StepRigid<kLedger, Real>& step) {
@@ -154,9 +161,7 @@ class RigidRunner<CudaBackend, Real> {
                        "moving rigid fragments", step, large);
     }
 
-    RigidLoads<Real> loads() { return RigidLoads<Real>{load_.span()}; }
-
-    CudaBackend::Buffer<RigidLoad<Real>> load_;
+    CudaBackend::Buffer<RigidLoadsOf<Real>> load_;
     CudaGraphCache graphs_;
 };
 

@@ -27,7 +27,7 @@ CudaDevice findCudaDevice() {
     if (problem == cudaSuccess) problem = cudaGetDeviceProperties(&properties, device.ordinal);
     cudaFuncAttributes attributes{};
     if (problem == cudaSuccess)
-        problem = cudaFuncGetAttributes(&attributes, substepKernel<4, false, true, float>);
+        problem = cudaFuncGetAttributes(&attributes, substepKernel<4, false, false, true, float>);
     cudaGetLastError();  // a missing GPU is no error of what follows
     if (problem != cudaSuccess) {
         device.problem = cudaGetErrorString(problem);

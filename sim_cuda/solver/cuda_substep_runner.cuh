@@ -3,33 +3,14 @@
 // over and where lists are new.
 #pragma once
 #include <algorithm>
-#include <cstdlib>
 
 #include "sim_cuda/kernels/substep_cuda.cuh"
 #include "sim_cuda/solver/cuda_substep_key.cuh"
 #include "sim_cuda/solver/look_interval.h"
 #include "sim_cuda/solver/substep_runner.h"
+#include "sim_cuda/solver/substep_width.h"
 
 namespace demolish {
-
-/// Threads a particle: measured on an H200 from 2k to 200k. DEMOLISH_THREADS_PER_PARTICLE
-/// (4, 8, 16) overrides it, for measurements; every choice gives the same bits.
-inline uint32_t threadsPerParticle(uint32_t particles) {
-    if (const char* wish = std::getenv("DEMOLISH_THREADS_PER_PARTICLE")) {
-        const auto threads = static_cast<uint32_t>(std::atoi(wish));
-        if (threads == 4 || threads == 8 || threads == 16) return threads;
-    }
-    if (particles < 4'000) return 16;
-    return particles < 16'000 ? 8 : 4;
-}
-/// visit(threads a particle) for all that are chosen for up to so many particles.
-template <class Visit>
-void forEachWidth(uint32_t particles, const Visit& visit) {
-    uint32_t last = 0;
-    for (uint32_t some : {1u, 4'000u, 16'000u})
-        if (const uint32_t threads = threadsPerParticle(some); some <= particles && threads != last)
-            visit(last = threads);
-}
 
 template <class Real>
 class SubstepRunner<CudaBackend, Real> {
@@ -55,7 +36,7 @@ class SubstepRunner<CudaBackend, Real> {
                 ContactArrays<CudaBackend, Real>& contacts, const StepParams<Real>& params, bool ledger,
                 bool follows = false) {
         const SubstepArrays<Real> arrays = data.arraysInSubsteps(contacts);
-        launchOne(backend, follows, threadsFor(arrays.work, params), arrays, params, ledger);
+        launchOne(backend, follows, widthFor(arrays.work, params), arrays, params, ledger);
         data.current = 1 - data.current;
     }
     /// n more right after one. Does not wait.
@@ -72,23 +53,22 @@ class SubstepRunner<CudaBackend, Real> {
 
     /// The graphs that so many particles may need, so that none is recorded while things break.
     void recordAhead(CudaBackend& backend, uint32_t particles, bool ledger) {
-        forEachWidth(particles, [&](uint32_t threads) {
+        forEachWidth(particles, [&](const SubstepWidth& width) {
             graphs_.recordAhead(backend, [&] {
                 for (uint32_t k = 0; k < kSubstepsTogether; ++k)
-                    launchOne(backend, k > 0, threads, {}, {}, ledger);
+                    launchOne(backend, k > 0, width, {}, {}, ledger);
             });
         });
     }
-    /// One substep by so many threads a particle.
-    static void launchOne(CudaBackend& backend, bool follows, uint32_t threads,
+    static void launchOne(CudaBackend& backend, bool follows, const SubstepWidth& width,
                           const SubstepArrays<Real>& arrays, const StepParams<Real>& params, bool ledger) {
         const Launch launch{backend, follows};
         if (ledger)
-            launchWith<true, false>(launch, threads, arrays, params);
+            launchWith<true, false>(launch, width, arrays, params);
         else if (params.colliders.arePlanes())
-            launchWith<false, true>(launch, threads, arrays, params);
+            launchWith<false, true>(launch, width, arrays, params);
         else
-            launchWith<false, false>(launch, threads, arrays, params);
+            launchWith<false, false>(launch, width, arrays, params);
     }
 
   private:
@@ -101,7 +81,8 @@ class SubstepRunner<CudaBackend, Real> {
         key.insert(key.end(),
                    {keyWord(double(params.velocity_keep)), params.breaking, params.leaves_out,
                     keyWord(double(params.dt)), keyWord(arrays.work.ids), keyWord(arrays.work.regime),
-                    launchedParticles(arrays.work, params), threadsFor(arrays.work, params)});
+                    launchedParticles(arrays.work, params), widthFor(arrays.work, params).threads,
+                    widthFor(arrays.work, params).moves_apart});
         return key;
     }
 
@@ -110,27 +91,29 @@ class SubstepRunner<CudaBackend, Real> {
         return work.all() ? params.in_bodies : std::min(params.in_bodies, roundedUp(work.at_most));
     }
 
-    static uint32_t threadsFor(const BondedWork& work, const StepParams<Real>& params) {
-        return threadsPerParticle(work.all() ? params.in_bodies : work.at_most);
+    static SubstepWidth widthFor(const BondedWork& work, const StepParams<Real>& params) {
+        return substepWidth(work.all() ? params.in_bodies : work.at_most);
     }
 
     template <bool kLedger, bool kOnlyPlanes>
-    static void launchWith(const Launch& launch, uint32_t threads, const SubstepArrays<Real>& arrays,
+    static void launchWith(const Launch& launch, const SubstepWidth& width, const SubstepArrays<Real>& arrays,
                            const StepParams<Real>& params) {
-        if (threads >= 16)
-            launchT<16, kLedger, kOnlyPlanes>(launch, arrays, params);
-        else if (threads >= 8)
-            launchT<8, kLedger, kOnlyPlanes>(launch, arrays, params);
+        if (width.threads >= 16)
+            launchT<16, true, kLedger, kOnlyPlanes>(launch, arrays, params);
+        else if (width.threads >= 8)
+            launchT<8, true, kLedger, kOnlyPlanes>(launch, arrays, params);
+        else if (width.moves_apart)
+            launchT<4, true, kLedger, kOnlyPlanes>(launch, arrays, params);
         else
-            launchT<4, kLedger, kOnlyPlanes>(launch, arrays, params);
+            launchT<4, false, kLedger, kOnlyPlanes>(launch, arrays, params);
     }
 
-    template <uint32_t T, bool kLedger, bool kOnlyPlanes>
+    template <uint32_t T, bool kMovesApart, bool kLedger, bool kOnlyPlanes>
     static void launchT(const Launch& launch, const SubstepArrays<Real>& arrays,
                         const StepParams<Real>& params) {
-        launch.backend.launch(launch.follows, substepKernel<T, kLedger, kOnlyPlanes, Real>,
-                              blocksFor(arrays.work, params, T), kSubstepThreads<T>, "starting a substep",
-                              arrays, params);
+        launch.backend.launch(launch.follows, substepKernel<T, kMovesApart, kLedger, kOnlyPlanes, Real>,
+                              blocksFor(arrays.work, params, T), substepThreads(kMovesApart),
+                              "starting a substep", arrays, params);
     }
     static uint32_t blocksFor(const BondedWork& work, const StepParams<Real>& params, uint32_t threads) {
         const uint32_t particles = kSubstepBlock / threads;

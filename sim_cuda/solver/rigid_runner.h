@@ -34,7 +34,7 @@ struct RigidStepOf {
     /// After a contact step of `previous` substeps. What carries particles pushes them and is pushed for the
     /// same time, whatever was before.
     template <bool kLedger>
-    StepRigid<kLedger, Real> mover(const RigidLoads<Real>& loads, uint32_t previous, uint32_t stride,
+    StepRigid<kLedger, Real> mover(Span<const RigidLoadsOf<Real>> loads, uint32_t previous, uint32_t stride,
                                    bool carried) const {
         return {arrays(),
                 data.particles.out(data.current),
@@ -76,8 +76,8 @@ class RigidRunner<CpuBackend, Real> {
     /// The two halves of one contact step with substeps that carry particles between them. On the GPU the
     /// first half may `follow` a second one.
     void gather(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool) {
-        if (const size_t needed = RigidLoads<Real>::needed(step.work.active_at_most); load_.size() < needed)
-            load_ = backend.allocate<RigidLoad<Real>>(needed + needed / 2);
+        if (const size_t needed = step.work.active_at_most; load_.size() < needed)
+            load_ = backend.allocate<RigidLoadsOf<Real>>(needed + needed / 2);
         step.ledger ? gatherWith<true>(backend, step, previous, stride)
                     : gatherWith<false>(backend, step, previous, stride);
     }
@@ -85,9 +85,9 @@ class RigidRunner<CpuBackend, Real> {
         move(backend, step, stride, stride, true);
     }
     /// Of the moment, after a contact step of step.before substeps; nothing moves.
-    RigidLoads<Real> loadsNow(CpuBackend& backend, const Step& step) {
+    Span<const RigidLoadsOf<Real>> loadsNow(CpuBackend& backend, const Step& step) {
         gather(backend, step, step.before, step.before, false);
-        return RigidLoads<Real>{load_.span()};
+        return load_.view();
     }
 
   private:
@@ -100,18 +100,16 @@ class RigidRunner<CpuBackend, Real> {
         backend.forEach(
             step.work.active_at_most,
             GatherRigidLoad<kLedger, Real>{step.arrays(), rigidParams(step.params, previous, stride),
-                                           step.work, RigidLoads<Real>{load_.span()}},
+                                           step.work, load_.span()},
             "rigid load");
     }
     template <bool kLedger>
     void moveWith(CpuBackend& backend, const Step& step, uint32_t previous, uint32_t stride, bool carried) {
-        backend.forEach(
-            step.work.fragments_at_most,
-            step.template mover<kLedger>(RigidLoads<Real>{load_.span()}, previous, stride, carried),
-            "rigid step");
+        backend.forEach(step.work.fragments_at_most,
+                        step.template mover<kLedger>(load_.view(), previous, stride, carried), "rigid step");
     }
 
-    CpuBackend::Buffer<RigidLoad<Real>> load_;
+    CpuBackend::Buffer<RigidLoadsOf<Real>> load_;
 };
 
 }  // namespace demolish

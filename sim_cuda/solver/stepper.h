@@ -167,7 +167,7 @@ void Stepper<Backend, Real>::runDry(Scene& scene) {
     params.leaves_out = rigid && !carries ? 1 : 0;
     const SubstepArrays<Real> now = scene.arrays();
     const RigidConstants<Real> constants = scene.regimes.rigidConstants();
-    RigidLoads<Real> loads;
+    Span<const RigidLoadsOf<Real>> loads;
     if (rigid) loads = rigid_runner_.loadsNow(scene.backend, rigidStep(scene, constants));
     if (!regimes.on() || regimes.movesBonds())
         runner_.runOne(scene.backend, data, scene.lists.contacts(), params, ledger);

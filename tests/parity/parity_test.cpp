@@ -30,7 +30,7 @@ std::vector<std::string> asText(const std::vector<uint64_t>& hashes) {
 }
 
 TEST_F(Parity, TheGpuGivesTheStoredBitsForAnyNumberOfThreadsAParticle) {
-    for (const char* threads : {"4", "8", "16"}) {
+    for (const char* threads : {"4-alone", "4", "8", "16"}) {
         setenv("DEMOLISH_THREADS_PER_PARTICLE", threads, 1);
         auto solver = makeCudaSolver(breakingScene());
         EXPECT_EQ(asText(hashesOf(*solver)), storedHashes("breaking_brick"))
