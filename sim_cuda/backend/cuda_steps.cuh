@@ -29,7 +29,7 @@ __global__ void __launch_bounds__(kStepsBlock)
     }
 }
 
-/// Starts that for at most `n` ids. Throws on failure.
+/// Starts that; `ids` has room for as many as may be listed. Throws on failure.
 template <class Kernel>
 void launchSteps(cudaStream_t stream, int multiprocessors, Span<const uint32_t> ids,
                  Span<const uint32_t> count, uint32_t steps, const Kernel& kernel, const char* name) {

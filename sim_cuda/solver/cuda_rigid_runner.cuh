@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Contact steps of rigid fragments on the GPU: two kernels each, with substeps between them where these carry
-// some of the particles.
+// Contact steps of rigid fragments on the GPU: two or three kernels each, with substeps between them where
+// these carry some of the particles.
 #pragma once
 #include "sim_cuda/kernels/rigid_load_cuda.cuh"
 #include "sim_cuda/kernels/rigid_step_cuda.cuh"
