@@ -147,9 +147,8 @@ __device__ __forceinline__ void gatherRows(const SubstepArrays<Real>& arrays, co
                                                return LinkEnd{first_ends.bonded, arrays.link[slot]};
                                            });
     RowCursor<T, decltype(contact_end)> contacts(
-        ends.first_contact, ends.last_contact, lane, contact_end, [&](uint32_t) {
-            const uint32_t j = first_ends.contact;
-            return ContactEnd<Real>{j, first_ends.contact_owner, arrays.in.position[j], arrays.constants[j]};
+        ends.first_contact, ends.last_contact, lane, contact_end, [&](uint32_t slot) {
+            return contactEndOf(arrays, slot, first_ends.contact, first_ends.contact_owner);
         });
     gatherRow<T>(bonds, sum, bond_slot);
     gatherRow<T>(contacts, sum, contact_slot);

@@ -118,8 +118,8 @@ DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const 
                                        uint32_t own_label, const OwnParticle<Real>& own, uint32_t slot,
                                        const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
-    const ContactEnd<Real> end = contactEnd(arrays, slot);
-    return countedSlot(end.constants, arrays.contact_spring[slot], load.push.touching, [&] {
+    const ContactEnd<Real> end = contactEndOf(arrays, slot, other.id);
+    return countedSlot(end.constants, end.kept, load.push.touching, [&] {
         return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }

@@ -85,15 +85,14 @@ DEM_FN Real unloadedOverlap(const Vec4<Real>& slot, const KeptTouch<Real>& befor
     return minOf(found, maxOf(overlap, Real(0)));
 }
 
-/// Type 1: spheres of radius R_c. `slot`: of this end.
+/// Type 1: spheres of radius R_c. `held`: what `slot`, of this end, holds.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
-                                 const PairMotion<Real>& pair, const CentreLine<Real>& line, Vec4<Real>& slot,
-                                 Tally<Real>& tally) {
+                                 const PairMotion<Real>& pair, const CentreLine<Real>& line,
+                                 const Vec4<Real>& held, Vec4<Real>& slot, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    const Vec4<Real> held = slot;
     KeptTouch<Real> before = touchOf(held, line.normal);
     const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
@@ -119,26 +118,31 @@ DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstant
     return other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0);
 }
 
-/// The other end of a contact, as far as it takes to see that nothing touches. The GPU reads it for the slot
-/// to come while it computes one, and then the owner too, by whom the law is found.
+/// The other end of a contact, as far as it takes to see that nothing touches, and what the slot keeps of it.
+/// All of it is asked for at once: most slots need no more, and none less. The GPU reads it for the slot to
+/// come while it computes one, and then the owner too, by whom the law is found.
 inline constexpr uint32_t kUnknownOwner = 0xffffffffu;
 template <class Real>
 struct ContactEnd {
     uint32_t id = 0, owner = kUnknownOwner;
     Vec4<Real> position;
     ParticleConstants<Real> constants;
+    Vec4<Real> kept;
 };
+/// Of a slot that is known to lead to particle j, and of an owner that may be known.
+template <class Real>
+DEM_FN ContactEnd<Real> contactEndOf(const SubstepArrays<Real>& arrays, uint32_t slot, uint32_t j,
+                                     uint32_t owner = kUnknownOwner) {
+    return {j, owner, arrays.in.position[j], arrays.constants[j], arrays.contact_spring[slot]};
+}
 template <class Real>
 DEM_FN ContactEnd<Real> contactEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
-    const uint32_t j = arrays.neighbour[slot];
-    return {j, kUnknownOwner, arrays.in.position[j], arrays.constants[j]};
+    return contactEndOf(arrays, slot, arrays.neighbour[slot]);
 }
-
 template <class Real>
 DEM_FN ContactEnd<Real> contactEndWithOwner(const SubstepArrays<Real>& arrays, uint32_t slot) {
-    ContactEnd<Real> end = contactEnd(arrays, slot);
-    end.owner = arrays.owner[end.id];
-    return end;
+    const uint32_t j = arrays.neighbour[slot];
+    return contactEndOf(arrays, slot, j, arrays.owner[j]);
 }
 
 /// Nothing more need be read of a contact's other end: the pair is no matter of this step, or is apart and
@@ -158,13 +162,12 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
                                 const OwnParticle<Real>& own, uint32_t slot, const ContactEnd<Real>& end,
                                 Tally<Real>& tally) {
     const ParticleConstants<Real> other = end.constants;
-    Vec4<Real>& spring = arrays.contact_spring[slot];
-    if (isOutOfTouch(own, end.position, other, spring, params)) return {};
+    if (isOutOfTouch(own, end.position, other, end.kept, params)) return {};
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
-    return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), spring,
-                                        tally);
+    return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), end.kept,
+                                        arrays.contact_spring[slot], tally);
 }
 
 /// A slot of the bonds as it is, and its other end, which is always the same.
@@ -236,7 +239,7 @@ DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const 
     if (pairState(former.link) == PairState::kBroken)
         return brokenBond<kLedger, kStep>(arrays, params, own, former, pair, line, tally);
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
-    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line,
+    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line, former.spring,
                                         arrays.bond_spring[former.slot], tally);
 }
 /// The record of a bond that is no longer solid: of ends that are apart no more is read than it takes to see
