@@ -38,9 +38,14 @@ void write(const fs::path& file, const std::string& bytes) {
 /// A tiny run: the file has to be read and used, nothing has to be seen.
 ReadingCommand bench(std::vector<std::string> words, std::vector<std::string> environment = {}) {
     words.insert(words.begin(), "bench");
-    words.insert(words.end(), {"--particles", "12", "--frames", "1", "--warmup", "0", "--no-draw",
-                               "--substeps", "10", "--device", "cpu"});
+    words.insert(words.end(),
+                 {"--particles", "12", "--frames", "1", "--warmup", "0", "--no-draw", "--device", "cpu"});
     return {words, std::move(environment)};
+}
+/// Few substeps for what may ask for very many.
+ReadingCommand shortBench(std::vector<std::string> words, std::vector<std::string> environment = {}) {
+    words.insert(words.end(), {"--substeps", "10"});
+    return bench(std::move(words), std::move(environment));
 }
 
 std::vector<TriangleMesh> smallMeshes() {
@@ -126,14 +131,16 @@ ReadingCommand withAsset(const std::string& bytes, const std::string& name, cons
     }
     fs::remove(own / name);
     write(own / name, bytes);
-    return bench(words, {"DEMOLISH_DATA=" + folder.string()});
+    return shortBench(words, {"DEMOLISH_DATA=" + folder.string()});
 }
 
 FileFormat assetFormat(const std::string& name, const std::string& kind, const std::string& file,
                        const std::vector<std::string>& words) {
-    return {name, assetTexts(kind), [=](const std::string& bytes, const fs::path& folder) {
+    return {name, assetTexts(kind),
+            [=](const std::string& bytes, const fs::path& folder) {
                 return withAsset(bytes, kind + "/" + file, folder, words);
-            }};
+            },
+            true};
 }
 
 FileFormat experimentFormat() {
@@ -181,8 +188,8 @@ FileFormat cacheFormat(const fs::path& folder) {
     const fs::path kept = *fs::directory_iterator(folder / "cache/demolish/thresholds");
     return {"threshold", {bytesOf(kept)}, [kept](const std::string& bytes, const fs::path& at) {
                 write(at / "cache/demolish/thresholds" / kept.filename(), bytes);
-                return bench({"block", "--mesh", "fine", "--break-at", "20"},
-                             {"XDG_CACHE_HOME=" + (at / "cache").string()});
+                return shortBench({"block", "--mesh", "fine", "--break-at", "20"},
+                                  {"XDG_CACHE_HOME=" + (at / "cache").string()});
             }};
 }
 

@@ -19,6 +19,8 @@ struct FileFormat {
     std::vector<std::string> seeds;  ///< contents of whole files
     /// Puts the bytes where the program looks for them, in a folder of its own.
     std::function<ReadingCommand(const std::string& bytes, const std::filesystem::path& folder)> place;
+    /// It says speeds and materials, and so may say what no step can bear: exit 5.
+    bool may_fly_apart = false;
 };
 
 /// All of them; `folder` is for what is made once.
