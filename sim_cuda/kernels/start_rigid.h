@@ -14,7 +14,7 @@ template <class Real>
 struct StartBodies {
     FragmentRows rows;
     Span<const uint32_t> label, regime, former;
-    Span<const BodyMemory> memory;  ///< per slot, of the last step
+    Span<BodyMemory> memory;  ///< per slot, of the last step; of one that begins: what it begins with
     StateIn<Real> state;
     Span<const ParticleConstants<Real>> constants;
     Span<const RigidMotion> motion;  ///< per slot of a body's fragment
@@ -37,6 +37,7 @@ struct StartBodies {
         }
         body[slot].starts = former[slot] == wordOf(Regime::kBonded) ? 1 : 0;
         const BodyMemory last = former[slot] == wordOf(Regime::kRigid) ? memory[slot] : memoryOf({});
+        memory[slot] = last;
         body[slot].flight = rememberedFlight(last);
         countContacts(body[slot], rememberedContacts(last), last.standing);
     }

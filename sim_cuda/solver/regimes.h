@@ -361,7 +361,7 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
                                   meetings.label,
                                   regime_.view(),
                                   former_.view(),
-                                  body_memory_.view(),
+                                  body_memory_.span(),
                                   meetings.state,
                                   meetings.constants,
                                   fits_,

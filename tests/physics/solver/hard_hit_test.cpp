@@ -213,6 +213,26 @@ TEST_F(HardHit, AStatePutBackIsMeasuredInTheMiddleOfAHitAsItWas) {
     }
     EXPECT_GT(most_taken, 1) << "it has landed meanwhile";
 }
+/// It begins to be rigid by the decision that is made for the measurement, and has not lagged behind before.
+TEST_F(HardHit, AStatePutBackIsMeasuredAsItFallsWhenItIsHandedOver) {
+    SceneSetup setup = cellBesideAColumn(0.2);
+    setup.bodies.resize(1);
+    setup.params.gravity = {0, -9.81, 0};
+    auto solver = makeSolver(setup), other = makeSolver(setup);
+    uint32_t rigid_before = 1;
+    bool begins = false;
+    for (int frame = 0; frame < 20; ++frame) {
+        ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        begins = begins || solver->stats().rigid_fragments > rigid_before;
+        rigid_before = solver->stats().rigid_fragments;
+        solver->measure();
+        const EnergyLedger now = solver->stats().energy;
+        other->restore(solver->save());
+        other->measure();
+        EXPECT_NEAR(energySum(other->stats().energy), energySum(now), 1e-4 * now.kinetic) << frame;
+    }
+    EXPECT_TRUE(begins);
+}
 TEST_F(HardHit, AStatePutBackIsMeasuredBeforeAnythingIsDecided) {
     SceneSetup setup = cellBesideAColumn(0.05);
     setup.bodies.resize(1);
