@@ -29,6 +29,22 @@ DEM_FN Vec3<double> inDouble(const Vec3<Real>& a) {
     return {static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(a.z)};
 }
 
+/// What is pressed on a collider: how much sets itself against it is in the stiffness that the touch keeps.
+/// Contact steps find it from the whole fragment, and it may be more than a particle alone could bear.
+template <class Real>
+struct PressesAsKept {
+    static constexpr StepKind kStep = StepKind::kSubstep;
+    static constexpr double kUnboundedly = 1e-20;  ///< 1/kg
+    TurnsAlone<Real> alone;
+    DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
+        return alone.cell(params, own);
+    }
+    DEM_FN Turning<Real> operator()(const OwnParticle<Real>&, const Pressed<Real>&) const {
+        constexpr Real kLeast = kUnboundedly;
+        return {kLeast, kLeast, kLeast, kLeast, Real(0), Real(0)};
+    }
+};
+
 /// `next` is the state one substep later: kinetic energy is half the mass times the velocities before and
 /// after the kick, which leapfrog keeps together with that of the springs to the last joule (B.1). So the
 /// springs are those after the kick, and the ledger holds what its first half dissipates. What sleeps feels
@@ -112,7 +128,7 @@ struct MeasureEnergy {
         if (own.constants.isHeld()) return sum;
         forEachCollider(params.colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
             sum += static_cast<double>(
-                colliderEnergy(own, c, bound, TurnsAlone<Real>{cornersOf(arrays.corners, own.id)}));
+                colliderEnergy(own, c, bound, PressesAsKept<Real>{{cornersOf(arrays.corners, own.id)}}));
         });
         return sum;
     }

@@ -92,6 +92,30 @@ TEST_F(HardHit, InContactStepsIsFoundInEveryMoment) {
     EXPECT_GT(most_held, 0.1 * impact);
 }
 
+/// In frames of one substep a fragment's share of mass makes contacts stiffer than a particle alone could
+/// bear: they hold as much as they push with.
+TEST_F(HardHit, InContactStepsOfOneSubstepIsFoundInEveryMoment) {
+    for (const SceneSetup& of_one : {cellBesideAColumn(0.05), twoCells(0.05)}) {
+        SceneSetup setup = of_one;
+        if (!setup.params.colliders.empty()) setup.bodies.resize(1);
+        for (BodyInstance& body : setup.bodies) body.body = latticeBody(2, 2, 2, 0.1);
+        if (setup.bodies.size() > 1) setup.bodies[1].position.y += 0.1;
+        setup.params.frame_time = 1.0 / (60 * setup.params.substeps);
+        auto solver = makeSolver(setup);
+        solver->measure();
+        const double before = energySum(solver->stats().energy), impact = solver->stats().energy.kinetic;
+        double most_held = 0;
+        for (int frame = 0; frame < 240; ++frame) {
+            ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            solver->measure();
+            const EnergyLedger& energy = solver->stats().energy;
+            if (solver->stats().rigid_fragments > 0) most_held = std::max(most_held, energy.elastic);
+            EXPECT_NEAR(energySum(energy), before, 1e-3 * impact) << frame;
+        }
+        EXPECT_GT(most_held, 0.1 * impact);
+    }
+}
+
 /// A piece of three cells that lands aslant turns by much within a contact step: what its kick dissipates
 /// goes by the arms and the spin before that turn.
 TEST_F(HardHit, InContactStepsIsFoundHoweverThePieceTurns) {
