@@ -117,17 +117,6 @@ void turnInTheirFrames(SceneSetup& setup) {
     }
 }
 
-/// For the body that needs it most; as soft as before.
-void divideSteps(SceneSetup& setup) {
-    SolverParams& params = setup.params;
-    uint32_t division = 1;
-    for (const BodyInstance& body : setup.bodies)
-        division =
-            std::max(division, stepDivision(*body.body, body.material, params.substeps, params.step_safety));
-    params.substeps *= division;
-    params.step_safety /= division;
-}
-
 }  // namespace
 
 double wantedWaveSpeed(const Shot& shot, double body_height) {
@@ -180,7 +169,7 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         turnInTheirFrames(setup);
     }
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
-    if (!setup.params.preset_pieces) divideSteps(setup);
+    if (!setup.params.preset_pieces) divideSteps(setup, shot.impact.velocity);
     setup.params.scene_radius = shot.scene_radius > 0 ? shot.scene_radius : roomFor(sceneBox(shot, bodies));
     return setup;
 }

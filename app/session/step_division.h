@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies for which a substep of half the critical step is too long.
+// Shots for which a substep of half the critical step is too long.
 #pragma once
-#include <cstdint>
-
-#include "sim_cuda/api/breakable_body.h"
-#include "sim_cuda/api/params.h"
+#include "sim_cuda/api/solver.h"
 
 namespace demolish {
 
-/// Steps into which each of the substeps asked for (per 1/60 s) is divided while bonds stay as soft as these
-/// make them. 1; or 2 where half the critical step leaves the books open:
-/// - in rubber, that stretches by more than a tenth before it breaks, bonds and contacts turn by much in
-///   a substep, and cells sink into each other until the dampers of many contacts overshoot together;
-/// - a cell of many spacings' length turns so easily that its bonds and the corners that it lands on, each
-///   stable by itself, are not stable together.
-uint32_t stepDivision(const BreakableBody& body, const Material& material, uint32_t substeps,
-                      double step_safety);
+/// Divides the substeps of `setup` where half the critical step leaves the books open, and leaves bonds as
+/// soft as the undivided ones make them; to no more than kSubstepRange allows.
+/// - In two for rubber, that stretches by more than a tenth before it breaks: its bonds and contacts turn by
+///   much in a substep, and cells sink into each other until the dampers of many contacts overshoot together.
+/// - In two for a cell of many spacings' length. It turns so easily that its bonds and the corners that it
+///   lands on, each stable by itself, are not stable together.
+/// - Into as many as it takes that nothing comes farther in a substep than 0.15 spacings: else a hit is over
+///   in a few of them, and gains or loses up to a third of its energy.
+/// `impact_speed`: m/s, of what will be shot at the bodies.
+void divideSteps(SceneSetup& setup, double impact_speed);
 
 }  // namespace demolish

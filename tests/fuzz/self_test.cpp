@@ -92,20 +92,10 @@ TEST(Findings, HashesThatDifferAndBooksThatDoNotCloseFail) {
     watched.closure = 1.03;
     const auto findings = findingsOf(goodRun(), watched);
     ASSERT_THAT(findings, ElementsAre(kindIs("hash"), kindIs("books")));
-    EXPECT_TRUE(fails(findings[0]) && fails(findings[1]));
     watched = goodRun();
     watched.closure = 0.5;
     watched.weight_energy = 1e6;
     EXPECT_THAT(findingsOf(goodRun(), watched), IsEmpty()) << "next to nothing came in";
-}
-
-TEST(Findings, OpenBooksOfWhatMovesTooFarInASubstepAreSaidAndDoNotFail) {
-    ShotRun watched = goodRun();
-    watched.closure = 1.03;
-    watched.step_length = 0.6;
-    const auto findings = findingsOf(goodRun(), watched);
-    ASSERT_THAT(findings, ElementsAre(kindIs("coarse")));
-    EXPECT_FALSE(fails(findings[0]));
 }
 
 TEST(Findings, FaultsRefusalsAndSentencesWithoutAKnobFail) {
@@ -115,7 +105,6 @@ TEST(Findings, FaultsRefusalsAndSentencesWithoutAKnobFail) {
     watched.refused = "no";
     const auto findings = findingsOf(goodRun(), watched);
     EXPECT_THAT(findings, ElementsAre(kindIs("refusal"), kindIs("body"), kindIs("frame"), kindIs("status")));
-    for (const Finding& finding : findings) EXPECT_TRUE(fails(finding)) << finding.kind;
     watched = goodRun();
     watched.stopped = "It became unstable; lower the impact velocity.";
     EXPECT_THAT(findingsOf(goodRun(), watched), IsEmpty());

@@ -9,13 +9,11 @@
 namespace demolish::fuzz {
 
 struct Finding {
-    std::string kind;  ///< "crash", "hang", "body", "frame", "refusal", "status", "hash", "books", "coarse"
+    std::string kind;      ///< "crash", "hang", "body", "frame", "refusal", "status", "hash", "books"
     std::string sentence;  ///< what was seen
 };
 
-/// All kinds but "coarse": open books of what moves too far in a substep for a hit to be resolved.
-bool fails(const Finding& finding);
-
+/// None is good.
 std::vector<Finding> findingsOf(const ShotRun& alone, const ShotRun& watched);
 
 }  // namespace demolish::fuzz

@@ -108,17 +108,6 @@ void step(const RandomShot& random, const Watching& watching, Session& session, 
     }
 }
 
-/// Of what is shot or flies at the start, after a fall from the height of a body.
-double stepLength(const BuiltShot& built) {
-    double fastest = built.shot.impact.velocity;
-    for (const Projectile& shot : built.setup.projectiles)
-        fastest = std::max(fastest, glm::length(toGlm(shot.velocity)));
-    for (const BodyInstance& body : built.setup.bodies)
-        fastest = std::max(fastest, glm::length(toGlm(body.velocity)));
-    const double speed = std::sqrt(fastest * fastest + 2 * kGravity * built.shot.height);
-    return speed * built.solver->stats().time_step / built.body->spacing;
-}
-
 void closeBooks(Session& session, ShotRun& run) {
     session.solver().measure();
     const EnergyBalance energy = session.energy();
@@ -138,7 +127,6 @@ ShotRun runShot(const RandomShot& random, const Watching& watching) {
                                     {.draw_geometry = watching.draw_geometry, .ledger = watching.ledger}, {});
         run.built_seconds = secondsSince(begun);
         run.faults = faultsOfBody(built);
-        run.step_length = stepLength(built);
         std::unique_ptr<HeadlessStage> stage;
         if (watching.record) stage = std::make_unique<HeadlessStage>(built.solver->onGpu());
         Session session(std::move(built), {.draw = watching.record, .record = watching.record});

@@ -19,7 +19,6 @@ struct ShotRun {
     double built_seconds = 0, seconds = 0;  ///< wall time of making, and of all
     double brought_in = 0, closure = 1;     ///< J, and 1 where the books close; with the ledger only
     double weight_energy = 0;               ///< J, all bodies' weight times the height of one
-    double step_length = 0;                 ///< spacings that the fastest may move in a substep
 };
 
 /// Throws what is no error of the program's own (sim_cuda/api/errors.h): a finding.

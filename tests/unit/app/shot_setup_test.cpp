@@ -96,13 +96,13 @@ std::shared_ptr<const BreakableBody> bondedCube(double length) {
 /// By the strain of beta v_c / (kappa safety 60 h n) at failure; bonds stay as soft as n substeps make them.
 TEST(ShotSetup, RubberAndLongCellsHaveTheirSubstepsDividedInTwo) {
     Shot shot;
-    shot.material.critical_velocity = 5;
+    shot.material.critical_velocity = 50;
     shot.material.beta = 0.4;
     const auto paramsOf = [&shot](uint32_t substeps, double length) {
         shot.substeps = substeps;
         return makeSetup(shot, {bondedCube(length)}).params;
     };
-    const double at_limit = 0.4 * 5 / (0.1 * 0.68 * 0.5 * 60 * 0.25);
+    const double at_limit = 0.4 * 50 / (0.1 * 0.68 * 0.5 * 60 * 0.25);
     const auto few = static_cast<uint32_t>(std::floor(at_limit)), enough = few + 1;
     EXPECT_EQ(paramsOf(enough, 1).substeps, enough);
     EXPECT_EQ(paramsOf(enough, 1).step_safety, 0.5);
@@ -113,6 +113,43 @@ TEST(ShotSetup, RubberAndLongCellsHaveTheirSubstepsDividedInTwo) {
     EXPECT_EQ(paramsOf(enough, 6.1).step_safety, 0.25);
     shot.material.critical_velocity = 1e6;
     EXPECT_EQ(paramsOf(few, 1).substeps, few) << "it is not meant to break";
+}
+
+/// Whatever moves them, and however they fall.
+TEST(ShotSetup, SubstepsAreDividedUntilNothingComesFarInOne) {
+    constexpr double kFarthest = 0.15;
+    const double spacing = bondedCube(1)->spacing;
+    Shot shot;
+    shot.material.critical_velocity = 1e6;
+    const auto expectFine = [&](const Shot& of, double speed) {
+        const SolverParams params = makeSetup(of, {bondedCube(1)}).params;
+        const double far = speed / (60.0 * params.substeps) / spacing;
+        EXPECT_LE(far, kFarthest);
+        EXPECT_EQ(params.substeps % *of.substeps, 0u);
+        EXPECT_DOUBLE_EQ(params.substeps * params.step_safety, 0.5 * *of.substeps) << "as soft";
+        return params.substeps / *of.substeps;
+    };
+    for (const uint32_t substeps : {1u, 7u, 100u, 20000u})
+        for (const double speed : {0.5, 20.0, 200.0}) {
+            SCOPED_TRACE(std::to_string(substeps) + " substeps, " + std::to_string(speed) + " m/s");
+            Shot ball = shot;
+            ball.substeps = substeps;
+            ball.impact.velocity = speed;
+            const uint32_t steps = expectFine(ball, speed);
+            if (speed < 0.1 * kFarthest * spacing * 60 * substeps) {
+                EXPECT_EQ(steps, 1u);
+            }
+            Shot dropped = ball;
+            dropped.impact.kind = ImpactKind::kDrop;
+            expectFine(dropped, speed);
+            Shot thrown = ball;
+            thrown.impact.velocity = 0;
+            thrown.bodies = {standing({0, 0, 0}, 0, 0)};
+            thrown.bodies[0].velocity = {0, 0, speed};
+            expectFine(thrown, speed);
+            thrown.bodies[0] = standing({0, 1000, 0}, 0, 0);
+            expectFine(thrown, std::sqrt(2 * 9.81 * 1000));
+        }
 }
 
 TEST(ShotSetup, BodiesStandWhereTheSceneSaysAtEveryHeight) {
