@@ -25,7 +25,7 @@ struct BookSoftening {
         for (uint32_t s = arrays.bond_row[i]; s < arrays.bond_row[i + 1]; ++s) {
             const BondLink link = arrays.link[s];
             const uint32_t j = linkedParticle(link);
-            if (isBonded(link) || j < i || hasBeenSofter(arrays.bond_spring[s])) continue;
+            if (isBonded(link) || j < i || losesNothing(i, j, arrays.bond_spring[s])) continue;
             lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
                 return as.bondSlotEnergy(loadOwn(as.arrays, i), s);
             });
@@ -33,7 +33,7 @@ struct BookSoftening {
         for (uint32_t s = arrays.contact_row[i]; s < arrays.contact_row[i + 1]; ++s) {
             const uint32_t j = arrays.neighbour[s];
             const Vec4<Real> spring = arrays.contact_spring[s];
-            if (j < i || hasBeenSofter(spring)) continue;
+            if (j < i || losesNothing(i, j, spring)) continue;
             const PairLaw<Real> law =
                 arrays.pair_laws[arrays.owner[i] * bonded.params.owners + arrays.owner[j]];
             lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
@@ -48,6 +48,13 @@ struct BookSoftening {
     DEM_FN bool isRigid(uint32_t i) const { return regime[label[i]] == wordOf(Regime::kRigid); }
     DEM_FN bool becameRigid(uint32_t i) const {
         return isRigid(i) && former[label[i]] == wordOf(Regime::kBonded);
+    }
+    DEM_FN bool wasRigid(uint32_t i) const { return former[label[i]] == wordOf(Regime::kRigid); }
+    /// Of a contact: it has been softened before, or contact steps have not come to it yet, so that it has
+    /// taken in nothing, however deep it is (MeasureEnergy). Faces of a bond that has just broken hold
+    /// theirs.
+    DEM_FN bool losesNothing(uint32_t i, uint32_t j, const Vec4<Real>& kept) const {
+        return hasBeenSofter(kept) || (holdsNothing(kept) && (wasRigid(i) || wasRigid(j)));
     }
 
     template <class Energy>

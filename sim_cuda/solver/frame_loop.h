@@ -99,10 +99,13 @@ class FrameLoop {
         return frame_ ? std::max(kRigidStride, frame_->steps.longest()) : kRigidStride;
     }
     uint32_t untilNextStart(uint32_t at_most) const;
+    uint32_t wholeSteps(uint32_t n) const { return frame_->steps.wholeWithin(frame_->at(), n); }
     /// At most all that remain of the frame: 0 also where the decision is due within a contact step, whose
     /// end is too late for it.
-    uint32_t untilDecision() const {
-        return frame_->steps.wholeWithin(frame_->at(), decisions_.substepsUntilDue(frame_->remaining));
+    uint32_t untilDecision() const { return wholeSteps(decisions_.substepsUntilDue(frame_->remaining)); }
+    /// As far as the lists reach that do not last for a stretch: no decision knows what comes later.
+    uint32_t untilHorizon() const {
+        return wholeSteps(lists_.lastFor(scene_.lists.horizon(), stretch().length(), frame_->remaining));
     }
     void decide(bool frame_starts, uint32_t remaining);
     void decideIfDue(uint32_t remaining);
@@ -261,7 +264,7 @@ Stretch FrameLoop<Backend, Real>::nextStretch() const {
         return frame_->steps.untilEnd(substeps / kRigidStride, frame_->at());
     };
     // What is due within the contact step right after a decision has been decided by it.
-    const uint32_t decided = std::max(untilDecision(), until(kRigidStride)),
+    const uint32_t decided = std::max(std::min(untilDecision(), untilHorizon()), until(kRigidStride)),
                    length = untilNextStart(std::min(until(nominal.length()), decided)),
                    first = std::min(length, until(nominal.first));
     return {first, length - first};

@@ -45,4 +45,10 @@ double ListSchedule::remaining(double horizon, uint32_t at_most) const {
     return std::clamp(horizon - age(), 0.0, at_most * time_step_);
 }
 
+uint32_t ListSchedule::lastFor(double horizon, uint32_t stretch, uint32_t at_most) const {
+    constexpr double kRounding = 1e-6;  // substeps
+    if (!(stretch * time_step_ > horizon)) return at_most;
+    return static_cast<uint32_t>(remaining(horizon, at_most) / time_step_ + kRounding);
+}
+
 }  // namespace demolish

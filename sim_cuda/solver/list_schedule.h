@@ -37,6 +37,8 @@ class ListSchedule {
     double age() const { return state_.age * time_step_; }  ///< s since the build
     /// s for which the lists still hold, at most so many substeps.
     double remaining(double horizon, uint32_t at_most) const;
+    /// at_most; fewer where even new lists do not last for `stretch` substeps: those for which they still do.
+    uint32_t lastFor(double horizon, uint32_t stretch, uint32_t at_most) const;
 
     const State& state() const { return state_; }
     void resume(const State& state) { state_ = state; }

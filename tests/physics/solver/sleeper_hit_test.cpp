@@ -97,5 +97,33 @@ TEST_F(Sleeper, PaintedWeakBreaksFromASlowHitAsWithBondsAlone) {
     }
 }
 
+/// Long substeps: a stretch without bonds would last longer than contact lists hold, and a fast ball be deep
+/// in a cell before anything woke.
+TEST_F(Sleeper, IsAwakeWhenABallComesHoweverLongTheSubsteps) {
+    constexpr double kSpeed = 100, kCell = 0.3, kArrives = 0.4;
+    for (int k = 0; k < 12; ++k) {
+        SceneSetup setup = freeBody(latticeBody(3, 3, 3, kCell));
+        setup.params.substeps = 40;
+        setup.params.sleeping = setup.params.hand_over = true;
+        Projectile ball;
+        ball.radius = 0.12;
+        ball.position = {kSpeed * (kArrives + 0.0015 * k), 1.5 * kCell, 0.05};
+        ball.velocity = {-kSpeed, 0, 0};
+        setup.projectiles = {ball};
+        auto solver = makeSolver(setup);
+        solver->measure();
+        const double before = energySum(solver->stats().energy);
+        bool slept = false;
+        for (int frame = 0; frame < 32; ++frame) {
+            ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+            slept = slept || solver->stats().sleeping_fragments > 0;
+        }
+        solver->measure();
+        EXPECT_TRUE(slept);
+        EXPECT_LT(solver->stats().energy.kinetic, 0.95 * before) << "it has been hit";
+        EXPECT_NEAR(energySum(solver->stats().energy), before, 2e-3 * before) << k;
+    }
+}
+
 }  // namespace
 }  // namespace demolish::tests

@@ -90,6 +90,18 @@ TEST(ListSchedule, WhatRemainsEndsWithTheHorizonOrTheFrame) {
     EXPECT_EQ(lists.remaining(kHorizon, 10), 0);
 }
 
+/// A stretch beyond their horizon would be gone through unseen; others end as they did.
+TEST(ListSchedule, TheyEndAStretchForWhichTheyDoNotLast) {
+    ListSchedule lists = fresh();
+    EXPECT_EQ(lists.lastFor(kHorizon, 101, 1000), 100u);
+    EXPECT_EQ(lists.lastFor(kHorizon, 101, 30), 30u);
+    lists.pass(40);
+    EXPECT_EQ(lists.lastFor(kHorizon, 101, 1000), 60u);
+    EXPECT_EQ(lists.lastFor(kHorizon, 99, 1000), 1000u);
+    lists.pass(100);
+    EXPECT_EQ(lists.lastFor(kHorizon, 101, 1000), 0u);
+}
+
 TEST(ListSchedule, ListsReckonWithTheTimeInWhichAHitIsNotKnown) {
     EXPECT_GE(fresh().next(false, false, kRigidStride).blind_time, kBondedStretch.blind() * kStep);
     EXPECT_GE(fresh().next(true, false, kRigidStride).blind_time, kRigidStretch.blind() * kStep);
