@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 
+#include "app/session/ball_flight.h"
 #include "app/session/scene_anchors.h"
 #include "app/session/scene_colliders.h"
 #include "app/session/shot_bodies.h"
@@ -117,6 +118,17 @@ void turnInTheirFrames(SceneSetup& setup) {
     }
 }
 
+/// Whether the scene fires them or a hand does.
+ShotsToCome shotsToCome(const Shot& shot, const SceneSetup& setup) {
+    ShotsToCome shots{shot.impact.velocity};
+    if (shot.impact.kind != ImpactKind::kBall) return shots;
+    for (const BodyInstance& body : setup.bodies)
+        shots.radius = std::min(shots.radius, ballRadius(shot, *body.body));
+    for (const TimedBall& ball : shot.balls)
+        shots.radius = std::min(shots.radius, ball.radius.value_or(shots.radius));
+    return shots;
+}
+
 }  // namespace
 
 double wantedWaveSpeed(const Shot& shot, double body_height) {
@@ -169,7 +181,7 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
         turnInTheirFrames(setup);
     }
     setup.params.substeps = traitsOf(shot.method).times_substeps * substeps;
-    if (!setup.params.preset_pieces) divideSteps(setup, shot.impact.velocity);
+    if (!setup.params.preset_pieces) divideSteps(setup, shotsToCome(shot, setup));
     setup.params.scene_radius = shot.scene_radius > 0 ? shot.scene_radius : roomFor(sceneBox(shot, bodies));
     return setup;
 }

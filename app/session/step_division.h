@@ -5,15 +5,21 @@
 
 namespace demolish {
 
+/// What will be shot at the bodies.
+struct ShotsToCome {
+    double speed = 0;      ///< m/s, of the fastest
+    double radius = 1e30;  ///< m, of the smallest
+};
+
 /// Divides the substeps of `setup` where half the critical step leaves the books open, and leaves bonds as
 /// soft as the undivided ones make them; to no more than kSubstepRange allows.
 /// - In two for rubber, that stretches by more than a tenth before it breaks: its bonds and contacts turn by
 ///   much in a substep, and cells sink into each other until the dampers of many contacts overshoot together.
 /// - In two for a cell of many spacings' length. It turns so easily that its bonds and the corners that it
 ///   lands on, each stable by itself, are not stable together.
-/// - Into as many as it takes that nothing comes farther in a substep than 0.15 spacings: else a hit is over
-///   in a few of them, and gains or loses up to a third of its energy.
-/// `impact_speed`: m/s, of what will be shot at the bodies.
-void divideSteps(SceneSetup& setup, double impact_speed);
+/// - Into as many as it takes that nothing comes farther in a substep than 0.15 spacings, and no ball farther
+///   than a third of its radius: else a hit is over in a few of them, and gains or loses up to a third of its
+///   energy.
+void divideSteps(SceneSetup& setup, const ShotsToCome& shots);
 
 }  // namespace demolish

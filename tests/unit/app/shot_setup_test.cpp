@@ -139,6 +139,12 @@ TEST(ShotSetup, SubstepsAreDividedUntilNothingComesFarInOne) {
             if (speed < 0.1 * kFarthest * spacing * 60 * substeps) {
                 EXPECT_EQ(steps, 1u);
             }
+            Shot small = ball;
+            small.impact.ball_radius = 0.01 * spacing;
+            const SolverParams params = makeSetup(small, {bondedCube(1)}).params;
+            if (params.substeps + substeps <= kSubstepRange.most) {
+                EXPECT_LE(speed / (60.0 * params.substeps), small.impact.ball_radius / 3);
+            }
             Shot dropped = ball;
             dropped.impact.kind = ImpactKind::kDrop;
             expectFine(dropped, speed);
