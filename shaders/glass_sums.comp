@@ -9,6 +9,6 @@ layout(rg32f, binding = 0) writeonly uniform image2D result;
 void main() {
     ivec2 at = ivec2(gl_GlobalInvocationID.xy);
     uint place = uint(at.y * kSumTexels + at.x);
-    imageStore(result, at, vec4(vec2(sums[place]) / vec2(kStepsOfLost, kStepsOfRadius / frame.scene.w), 0.0, 0.0));
+    imageStore(result, at, vec4(vec2(sums[place]) / vec2(kStepsOfRadius / frame.scene.w, kStepsOfLost), 0.0, 0.0));
     sums[place] = ivec2(0);
 }

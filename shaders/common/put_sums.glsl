@@ -34,6 +34,9 @@ bool putCamera(Flat f, ivec2 at, uint covered, uint name) {
         normal += weights[k] * decodeOctahedral(unpackSnorm2x16(v[k].normal));
     }
     vec2 loss = faceLoss(normalize(rotate(t.rotation, normal)), world, isInterior(name) ? scattered : 0.0);
-    addSum(uint(at.y * kSumTexels + at.x), ivec2(round(loss * vec2(kStepsOfLost, kStepsOfRadius / frame.scene.w))));
+    ivec2 steps = ivec2(round(loss * vec2(kStepsOfRadius / frame.scene.w, kStepsOfLost)));
+    uint place = uint(at.y * kSumTexels + at.x);
+    atomicAdd(sums[place].x, steps.x);
+    atomicAdd(sums[place].y, steps.y);
     return false;
 }
