@@ -33,7 +33,7 @@ DEM_FN Real softestOf(const Vec4<Real>& kept) {
     const Real size = absOf(kept.w);
     return size > Real(kNeverSoftened) ? size : Real(0);
 }
-/// `normal`: unit, of this moment.
+/// `normal`: unit, likewise of the moment for which it has been kept.
 template <class Real>
 DEM_FN KeptTouch<Real> touchOf(const Vec4<Real>& kept, const Vec3<Real>& normal) {
     if (!(kept.w < Real(0))) return {xyz(kept), softestOf(kept), Real(0)};

@@ -70,11 +70,25 @@ DEM_FN void releaseTouch(const TouchLaw<Real>& law, const OverlapChange<Real>& c
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(before.spring));
 }
 
-/// m, overlap of two spheres one step before, on a straight way; `overlap` and `distance` are those of now.
+/// m, from i to j one step before, on a straight way.
+template <class Real>
+DEM_FN Vec3<Real> formerSeparation(const PairMotion<Real>& pair, Real dt) {
+    return axpy(-dt, pair.velocity_j - pair.velocity_i, pair.separation);
+}
+/// m, overlap of two spheres then; `overlap` and `distance` are those of now.
 template <class Real>
 DEM_FN Real formerOverlap(const PairMotion<Real>& pair, Real overlap, Real distance, Real dt) {
-    const Vec3<Real> before = axpy(-dt, pair.velocity_j - pair.velocity_i, pair.separation);
-    return overlap + (distance - length(before));
+    return overlap + (distance - length(formerSeparation(pair, dt)));
+}
+/// Unit: that of the moment for which a touch has been kept. By the normal of now, what bears no load would
+/// take in what the tangential spring has along it, and grow as the pair turns: load is lost that nobody
+/// books.
+template <class Real>
+DEM_FN Vec3<Real> keptNormal(const Vec4<Real>& kept, const PairMotion<Real>& pair, const Vec3<Real>& now,
+                             Real dt) {
+    if (!(kept.w < Real(0))) return now;
+    const Vec3<Real> before = formerSeparation(pair, dt);
+    return inverseSqrt(length2(before)) * before;
 }
 
 /// m, that bears no load: what was found of a touch that has begun unseen, and no more than there is.
@@ -93,7 +107,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                  const Vec4<Real>& held, Vec4<Real>& slot, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
-    KeptTouch<Real> before = touchOf(held, line.normal);
+    KeptTouch<Real> before = touchOf(held, keptNormal(held, pair, line.normal, params.drift));
     const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
     const Real pressed = overlap - before.unloaded;

@@ -74,6 +74,24 @@ TEST_F(Pair, WhatTouchesUnseenBearsNothingAtFirst) {
     EXPECT_TRUE(holdsNothing(data_.bonds.spring.view()[0]));
 }
 
+/// Its part of a spring is told by the normal for which that has been kept: as the pair turns, the tangential
+/// spring has a part along the new one.
+TEST_F(Pair, WhatTouchedUnseenDoesNotGrowAsThePairTurns) {
+    constexpr double kTurn = 0.05, kDistance = 0.9 * kSize, kUnloaded = 1e-3 * kSize, kSpring = 2e-3 * kSize;
+    const Vec3<double> turned{std::cos(kTurn), std::sin(kTurn), 0};
+    setState(PairState::kContact);
+    for (uint32_t i = 0; i < 2; ++i) {
+        const double sign = i == 0 ? -1 : 1;
+        const Vec3<double> before{0.5 * sign * kDistance, 0, 0}, after = (0.5 * sign * kDistance) * turned;
+        now().position[i] = withW(after, 0.0);
+        now().velocity[i] = withW((1 / params_.drift) * (after - before), 0.0);
+        data_.bonds.spring.span()[i] = {-sign * kUnloaded, -sign * kSpring, 0, -kNeverSoftened};
+    }
+    step();
+    const Vec4<double> kept = data_.bonds.spring.view()[0];
+    EXPECT_NEAR(touchOf(kept, turned).unloaded, kUnloaded, 1e-6 * kUnloaded);
+}
+
 /// However far two part in one substep: the next touch shall not begin with what this one leaves.
 TEST_F(Pair, WhatHasPartedKeepsNoSpring) {
     for (const double distance : {1.005, 1.5, 10.0}) {
