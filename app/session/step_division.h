@@ -17,9 +17,9 @@ struct ShotsToCome {
 ///   much in a substep, and cells sink into each other until the dampers of many contacts overshoot together.
 /// - In two for a cell of many spacings' length. It turns so easily that its bonds and the corners that it
 ///   lands on, each stable by itself, are not stable together.
-/// - Into as many as it takes that nothing comes farther in a substep than 0.15 spacings, and no ball farther
-///   than a third of its radius: else a hit is over in a few of them, and gains or loses up to a third of its
-///   energy.
+/// - Into as many as it takes that nothing comes farther in a substep than a tenth of a spacing, and no ball
+///   farther than a third of its radius: else a hit is over in a few of them, and gains or loses up to a
+///   third of its energy.
 void divideSteps(SceneSetup& setup, const ShotsToCome& shots);
 
 }  // namespace demolish

@@ -117,7 +117,7 @@ TEST(ShotSetup, RubberAndLongCellsHaveTheirSubstepsDividedInTwo) {
 
 /// Whatever moves them, and however they fall.
 TEST(ShotSetup, SubstepsAreDividedUntilNothingComesFarInOne) {
-    constexpr double kFarthest = 0.15;
+    constexpr double kFarthest = 0.1;
     const double spacing = bondedCube(1)->spacing;
     Shot shot;
     shot.material.critical_velocity = 1e6;
