@@ -9,6 +9,7 @@
 
 #include "app/session/data_folder.h"
 #include "app/session/scene_file.h"
+#include "app/session/shot_geometry.h"
 #include "app/session/shot_setup.h"
 #include "tests/fuzz/shots/fuzz_models.h"
 #include "tests/fuzz/support/dice.h"
@@ -92,6 +93,14 @@ double expectedSubsteps(const Shot& shot, const Size& size) {
     return std::clamp(speed / (kKappa * kStepSafety * 60 * size.spacing()), 40.0, kSubstepRange.most);
 }
 
+/// Steps into which each of them is divided where something would come far in one (step_division.h). Not part
+/// of what a shot may cost, by which it is chosen: seeds go on meaning the same shots.
+double expectedDivision(const Shot& shot, const Size& size) {
+    const double fall = 4 * kGravity * size.height, shot_speed = shot.impact.velocity,
+                 way = std::sqrt(shot_speed * shot_speed + fall) / (60 * expectedSubsteps(shot, size));
+    return std::max(1.0, way / std::min(0.1 * size.spacing(), size.height / 36));
+}
+
 struct Cost {
     double frame = 0, start = 0;  ///< particles x substeps
 };
@@ -127,7 +136,8 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
         options.particles = size.ofEach();
     const double frames = (limits.cost - cost().start) / cost().frame;
     random.frames = static_cast<uint64_t>(std::clamp(frames, double{kLeastFrames}, double{kMostFrames}));
-    random.cost = cost().start + static_cast<double>(random.frames) * cost().frame;
+    random.cost = expectedDivision(random.shot(), size) *
+                  (cost().start + static_cast<double>(random.frames) * cost().frame);
 }
 
 void chooseByHand(Dice& dice, RandomShot& random) {

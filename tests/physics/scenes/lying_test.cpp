@@ -16,9 +16,10 @@ namespace demolish::tests {
 namespace {
 
 /// One body of the scene, dropped so that it breaks.
-Shot dropped(const std::string& scene, uint32_t particles, double speed) {
+Shot dropped(const std::string& scene, uint32_t particles, double speed, uint64_t packing) {
     Shot shot = smallScene(scene, particles);
     if (shot.bodies.size() > 1) shot = smallScene(scene, particles, {0});
+    shot.seed += packing;
     shot.effects.on = false;  // single cells are drawn as large as they are
     shot.impact.kind = ImpactKind::kDrop;
     shot.impact.times_threshold.reset();
@@ -54,27 +55,46 @@ std::vector<double> depthsOnFloor(Session& session) {
     return depths;
 }
 
+/// Spacings, of the pieces on the floor.
+struct Depths {
+    double worst = 0, mean = 0;
+};
+Depths depthsAtRest(const Shot& shot) {
+    Session session(buildShot(shot, {.draw_geometry = true}, {}), {.draw = false});
+    while (session.solver().stats().time < 4) EXPECT_EQ(session.advance(), StepStatus::kOk);
+    const std::vector<double> depths = depthsOnFloor(session);
+    EXPECT_GT(depths.size(), 10u);
+    Depths result;
+    for (const double depth : depths) {
+        result.worst = std::max(result.worst, depth);
+        result.mean += depth / static_cast<double>(depths.size());
+    }
+    std::printf("%zu pieces on the floor, %.3f h deep at most, %.4f h on the mean; %u awake\n", depths.size(),
+                result.worst, result.mean, session.solver().stats().awake_particles);
+    return result;
+}
+
+/// The deepest is one cell of hundreds, on which others happen to press, so that packings differ by much:
+/// means over four of them are held, and a bound for each.
 TEST(Lying, WhatIsDrawnOfRestingPiecesLiesOnTheFloor) {
+    constexpr uint64_t kPackings = 4;
     struct Row {
         const char* scene;
         uint32_t particles;
         double speed;  ///< m/s
     };
     for (const Row& row : {Row{"vase", 600, 8}, Row{"bunny", 400, 8}, Row{"column", 300, 6}}) {
-        Session session(buildShot(dropped(row.scene, row.particles, row.speed), {.draw_geometry = true}, {}),
-                        {.draw = false});
-        while (session.solver().stats().time < 4) ASSERT_EQ(session.advance(), StepStatus::kOk);
-        const std::vector<double> depths = depthsOnFloor(session);
-        double sum = 0;
-        for (const double depth : depths) sum += depth;
-        const double worst = *std::max_element(depths.begin(), depths.end()),
-                     mean = sum / static_cast<double>(depths.size());
-        const FrameStats& stats = session.solver().stats();
-        std::printf("%s: %zu pieces on the floor, %.3f h deep at most, %.4f h on the mean; %u awake\n",
-                    row.scene, depths.size(), worst, mean, stats.awake_particles);
-        EXPECT_GT(depths.size(), 10u);
-        EXPECT_LT(worst, 0.25) << row.scene;
-        EXPECT_LT(mean, 0.03) << row.scene;
+        SCOPED_TRACE(row.scene);
+        Depths over_packings;
+        for (uint64_t packing = 0; packing < kPackings; ++packing) {
+            std::printf("%s: ", row.scene);
+            const Depths depths = depthsAtRest(dropped(row.scene, row.particles, row.speed, packing));
+            EXPECT_LT(depths.worst, 0.3);
+            over_packings.worst += depths.worst / kPackings;
+            over_packings.mean += depths.mean / kPackings;
+        }
+        EXPECT_LT(over_packings.worst, 0.2);
+        EXPECT_LT(over_packings.mean, 0.03);
     }
 }
 
