@@ -9,6 +9,7 @@
 #include "app/session/ball_flight.h"
 #include "app/session/model_shot.h"
 #include "app/session/shot_geometry.h"
+#include "app/session/shot_setup.h"
 #include "engine/render/fracture_mesh.h"
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/particle_colour.h"
@@ -316,14 +317,17 @@ void Session::change(const Shot& shot, double now) {
     const Change since_wanted = changeBetween(wanted_, shot);
     if (sameSubject(wanted_, built_.shot)) live_ = wanted_;
     wanted_ = shot;
-    const Change since_built = changeBetween(built_.shot, shot);
-    if (since_built >= Change::kSolver) {
-        if (since_wanted >= Change::kSolver || debounce_.waiting()) debounce_.push(shot, now);
+    Shot fired = shot;
+    chooseVelocity(fired, *built_.body);
+    const bool steps_change = takesOtherSteps(fired, built_.setup);
+    if (steps_change || changeBetween(built_.shot, shot) >= Change::kSolver) {
+        const bool asks_anew = since_wanted >= (steps_change ? Change::kLive : Change::kSolver);
+        if (asks_anew || debounce_.waiting()) debounce_.push(shot, now);
         return;
     }
     debounce_.clear();
     worker_.cancel();
-    chooseVelocity(wanted_, *built_.body);
+    wanted_ = std::move(fired);
     if (since_wanted >= Change::kLive) restartIfNotHit();
 }
 

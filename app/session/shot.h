@@ -160,7 +160,7 @@ void validate(const Shot& shot);
 /// What a changed shot asks for. Each level includes the ones above it.
 enum class Change {
     kNothing,
-    kLive,    ///< looks, amounts of grit and dust, velocity of a ball, time scale
+    kLive,    ///< looks, amounts of grit and dust, time scale, velocity of a ball (but takesOtherSteps())
     kSolver,  ///< material, substeps, fps, velocity of a drop: same cells, new solver
     kBody,    ///< particle size, seed, model: everything
 };

@@ -186,6 +186,10 @@ SceneSetup makeSetup(const Shot& shot, const BodyList& bodies) {
     return setup;
 }
 
+bool takesOtherSteps(const Shot& shot, const SceneSetup& made) {
+    return !made.params.preset_pieces && dividesOtherwise(made, shotsToCome(shot, made));
+}
+
 SceneBox sceneBox(const Shot& shot, const BodyList& bodies) {
     glm::dvec3 low(1e300), high(-1e300);
     const std::vector<SceneBody> places = bodiesOf(shot);

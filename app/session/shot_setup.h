@@ -30,6 +30,8 @@ using BodyList = std::vector<std::shared_ptr<const BreakableBody>>;
 /// The bodies in their places, without projectiles: those are fired while the shot runs. So many substeps
 /// that no body is softer than its own material wants it, or a multiple of them (step_division.h).
 SceneSetup makeSetup(const Shot& shot, const BodyList& bodies);
+/// Would makeSetup() choose other substeps for this velocity and size of the balls?
+bool takesOtherSteps(const Shot& shot, const SceneSetup& made);
 
 /// Box round all bodies of the shot as they stand, m.
 struct SceneBox {

@@ -75,19 +75,32 @@ double fastestOf(const SceneSetup& setup, double shot_speed) {
     return std::sqrt(fastest * fastest + 2 * glm::length(toGlm(setup.params.gravity)) * (top - bottom));
 }
 
-}  // namespace
-
-void divideSteps(SceneSetup& setup, const ShotsToCome& shots) {
-    SolverParams& params = setup.params;
+/// Of the setup's bodies, for undivided params.
+uint32_t divisionOf(const SceneSetup& setup, const SolverParams& params, const ShotsToCome& shots) {
     const double step = 1 / (60.0 * params.substeps), way = fastestOf(setup, shots.speed) * step;
     double division = std::ceil(shots.speed * step / (kFarthestBall * shots.radius));
     for (const BodyInstance& body : setup.bodies)
         division = std::max(
             {division, divisionFor(body, params), std::ceil(way / (kFarthestStep * body.body->spacing))});
-    const auto steps = static_cast<uint32_t>(
-        std::min(division, std::max(1.0, std::floor(kSubstepRange.most / params.substeps))));
-    params.substeps *= steps;
-    params.step_safety /= steps;
+    const double most = std::max(1.0, std::floor(kSubstepRange.most / params.substeps));
+    return static_cast<uint32_t>(std::clamp(division, 1.0, most));
+}
+
+}  // namespace
+
+void divideSteps(SceneSetup& setup, const ShotsToCome& shots) {
+    SolverParams& params = setup.params;
+    const uint32_t division = divisionOf(setup, params, shots);
+    params.substeps *= division;
+    params.step_safety /= division;
+}
+
+bool dividesOtherwise(const SceneSetup& divided, const ShotsToCome& shots) {
+    SolverParams params = divided.params;
+    const auto division = static_cast<uint32_t>(std::lround(SolverParams{}.step_safety / params.step_safety));
+    params.substeps /= division;
+    params.step_safety = SolverParams{}.step_safety;
+    return divisionOf(divided, params, shots) != division;
 }
 
 }  // namespace demolish

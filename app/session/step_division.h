@@ -21,5 +21,7 @@ struct ShotsToCome {
 ///   farther than a third of its radius: else a hit is over in a few of them, and gains or loses up to a
 ///   third of its energy.
 void divideSteps(SceneSetup& setup, const ShotsToCome& shots);
+/// Would divideSteps() divide a setup that it has divided otherwise, for these shots?
+bool dividesOtherwise(const SceneSetup& divided, const ShotsToCome& shots);
 
 }  // namespace demolish

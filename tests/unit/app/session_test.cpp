@@ -115,6 +115,31 @@ TEST_F(SessionTest, AModelIsHitWithAMultipleOfItsPredictedThreshold) {
     EXPECT_EQ(buildShot(asked, {}, {}).shot.impact.velocity, shot.impact.velocity) << "nothing hits it";
 }
 
+/// Or the same shot would end otherwise in a window than without one.
+TEST(SessionOfFewSubsteps, AMuchFasterBallTakesTheSubstepsOfAShotBuiltForIt) {
+    Shot slow = smallBlock(), faster = slow, fast = slow;
+    for (Shot* shot : {&slow, &faster, &fast}) shot->substeps = 20;
+    slow.impact.velocity = 1;
+    faster.impact.velocity = 1.5;
+    fast.impact.velocity = 150;
+    Session session(buildShot(slow, {}, {}), {.draw = false}),
+        meant(buildShot(fast, {}, {}), {.draw = false});
+    const uint32_t few = session.built().setup.params.substeps;
+    session.apply(command::ChangeShot{faster}, 0);
+    EXPECT_FALSE(session.status().waiting) << "as live as ever";
+    session.apply(command::ChangeShot{fast}, 0);
+    waitForRebuild(session);
+    EXPECT_GT(session.built().setup.params.substeps, few);
+    EXPECT_EQ(session.built().setup.params.substeps, meant.built().setup.params.substeps);
+    for (Session* each : {&session, &meant})
+        for (int frame = 0; frame < 40; ++frame) ASSERT_EQ(each->advance(), StepStatus::kOk);
+    EXPECT_GT(meant.solver().stats().bonds_broken, 0u);
+    EXPECT_EQ(session.solver().stateHash(), meant.solver().stateHash());
+    session.apply(command::ChangeShot{slow}, 0);
+    waitForRebuild(session);
+    EXPECT_EQ(session.built().setup.params.substeps, few);
+}
+
 TEST_F(SessionTest, EnergyIsBookedOnlyWhileItIsAskedForWhereNoReportNeedsIt) {
     Session session(buildShot(smallBlock(), {.ledger = false}, {}), {.draw = false});
     const auto advance = [&](int frames) {
