@@ -18,10 +18,6 @@ namespace {
 constexpr double kRubberStrain = 0.1, kUnbreakable = 1;
 /// Length of a bond in spacings. The needle that gained energy has 8, a vase of 60 cells 5.
 constexpr double kLongCell = 6;
-/// Spacings in a substep. With 0.15 one of 5,400 random shots, vases of two cells, still found 3.5 %.
-constexpr double kFarthestStep = 0.1;
-/// Radii in a substep. A ball that went half of its own found 2.6 %, with two fifths 0.1 %.
-constexpr double kFarthestBall = 1.0 / 3;
 
 double strainAtFailure(const BreakableBody& body, const Material& material, const SolverParams& params) {
     const double wave_speed = kKappa * params.step_safety * 60 * body.spacing * params.substeps;

@@ -11,6 +11,7 @@
 #include "app/session/scene_file.h"
 #include "app/session/shot_geometry.h"
 #include "app/session/shot_setup.h"
+#include "app/session/step_division.h"
 #include "tests/fuzz/shots/fuzz_models.h"
 #include "tests/fuzz/support/dice.h"
 #include "tests/physics/scenes/scene_run.h"
@@ -98,7 +99,7 @@ double expectedSubsteps(const Shot& shot, const Size& size) {
 double expectedDivision(const Shot& shot, const Size& size) {
     const double fall = 4 * kGravity * size.height, shot_speed = shot.impact.velocity,
                  way = std::sqrt(shot_speed * shot_speed + fall) / (60 * expectedSubsteps(shot, size));
-    return std::max(1.0, way / std::min(0.1 * size.spacing(), size.height / 36));
+    return std::max(1.0, way / std::min(kFarthestStep * size.spacing(), kFarthestBall * size.height / 12));
 }
 
 struct Cost {
