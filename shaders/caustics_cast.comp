@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 3) uniform sampler2D glass_ends;     // common/glass_ends.glsl
 layout(binding = 14) uniform sampler2D glass_shadow;  // m inside of bodies; -log of what their faces leave
 
-// A ray, in m along u, v and depth.
+// Where a ray meets the floor. Until then it is followed in m along u, v and depth.
 struct Arrival {
     vec2 at;    // in texels of the caustics
     vec3 left;  // of its light

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
-// The light on the floor as later passes read it (common/glass_tint.glsl): times what is there without transparent bodies. caustics_empty.comp
-// empties the sums.
+// The light on the floor as later passes read it (common/glass_tint.glsl): times what is there without transparent bodies.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/caustics.glsl"
 layout(rgba16f, binding = 0) writeonly uniform image2D result;
