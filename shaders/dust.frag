@@ -8,6 +8,7 @@
 #include "common/solid.glsl"
 layout(location = 0) uniform vec4 dust;      // rgb: colour; w: 1/m, of its lumps
 in vec2 corner;
+in vec3 across;  // m, from the middle
 flat in vec4 centre_radius;
 flat in vec3 depth_age_heat;
 flat in float sunlit;
@@ -29,20 +30,22 @@ void main() {
     vec3 ray = rayThrough(gl_FragCoord.xy * pixels), forward = normalize(frame.ray_forward.xyz);
     float along = dot(centre_radius.xyz - frame.eye.xyz, forward);
     float front = max(along - radius * bump, frame.depth_range.x), end = min(along + radius * bump, solidAlong(ray));
-    // The share of the ball's chord in front of what is solid; nothing close to the eye.
-    float share = clamp((end - front) / (2.0 * radius), 0.0, 1.0) * smoothstep(0.0, 0.3, front / radius);
+    // The share of the chord in front of what is solid; nothing close to the eye.
+    float share = clamp((end - front) / (2.0 * radius * bump), 0.0, 1.0) * smoothstep(0.0, 0.3, front / radius);
     if (share == 0.0) discard;
-    vec3 normal = normalize(corner.x * normalize(frame.ray_right.xyz) + corner.y * normalize(frame.ray_up.xyz) - bump * forward);
+    vec3 normal = normalize(across / radius - bump * forward);
     vec3 at = centre_radius.xyz + 0.7 * radius * normal;
     // Lumps stand in the world, so that puffs which overlap wear alike; they drift upwards a little.
     vec3 q = dust.w * (at - vec3(0.0, 0.05 * depth_age_heat.y, 0.0));
     vec4 lump = noise(q);
-    float worn = lump.w + 0.5 * noise(q * 2.3 + 3.1).w;
+    vec3 curled = q + 0.3 * lump.xyz;
+    float worn = 0.8 * lump.w + noise(curled * 2.3 + 3.1).w;
 #ifdef FULL
-    worn += 0.25 * noise(q * 5.1).w;
+    worn += 0.6 * noise(curled * 5.1).w;
 #endif
-    float edge = 1.0 - sqrt(d2), eaten = 0.12 + 0.35 * min(depth_age_heat.y, 1.5);
-    float density = smoothstep(0.0, 0.95, 1.6 * edge - eaten + 0.75 * worn);
+    // Neither a rim nor a plateau, or a single puff is a disc: it thins out to nothing, and lumps wear it everywhere.
+    float round_off = (1.0 - d2) * (1.0 - d2), eaten = 0.3 * min(depth_age_heat.y, 1.5);
+    float density = 2.3 * round_off * smoothstep(-0.35, 1.1, worn + 0.4 * round_off - eaten);
     float depth = 2.0 * depth_age_heat.x * share * density;
 
     vec3 bent = normalize(normal + 0.6 * lump.xyz);

@@ -8,6 +8,7 @@ layout(binding = 1) uniform sampler2D shadow_depth;
 #include "common/dust_shadow.glsl"
 #endif
 out vec2 corner;
+out vec3 across;  // m, from the middle
 flat out vec4 centre_radius;
 flat out vec3 depth_age_heat;
 flat out float sunlit;
@@ -26,6 +27,22 @@ float shareInSun(vec4 puff) {
     return lit / float(kTaps);
 }
 
+// Dust that drifts is drawn out: along a direction of its own a puff is longer by the root of 1 + kStretch, and across it
+// narrower by as much.
+const float kStretch = 2.0;
+
+// Its axes as the picture shows them, in radii.
+mat2x3 axesOf(Puff p) {
+    vec3 right = normalize(frame.ray_right.xyz), up = normalize(frame.ray_up.xyz);
+    vec2 draw = unpackUnorm2x16(p.seed);
+    float height = 2.0 * draw.x - 1.0, turn = 6.2831853 * draw.y, width = sqrt(1.0 - height * height);
+    vec3 drawn = vec3(width * cos(turn), height, width * sin(turn));
+    vec2 seen = vec2(dot(drawn, right), dot(drawn, up));
+    float square = dot(seen, seen), stretch = sqrt(1.0 + kStretch * square);
+    vec2 along = square > 1e-6 ? inversesqrt(square) * seen : vec2(1.0, 0.0);
+    return mat2x3(stretch * (along.x * right + along.y * up), (along.x * up - along.y * right) / stretch);
+}
+
 void main() {
     Puff p = puffs[gl_InstanceID];
     corner = squareCorner(gl_VertexID);
@@ -38,7 +55,6 @@ void main() {
 #ifdef FULL
     sunlit *= throughDust((frame.light_matrix[0] * vec4(p.position_radius.xyz, 1.0)).xyz);
 #endif
-    vec3 right = normalize(frame.ray_right.xyz), up = normalize(frame.ray_up.xyz);
-    vec3 world = p.position_radius.xyz + p.position_radius.w * (corner.x * right + corner.y * up);
-    gl_Position = frame.view_projection * vec4(world, 1.0);
+    across = p.position_radius.w * (axesOf(p) * corner);
+    gl_Position = frame.view_projection * vec4(p.position_radius.xyz + across, 1.0);
 }

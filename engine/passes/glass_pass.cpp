@@ -13,7 +13,9 @@ namespace {
 
 constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kWalkNoise = 20, kScattered = 0;
 constexpr GLuint kLayerUnit = 3, kOpaqueUnit = 7, kShadowUnit = 14, kSceneUnit = 15;
+constexpr GLuint kCausticsUnit = 20;
 constexpr int kShadowLevels = 5;
+constexpr float kNoEnd = -1000;  ///< shaders/common/glass_ends.glsl
 
 int acrossFor(const RenderTargets& targets) {
     return targets.samples >= 4 ? 2 : 1;
@@ -38,44 +40,64 @@ bool GlassPass::readyToFind(const FractureMesh& mesh, const RenderTargets& targe
     return true;
 }
 
-void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
-                           const FrameView& view, bool finds) {
+void GlassPass::makeShadowTargets(bool draft) {
+    constexpr int kTexels = GlassRaster::kSumTexels;
     if (!shadow_sums_) {
-        shadow_sums_ =
-            gl::Texture::make2d(GL_RG32F, GlassRaster::kSumTexels, GlassRaster::kSumTexels, kShadowLevels);
+        shadow_sums_ = gl::Texture::make2d(GL_RG32F, kTexels, kTexels, kShadowLevels);
         shadow_sums_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
         shadow_target_ = gl::Framebuffer({&shadow_sums_}, nullptr);
     }
-    shadow_sums_.bind(kShadowUnit);
-    const float frost = glassOf(view).frost;
-    const ShadowKey key{mesh.version(), light_matrix, frost};
-    if (key == shadow_key_) return;
-    shadow_key_ = key;
-    const uint32_t hidden = hiddenUnless(true, looksOf(view));
-    const float scattered = -std::log(1 - 0.9f * frost);
-    if (finds)
-        raster_->castSums(mesh, hidden, scattered, shadow_sums_);
-    else
-        drawShadow(body, mesh, hidden, scattered);
-    glGenerateTextureMipmap(shadow_sums_.id());
+    if (draft || caustics_) return;
+    shadow_ends_ = gl::Texture::make2d(GL_RG32F, kTexels, kTexels);
+    shadow_ends_.setFilter(GL_LINEAR, GL_LINEAR);
+    ends_target_ = gl::Framebuffer({&shadow_sums_, &shadow_ends_}, nullptr);
+    caustics_.emplace(shaders_);
 }
 
-void GlassPass::drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered) {
+void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
+                           const FrameView& view, bool finds) {
+    const bool draft = view.quality == RenderQuality::kDraft;
+    makeShadowTargets(draft);
+    const SurfaceLook look = glassOf(view);
+    const glm::vec4 bends(look.absorption[0], look.absorption[1], look.absorption[2], look.refraction_index);
+    const bool bent = !draft && view.show_floor && view.lighting.floor != FloorMaterial::kNone;
+    const ShadowKey key{mesh.version(), light_matrix, bends, look.frost, bent};
+    if (key != shadow_key_) {
+        shadow_key_ = key;
+        const uint32_t hidden = hiddenUnless(true, looksOf(view));
+        const float scattered = -std::log(1 - 0.9f * look.frost);
+        if (finds)
+            raster_->castSums(mesh, hidden, scattered, shadow_sums_, shadow_ends_);
+        else
+            drawShadow(body, mesh, hidden, scattered, !draft);
+        glGenerateTextureMipmap(shadow_sums_.id());
+        if (bent) caustics_->cast(shadow_sums_, shadow_ends_);
+    }
+    shadow_sums_.bind(kShadowUnit);
+    if (!draft) caustics_->light().bind(kCausticsUnit);
+}
+
+void GlassPass::drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered,
+                           bool with_ends) {
     if (shadow_.id() == 0) shadow_ = gl::Program(shaders_, {"glass_shadow.vert", "glass_shadow.frag"});
-    constexpr std::array<float, 4> kNothing{};
-    glClearNamedFramebufferfv(shadow_target_.id(), GL_COLOR, 0, kNothing.data());
-    shadow_target_.bind();
+    const gl::Framebuffer& target = with_ends ? ends_target_ : shadow_target_;
+    constexpr std::array<float, 4> kNothing{}, kNoEnds{kNoEnd, kNoEnd, kNoEnd, kNoEnd};
+    glClearNamedFramebufferfv(target.id(), GL_COLOR, 0, kNothing.data());
+    if (with_ends) glClearNamedFramebufferfv(target.id(), GL_COLOR, 1, kNoEnds.data());
+    target.bind();
     glViewport(0, 0, GlassRaster::kSumTexels, GlassRaster::kSumTexels);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendFunc(GL_ONE, GL_ONE);
+    glBlendEquationi(1, GL_MAX);
     shadow_.use();
     shadow_.set(kHiddenLooks, hidden);
     shadow_.set(kScattered, 0.0f);
     body.drawExterior(mesh);
     shadow_.set(kScattered, scattered);
     body.drawInterior(mesh);
+    glBlendEquationi(1, GL_FUNC_ADD);
     glDisable(GL_BLEND);
 }
 

@@ -13,6 +13,7 @@
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/passes/body_geometry.h"
+#include "engine/passes/caustics_pass.h"
 #include "engine/passes/depth_eraser.h"
 #include "engine/passes/glass_raster.h"
 #include "engine/passes/picture_kind.h"
@@ -28,7 +29,8 @@ class GlassPass {
     /// it.
     bool readyToFind(const FractureMesh& mesh, const RenderTargets& targets);
     /// Makes or takes again what the sun loses in the mesh, and binds it (unit 14), as
-    /// shaders/common/glass_tint.glsl has it. `light_matrix`: of the near region. `finds`: readyToFind().
+    /// shaders/common/glass_tint.glsl has it, and but for drafts what they bend onto the floor (unit 20).
+    /// `light_matrix`: of the near region. `finds`: readyToFind().
     void castShadow(BodyGeometry& body, const FractureMesh& mesh, const glm::mat4& light_matrix,
                     const FrameView& view, bool finds);
     /// Into which the light of all that is opaque goes, RGBA16F of the targets' size.
@@ -58,12 +60,16 @@ class GlassPass {
     struct ShadowKey {
         uint64_t mesh_version;
         glm::mat4 light_matrix;
+        glm::vec4 bends;  ///< absorption, refraction index
         float frost;
+        bool bent;  ///< with caustics
         bool operator==(const ShadowKey&) const = default;
     };
     /// How the walk runs, and on what.
     enum class Walk { kDrawn, kComputed, kOverFound };
-    void drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered);
+    void makeShadowTargets(bool draft);
+    void drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_t hidden, float scattered,
+                    bool with_ends);
     void fit(const RenderTargets& targets);
     void fitLayers(const RenderTargets& targets);
     void clearLayers();
@@ -80,9 +86,10 @@ class GlassPass {
     std::map<std::tuple<PictureKind, int, Walk>, gl::Program> walk_;  ///< by layer texels across
     gl::Program shadow_;
     gl::Program clear_;
-    DepthEraser eraser_;  ///< of depth_
-    gl::Texture shadow_sums_, scene_, depth_;
-    gl::Framebuffer shadow_target_, scene_target_, depth_only_;
+    DepthEraser eraser_;                    ///< of depth_
+    std::optional<CausticsPass> caustics_;  ///< made when first needed, as is shadow_ends_
+    gl::Texture shadow_sums_, shadow_ends_, scene_, depth_;
+    gl::Framebuffer shadow_target_, ends_target_, scene_target_, depth_only_;
     std::array<Layer, kLayers> layers_;
     std::optional<ShadowKey> shadow_key_;
     gl::VertexArray no_attributes_;

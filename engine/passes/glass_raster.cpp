@@ -13,7 +13,7 @@ namespace {
 
 constexpr GLuint kOpaqueUnit = 7;  // shaders/common/put_face.glsl
 constexpr GLint kScattered = 12;   // shaders/common/put_sums.glsl
-constexpr size_t kSumBytes = 8;
+constexpr size_t kSumBytes = 16;
 constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
 constexpr std::array kMiddle = {glm::vec2(0.5f)};
 
@@ -88,7 +88,7 @@ void GlassRaster::find(const FractureMesh& mesh, const RenderTargets& targets, i
 }
 
 void GlassRaster::castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered,
-                           const gl::Texture& sums) {
+                           const gl::Texture& sums, const gl::Texture& ends) {
     const bool anew = !sums_;
     if (anew) sums_ = gl::Buffer::immutable(kSumBytes * kSumTexels * kSumTexels);
     triangles_.makeRoom(mesh, 0);
@@ -102,6 +102,7 @@ void GlassRaster::castSums(const FractureMesh& mesh, uint32_t hidden_looks, floa
     TriangleRaster::runSmall(casting_, false);
     TriangleRaster::runLarge(casting_, false);
     glBindImageTexture(0, sums.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    glBindImageTexture(1, ends.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
     show_sums_.use();
     glDispatchCompute(gl::tilesAlong(kSumTexels), gl::tilesAlong(kSumTexels), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |

@@ -31,8 +31,10 @@ class GlassRaster {
     /// Faces before the depth of `targets`; `hidden_looks`: kHiddenLooks.
     void find(const FractureMesh& mesh, const RenderTargets& targets, int across, uint32_t hidden_looks);
     /// Adds up what these bodies take from the sun (shaders/common/glass_tint.glsl) into RG32F `sums`,
-    /// kSumTexels along. `scattered`: by a broken face, minus the logarithm of what is left.
-    void castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered, const gl::Texture& sums);
+    /// kSumTexels along, and the ends of its way (shaders/common/glass_ends.glsl) into `ends`, which is like
+    /// it. `scattered`: by a broken face, minus the logarithm of what is left.
+    void castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered, const gl::Texture& sums,
+                  const gl::Texture& ends);
     /// For a pass that reads the faces. It leaves them empty (forgetFaces()).
     void bind(const FractureMesh& mesh) const;
 

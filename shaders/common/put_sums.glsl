@@ -3,6 +3,7 @@
 #include "common/gbuffer.glsl"
 #include "common/glass_sums.glsl"
 #include "common/glass_face_loss.glsl"
+#include "common/glass_ends.glsl"
 layout(location = 12) uniform float scattered;  // by a broken face, -log of what is left
 
 vec2 cameraSize() { return vec2(kSumTexels); }
@@ -35,8 +36,12 @@ bool putCamera(Flat f, ivec2 at, uint covered, uint name) {
     }
     vec2 loss = faceLoss(normalize(rotate(t.rotation, normal)), world, isInterior(name) ? scattered : 0.0);
     ivec2 steps = ivec2(round(loss * vec2(kStepsOfRadius / frame.scene.w, kStepsOfLost)));
+    ivec2 ends = 1 + ivec2(round(endsAt(world) * kStepsOfEnds));
     uint place = uint(at.y * kSumTexels + at.x);
     atomicAdd(sums[place].x, steps.x);
     atomicAdd(sums[place].y, steps.y);
+    // Most faces are not at an end; what is read may be old, and is then too small.
+    if (sums[place].z < ends.x) atomicMax(sums[place].z, ends.x);
+    if (sums[place].w < ends.y) atomicMax(sums[place].w, ends.y);
     return false;
 }

@@ -2,6 +2,7 @@
 // Facts of grit and dust that hold on every driver.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "tests/render/gl_fixture.h"
@@ -154,6 +155,41 @@ TEST_P(EffectsPicture, DustIsLitByWhatSurroundsItAndHasAlpha) {
         }
         EXPECT_EQ(picture(with).at(5, 5)[3], 0);
     }
+}
+
+/// Alpha anywhere beside what is quite clear.
+int mostBesideNothing(const Image& image) {
+    int most = 0;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 2; x < image.width; ++x) {
+            const int left = image.at(x - 2, y)[3], right = image.at(x, y)[3];
+            if (std::min(left, right) == 0) most = std::max(most, std::max(left, right));
+        }
+    return most;
+}
+
+/// Wherever its lumps are: a single puff thins out to nothing, and is worn in its middle too. Or it is a
+/// disc.
+TEST_P(EffectsPicture, APuffHasNeitherARimNorAPlateau) {
+    Scene with = scene();
+    with.view.transparent = true;
+    putIntoFurnace(with.view, glm::vec3(0.5f));
+    with.mesh.reset();
+    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 1e-4f});
+    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+    int least = 255, most = 0;  // in the middle
+    for (uint32_t k = 0; k < 12; ++k) {
+        with.view.camera.eye.x += 0.37f;
+        with.view.camera.target.x += 0.37f;
+        writeEffects(*with.mesh, {}, {{with.view.camera.target, 0.4f, 1, 0.05f, 0x9e3779b9u * k}});
+        const Image one = picture(with);
+        const int middle = one.at(one.width / 2, one.height / 2)[3];
+        EXPECT_GT(middle, 100) << k;
+        EXPECT_LT(mostBesideNothing(one), 34) << k;
+        least = std::min(least, middle);
+        most = std::max(most, middle);
+    }
+    EXPECT_GT(most, least + 20);
 }
 
 INSTANTIATE_TEST_SUITE_P(Qualities, EffectsPicture,

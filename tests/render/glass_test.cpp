@@ -174,6 +174,26 @@ TEST_P(GlassTest, ItsShadowIsLighterAndTinted) {
     EXPECT_LT(light[1].r / light[1].b, 0.8f * light[2].r / light[2].b);
 }
 
+/// What bends next to nothing takes from the floor's light only what its faces mirror.
+TEST_P(GlassTest, TheFloorGetsAllThatIsNotBent) {
+    if (GetParam().quality == RenderQuality::kDraft) GTEST_SKIP() << "drafts have a guess";
+    Scene scene = block();
+    scene.view.look.refraction_index = 1.0002f;
+    const Image glass = picture(scene);
+    const std::vector<uint32_t> ids = renderer().fragmentIds(scene.mesh.get(), {}, scene.view);
+    scene.mesh.reset();
+    const Image none = picture(scene);
+    int darker = 0;
+    for (size_t i = 0; i < ids.size(); ++i) {
+        const int x = static_cast<int>(i) % glass.width, y = static_cast<int>(i) / glass.width;
+        if (ids[i] != kFloorId) continue;
+        const float share = colourAt(glass, x, y).g / colourAt(none, x, y).g;
+        EXPECT_LT(share, 1.03f) << x << ' ' << y;
+        darker += share < 0.75f;
+    }
+    EXPECT_LT(darker, 60);  // beside the block, which shades the sky there
+}
+
 TEST_P(GlassTest, HasAlphaBetweenNothingAndAll) {
     Scene scene = block();
     scene.view.transparent = true;

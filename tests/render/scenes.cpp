@@ -113,7 +113,8 @@ Scene dustyBlock(RenderQuality quality) {
     std::vector<PuffDraw> puffs;
     for (uint32_t k = 0; k < 40; ++k) {
         const glm::vec3 away = glm::vec3(random(7 * k), random(7 * k + 1), random(7 * k + 2)) - 0.5f;
-        puffs.push_back({kHit + glm::vec3(0.9f, 0.5f, 0.9f) * away, 0.1f + 0.1f * random(k), 0.25f, 0.3f, k});
+        puffs.push_back({kHit + glm::vec3(0.9f, 0.5f, 0.9f) * away, 0.1f + 0.1f * random(k), 0.25f, 0.3f,
+                         0x9e3779b9u * k});
     }
     writeEffects(*scene.mesh, grains, puffs);
     scene.view.quality = quality;
