@@ -69,6 +69,11 @@ DEM_FN void releaseTouch(const TouchLaw<Real>& law, const OverlapChange<Real>& c
     slot = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(before.spring));
 }
+/// The same where nothing is booked: no law need be known.
+template <class Real>
+DEM_FN void releaseUnbooked(Vec4<Real>& slot) {
+    if (!holdsNothing(slot)) slot = Vec4<Real>{};
+}
 
 /// m, from i to j one step before, on a straight way.
 template <class Real>
@@ -107,6 +112,11 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
                                  const Vec4<Real>& held, Vec4<Real>& slot, Tally<Real>& tally) {
     const Real radius = own.constants.contact_radius;
     const Real overlap = (radius + other.contact_radius) - line.distance;
+    const bool touches = overlap > Real(0);
+    if (!kLedger && !touches) {
+        releaseUnbooked(slot);
+        return {};
+    }
     KeptTouch<Real> before = touchOf(held, keptNormal(held, pair, line.normal, params.drift));
     const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
@@ -114,7 +124,7 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)),
                                                       reduced(radius, other.contact_radius),
                                                       pairInertia(own.constants, other), before.softest);
-    if (!(overlap > Real(0))) {
+    if (!touches) {
         releaseTouch<kLedger>(law, overlapChange(overlap, former), before, slot, Real(0.5), tally);
         return {};
     }
@@ -204,35 +214,56 @@ struct FormerBond {
     ParticleConstants<Real> constants;
     Vec4<Real> rest, spring;
 };
-/// Type 3, and the step from it to type 1.
+/// Stiffnesses of its faces, as this step can bear them.
+template <class Real>
+DEM_FN BondConstants<Real> facesOf(const FormerBond<Real>& former, const BodyLaw<Real>& body,
+                                   const StepParams<Real>& params, const PairInertia<Real>& against) {
+    return cappedFaces(bondConstants(former.rest, former.link.grade, body), params, against,
+                       softestOf(former.spring));
+}
+/// Its faces are apart: the step from type 3 to type 1. `overlap`, `rest_length`: m.
+template <bool kLedger, class Real>
+DEM_FN void partFaces(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                      const OwnParticle<Real>& own, const FormerBond<Real>& former,
+                      const PairMotion<Real>& pair, const CentreLine<Real>& line, Real overlap,
+                      Real rest_length, Tally<Real>& tally) {
+    Vec4<Real>& slot = arrays.bond_spring[former.slot];
+    if constexpr (kLedger) {
+        const BondConstants<Real> bond = facesOf(former, arrays.body_laws[own.owner], params,
+                                                 pairInertia(own.constants, former.constants));
+        TouchLaw<Real> faces;
+        faces.stiffness = bond.stiffness.normal;
+        faces.shear = bond.stiffness.shear;
+        const Real before = formerOverlap(pair, overlap, line.distance, params.drift);
+        releaseTouch<true>(faces, overlapChange(overlap, before), touchOf(former.spring, line.normal), slot,
+                           Real(0.5), tally);
+    } else {
+        releaseUnbooked(slot);
+    }
+    const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
+    arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
+}
+/// Type 3.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                const OwnParticle<Real>& own, const FormerBond<Real>& former,
                                const PairMotion<Real>& pair, const CentreLine<Real>& line,
                                Tally<Real>& tally) {
+    const Real rest_length = length(xyz(former.rest)), overlap = brokenOverlap(rest_length, line.distance);
+    if (!(overlap > Real(0))) {
+        partFaces<kLedger>(arrays, params, own, former, pair, line, overlap, rest_length, tally);
+        return {};
+    }
     const ParticleConstants<Real>& other = former.constants;
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
     const PairInertia<Real> against = pairInertia(own.constants, other);
-    const BondConstants<Real> bond = cappedFaces(bondConstants(former.rest, former.link.grade, body), params,
-                                                 against, softestOf(former.spring));
-    const KeptTouch<Real> before = touchOf(former.spring, line.normal);
-    const Real rest_length = length(bond.rest), overlap = brokenOverlap(rest_length, line.distance);
-    if (!(overlap > Real(0))) {
-        TouchLaw<Real> faces;
-        faces.stiffness = bond.stiffness.normal;
-        faces.shear = bond.stiffness.shear;
-        const Real overlap_before = formerOverlap(pair, overlap, line.distance, params.drift);
-        releaseTouch<kLedger>(faces, overlapChange(overlap, overlap_before), before,
-                              arrays.bond_spring[former.slot], Real(0.5), tally);
-        const PairState next = nextState(PairState::kBroken, false, line.distance, rest_length);
-        arrays.link[former.slot].link = linkWord(linkedParticle(former.link), next);
-        return {};
-    }
     const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
-    const TouchLaw<Real> law = brokenTouchLaw(bond, body.faces, params, overlap, radius, against);
+    const TouchLaw<Real> law =
+        brokenTouchLaw(facesOf(former, body, params, against), body.faces, params, overlap, radius, against);
     const Real arm = Real(0.5) * line.distance;
-    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair, before,
-                                      arrays.bond_spring[former.slot], params, tally);
+    return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
+                                      touchOf(former.spring, line.normal), arrays.bond_spring[former.slot],
+                                      params, tally);
 }
 
 /// Only a broken bond has faces that touch before the spheres do.
