@@ -341,16 +341,16 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     const Vec3<Real> velocity = xyz(own.state.velocity) + cross(xyz(own.state.spin), across);
     const Real approach = -dot(velocity, at.normal);
     const PairLaw<Real>& wall = wallLaw(arrays, params, own.owner, c);
-    const auto law_now = [&](const Landing<Real>& landing) {
-        return pressingLaw<kStep>(wall, params, own, at, turned_with(own, at), landing, spring);
+    const auto law_now = [&](const Landing<Real>& landing, const Vec4<Real>& kept) {
+        return pressingLaw<kStep>(wall, params, own, at, turned_with(own, at), landing, kept);
     };
     if (!(at.depth > Real(0))) {
-        releaseTouch<kLedger>(kLedger ? law_now({approach}) : TouchLaw<Real>{}, at.change, before, spring,
-                              Real(1), tally);
+        releaseTouch<kLedger>(kLedger ? law_now({approach}, spring) : TouchLaw<Real>{}, at.change, before,
+                              spring, Real(1), tally);
         return {{}, at.gap < Real(kStepsAhead) * params.dt * approach};
     }
     const Landing<Real> landing = landingOf<kStep>(wall, arrays, params, own, at.normal, approach, spring);
-    const TouchLaw<Real> law = law_now(landing);
+    const TouchLaw<Real> law = law_now(landing, hardened<kStep>(params, approach, spring));
     PairMotion<Real> pair;
     pair.velocity_i = velocity;
     pair.spin_i = xyz(own.state.spin);

@@ -4,6 +4,7 @@
 #pragma once
 #include "sim_cuda/data/kept_spring.h"
 #include "sim_cuda/kernels/own_particle.h"
+#include "sim_cuda/physics/hand_over.h"
 
 namespace demolish {
 
@@ -74,6 +75,20 @@ DEM_FN Real softestFrom(const PairLaw<Real>& wall, const StepParams<Real>& param
                        landing.approach > Real(kLandingShare) * wall.gentle && landing.approach < wall.gentle;
     return lands ? Real(kGentleStiffness) * full : softestOf(kept);
 }
+/// 1/s: a touch that rests in contact steps gets its full stiffness back, so slowly that what is lifted does
+/// not swing: with 4 a block that rocks goes on for longer. A hit is slower than kRestSpeed for a step or so
+/// only.
+inline constexpr double kHardening = 2;
+/// What is kept of a touch that goes on, as this step takes it; `approach`: m/s. In a step shorter than the
+/// one before it nothing grows that the next one would take back.
+template <StepKind kStep, class Real>
+DEM_FN Vec4<Real> hardened(const StepParams<Real>& params, Real approach, Vec4<Real> kept) {
+    const bool rests =
+        kStep == StepKind::kContact && absOf(approach) < Real(kRestSpeed) && !(params.drift > params.dt);
+    if (rests && hasBeenSofter(kept)) kept.w = madd(Real(kHardening) * params.dt, kept.w, kept.w);
+    return kept;
+}
+
 /// Of the full stiffness, what the damper goes by: more than the spring where the floor is soft.
 template <StepKind kStep, class Real>
 DEM_FN Real dampedStiffness(Real full, Real softest, Real stiffness, const Landing<Real>& landing) {

@@ -107,12 +107,13 @@ DEM_FN T crossingLoss(T stiffness, const OverlapChange<T>& change) {
     return stiffness * change.crossed;
 }
 
-/// J that a contact loses when it becomes softer than it was (`kept`, N/m): its overlap was brought about
-/// half at the old stiffness and half at the new one. `spring`: m, the tangential one.
+/// J that a contact loses when it becomes softer than it was (`kept`, N/m), and less than nothing where it
+/// becomes stiffer: its overlap was brought about half at the old stiffness and half at the new one.
+/// `spring`: m, the tangential one.
 template <class T>
 DEM_FN T softeningLoss(const TouchLaw<T>& law, T kept, const OverlapChange<T>& change,
                        const Vec3<T>& spring) {
-    if (!(law.softens && kept > law.stiffness && law.stiffness > T(0))) return T(0);
+    if (!(law.softens && kept > T(0) && law.stiffness > T(0))) return T(0);
     return T(0.5) * (kept - law.stiffness) * madd(law.shear / law.stiffness, length2(spring), change.held);
 }
 

@@ -89,12 +89,12 @@ TEST(Lying, WhatIsDrawnOfRestingPiecesLiesOnTheFloor) {
         for (uint64_t packing = 0; packing < kPackings; ++packing) {
             std::printf("%s: ", row.scene);
             const Depths depths = depthsAtRest(dropped(row.scene, row.particles, row.speed, packing));
-            EXPECT_LT(depths.worst, 0.3);
+            EXPECT_LT(depths.worst, 0.12);
             over_packings.worst += depths.worst / kPackings;
             over_packings.mean += depths.mean / kPackings;
         }
-        EXPECT_LT(over_packings.worst, 0.2);
-        EXPECT_LT(over_packings.mean, 0.03);
+        EXPECT_LT(over_packings.worst, 0.09);
+        EXPECT_LT(over_packings.mean, 0.02);
     }
 }
 
