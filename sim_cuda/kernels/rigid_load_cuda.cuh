@@ -70,7 +70,7 @@ __device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, ui
 
 /// Corners of a particle that are fetched at once: as many as cells have. Threads that do so, of which one
 /// does the rest.
-inline constexpr uint32_t kFetchedCorners = 16, kFetching = 4;
+inline constexpr uint32_t kFetchedCorners = 24, kFetching = 4;
 /// Of the particle that this thread shares with others.
 template <class Real>
 __device__ __forceinline__ Vec4<Real>* cornerMemory() {
