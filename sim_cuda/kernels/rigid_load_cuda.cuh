@@ -3,6 +3,7 @@
 #pragma once
 #include <cuda_pipeline.h>
 
+#include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/kernels/rigid_load.h"
 #include "sim_cuda/kernels/substep_cuda.cuh"
 
@@ -70,7 +71,7 @@ __device__ __forceinline__ void gatherRowsOf(const RigidGather<Real>& gather, ui
 
 /// Corners of a particle that are fetched at once: as many as cells have. Threads that do so, of which one
 /// does the rest.
-inline constexpr uint32_t kFetchedCorners = 24, kFetching = 4;
+inline constexpr uint32_t kFetchedCorners = kMostCorners, kFetching = 4;
 /// Of the particle that this thread shares with others.
 template <class Real>
 __device__ __forceinline__ Vec4<Real>* cornerMemory() {
