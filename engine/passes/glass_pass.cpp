@@ -60,7 +60,7 @@ void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const g
     makeShadowTargets(draft);
     const SurfaceLook look = glassOf(view);
     const glm::vec4 bends(look.absorption[0], look.absorption[1], look.absorption[2], look.refraction_index);
-    const bool bent = !draft && view.show_floor && view.lighting.floor != FloorMaterial::kNone;
+    const bool bent = !draft && view.hasFloor();
     const ShadowKey key{mesh.version(), light_matrix, bends, look.frost, bent};
     if (key != shadow_key_) {
         shadow_key_ = key;

@@ -102,7 +102,7 @@ glm::vec3 floorBounce(const Lighting& light, glm::vec3 to_sun) {
 void putLight(const FrameView& view, glm::vec3 to_sun, FrameUniforms& frame) {
     const Lighting& light = view.lighting;
     const Surroundings& around = surroundingsOf(light);
-    const bool has_floor = view.show_floor && light.floor != FloorMaterial::kNone;
+    const bool has_floor = view.hasFloor();
     frame.to_sun = glm::vec4(to_sun, light.sun_tangent);
     frame.sun_colour = glm::vec4(light.sun_colour, 0);
     frame.floor_colour = glm::vec4(light.floor_colour, has_floor ? 1.0f : 0.0f);

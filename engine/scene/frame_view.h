@@ -58,6 +58,7 @@ struct FrameView {
     float scene_radius = 1.0f;  ///< m, what the shadow map must cover
     float scene_centre[3] = {0, 0.5f, 0};
 
+    bool hasFloor() const { return show_floor && lighting.floor != FloorMaterial::kNone; }
     bool operator==(const FrameView&) const = default;
 };
 
