@@ -65,6 +65,7 @@ CudaBackend::CudaBackend() {
         checkCuda(cudaStreamCreateWithFlags(stream, cudaStreamNonBlocking), "making a stream");
     for (cudaEvent_t* event : {&forked_, &joined_})
         checkCuda(cudaEventCreateWithFlags(event, cudaEventDisableTiming), "making an event");
+    steps_barrier_ = allocate<uint32_t>(2);
     few_words_ = std::make_unique<Reader>(*this);
 }
 

@@ -152,7 +152,9 @@ class CudaBackend {
     template <class Kernel>
     void forEachInSteps(Span<const uint32_t> ids, Span<const uint32_t> count, uint32_t steps,
                         const Kernel& kernel, const char* name) {
-        if (ids.count > 0) launchSteps(stream_, multiprocessors_, ids, count, steps, kernel, name);
+        uint32_t* words = steps_barrier_.span().data;
+        const StepsBarrier barrier{words, words + 1};
+        if (ids.count > 0) launchSteps(stream_, multiprocessors_, ids, count, steps, kernel, barrier, name);
     }
 
     /// A kernel that calls letNextStart() and awaitPrevious(); `follows` as in LaunchShape. Throws on
@@ -318,6 +320,7 @@ class CudaBackend {
     std::string device_name_;
     int multiprocessors_ = 0;
     Buffer<unsigned char> scratch_;
+    Buffer<uint32_t> steps_barrier_;
     std::unique_ptr<Reader> few_words_;
 };
 

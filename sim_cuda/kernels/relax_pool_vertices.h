@@ -35,9 +35,11 @@ struct RelaxPoolVertices {
         Vec3<float> sum;
         float count = 0;
         for (uint32_t c = corners.start[v]; c < corners.start[v + 1]; ++c) {
-            if (face_state[corners.face[c]] == kFaceHidden) continue;
-            sum = sum + (toVec3(before[corners.next[c]]) + toVec3(before[corners.previous[c]]));
-            count += 2.0f;
+            const bool shown = face_state[corners.face[c]] != kFaceHidden;
+            // Hidden ones are read all the same: without a branch all corners are read at once.
+            const Vec3<float> more = toVec3(before[corners.next[c]]) + toVec3(before[corners.previous[c]]);
+            sum = shown ? sum + more : sum;
+            count += shown ? 2.0f : 0.0f;
         }
         const Vec3<float> here = toVec3(before[v]), from = toVec3(rest[v]);
         const Vec3<float> moved = axpy(kRelaxationFactor, (1.0f / count) * sum - here, here - from);

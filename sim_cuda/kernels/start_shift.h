@@ -18,6 +18,7 @@ struct StartShift {
     Span<const uint32_t> border;
     Span<const RimLink> link;
     Span<const Float3> place, position;  ///< wanted, present
+    Span<Float3> tried;                  ///< where each set out for last: at rest before
     Span<Float3> shift, shift_before;    ///< both are written; 0 before
     Span<uint32_t> stirred;              ///< bits of cells
 
@@ -28,6 +29,11 @@ struct StartShift {
         const Vec3<float> way = alongOutside(point, toVec3(place[p]) - toVec3(position[p]));
         const float least = kLeast * point.spacing;
         if (length2(way) < least * least) return;
+        // A hairline that did not get there would not get there now: what was taken back would be again.
+        if (link[p].kind == RimKind::kHairline &&
+            length2(toVec3(place[p]) - toVec3(tried[p])) < least * least)
+            return;
+        tried[p] = place[p];
         shift[p] = toFloat3(way);
         shift_before[p] = toFloat3(way);
         for (uint32_t c = mesh.crack_start[p]; c < mesh.crack_start[p + 1]; ++c) {

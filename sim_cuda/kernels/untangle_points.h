@@ -55,12 +55,22 @@ struct PartsOfOutside {
             dot(cross(toVec3(position[part.next]) - here, toVec3(position[part.previous]) - here), part.up);
         return part;
     }
+    /// Looks at all parts: without a branch all are read at once.
     DEM_FN bool isTangled(uint32_t p, Span<const Float3> position) const {
+        bool any = false;
         for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
             const PartAt part = at(p, c, position);
-            if (part.now < part.least()) return true;
+            any |= part.now < part.least();
         }
-        return false;
+        return any;
+    }
+    DEM_FN bool isTurnedOver(uint32_t p, Span<const Float3> position) const {
+        bool any = false;
+        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
+            const PartAt part = at(p, c, position);
+            any |= part.now < (part.rest > 0 ? 0.0f : part.rest);
+        }
+        return any;
     }
 };
 
@@ -105,6 +115,10 @@ struct Untangle {
         const Span<const Float3> before = copies.before(step);
         const Span<Float3> after = copies.after(step);
         const OutsideMesh& mesh = parts.mesh;
+        if (!parts.isTangled(p, before)) {
+            after[p] = before[p];
+            return;
+        }
         Vec3<float> sum;
         float count = 0;
         for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
@@ -156,21 +170,11 @@ struct TakeBack {
         const float kept = step < kPartSteps ? kKept : 0.0f;
         const Vec3<float> from = toVec3(start[p]);
         Float3 to = before[p];
-        if (isTurnedOver(p, before)) {
+        if (parts.isTurnedOver(p, before)) {
             steps.note(step);
             to = kept > 0 ? toFloat3(lay(p, axpy(kept, toVec3(to) - from, from))) : start[p];
         }
         copies.after(step)[p] = to;
-    }
-
-  private:
-    DEM_FN bool isTurnedOver(uint32_t p, const Span<const Float3>& before) const {
-        const OutsideMesh& mesh = parts.mesh;
-        for (uint32_t c = mesh.corner_start[p]; c < mesh.corner_start[p + 1]; ++c) {
-            const PartAt part = parts.at(p, c, before);
-            if (part.now < (part.rest > 0 ? 0.0f : part.rest)) return true;
-        }
-        return false;
     }
 };
 

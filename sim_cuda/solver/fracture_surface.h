@@ -336,7 +336,7 @@ void FractureSurface<Backend>::restoreState(const std::vector<std::byte>& state,
     const std::byte* at = state.data();
     const auto positions = readFrom<Float3>(at, position_.size());
     const auto faces = readFrom<uint8_t>(at, face_state_.size());
-    const auto outside = readFrom<Float3>(at, outside_.size());
+    const auto outside = readFrom<Float3>(at, outside_.stateSize());
     backend_.upload(position_.span(), positions.data(), positions.size());
     backend_.copy(position_.view(), previous_position_.span());
     backend_.upload(face_state_.span(), faces.data(), faces.size());

@@ -59,12 +59,13 @@ class OutsideSurface {
     }
 
     void reset();
-    size_t size() const { return points_.size(); }
-    /// m, of all points: what changes from update to update. Waits for the device.
-    std::vector<Float3> saveState() { return backend_.downloaded(position_.view()); }
-    /// saveState()'s positions, with fracture as it was then. `positions` may go out of scope after the next
+    /// m, what changes from update to update: positions of all points, then where they set out for last.
+    /// Waits for the device.
+    std::vector<Float3> saveState();
+    size_t stateSize() const { return 2 * points_.size(); }
+    /// saveState()'s numbers, with fracture as it was then. `state` may go out of scope after the next
     /// synchronize().
-    void restoreState(const std::vector<Float3>& positions, const Fracture& fracture);
+    void restoreState(const std::vector<Float3>& state, const Fracture& fracture);
 
   private:
     OutsideMesh mesh() const {
@@ -95,10 +96,10 @@ class OutsideSurface {
     // changing
     Buffer<RimLink> link_;
     Buffer<Float3> position_, position_before_;  ///< alike between updates
-    Buffer<Float3> place_, start_;
-    Buffer<Float3> shift_, shift_before_;  ///< 0 between updates
-    Buffer<uint32_t> stirred_;             ///< bits of cells
-    Buffer<uint8_t> changed_;              ///< points, since the last write into streams that were not fresh
+    Buffer<Float3> place_, tried_, start_;       ///< wanted now, set out for last, before this update
+    Buffer<Float3> shift_, shift_before_;        ///< 0 between updates
+    Buffer<uint32_t> stirred_;                   ///< bits of cells
+    Buffer<uint8_t> changed_;  ///< points, since the last write into streams that were not fresh
     Buffer<uint32_t> chunk_;
     Buffer<uint32_t> widened_;
     Buffer<uint32_t> steps_moved_;  ///< of untangling, then of taking back
@@ -139,6 +140,7 @@ OutsideSurface<Backend>::OutsideSurface(Backend& backend, const FractureGeometry
       position_(backend.uploaded(restPoints(geometry))),
       position_before_(backend.uploaded(restPoints(geometry))),
       place_(backend.template allocate<Float3>(points_.size())),
+      tried_(backend.uploaded(restPoints(geometry))),
       start_(backend.template allocate<Float3>(points_.size())),
       shift_(backend.template allocate<Float3>(points_.size())),
       shift_before_(backend.template allocate<Float3>(points_.size())),
@@ -193,7 +195,7 @@ void OutsideSurface<Backend>::chooseMoving() {
     backend_.fill(stirred_.span(), 0u);
     backend_.forEach(border_.size(),
                      StartShift{mesh(), border_.view(), link_.view(), place_.view(), position_.view(),
-                                shift_.span(), shift_before_.span(), stirred_.span()},
+                                tried_.span(), shift_.span(), shift_before_.span(), stirred_.span()},
                      "start shift");
     backend_.forEach(edges_.size(), StirNeighbours{edges_.view(), stirred_.span()}, "stir neighbours");
     backend_.forEach(
@@ -262,14 +264,25 @@ template <class Backend>
 void OutsideSurface<Backend>::reset() {
     backend_.copy(rest_.view(), position_.span());
     backend_.copy(rest_.view(), position_before_.span());
+    backend_.copy(rest_.view(), tried_.span());
     backend_.fill(link_.span(), RimLink{});
     backend_.fill(changed_.span(), uint8_t{1});
 }
 
 template <class Backend>
-void OutsideSurface<Backend>::restoreState(const std::vector<Float3>& positions, const Fracture& fracture) {
-    backend_.upload(position_.span(), positions.data(), positions.size());
+std::vector<Float3> OutsideSurface<Backend>::saveState() {
+    std::vector<Float3> state = backend_.downloaded(position_.view());
+    const std::vector<Float3> tried = backend_.downloaded(tried_.view());
+    state.insert(state.end(), tried.begin(), tried.end());
+    return state;
+}
+
+template <class Backend>
+void OutsideSurface<Backend>::restoreState(const std::vector<Float3>& state, const Fracture& fracture) {
+    const size_t points = points_.size();
+    backend_.upload(position_.span(), state.data(), points);
     backend_.copy(position_.view(), position_before_.span());
+    backend_.upload(tried_.span(), state.data() + points, points);
     linkRims(fracture);
     backend_.fill(changed_.span(), uint8_t{1});
 }

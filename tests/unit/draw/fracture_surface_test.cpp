@@ -272,6 +272,24 @@ TEST(FractureSurface, WhatShowedBeforeNeverMovesAgain) {
     EXPECT_EQ(std::memcmp(again.data(), before.data(), again.size() * sizeof(Float3)), 0);
 }
 
+TEST(FractureSurface, HairlinesThatCannotBeStraightenedAreNotTriedAgain) {
+    const auto body = filled(test::makeVase(50, 30), 700);
+    const std::vector<uint32_t> whole(700, 0);
+    const std::vector<uint32_t> parts = test::randomFragments(body->geometry, 700, 60, 2);
+    std::vector<uint32_t> cracked;
+    for (uint32_t b = 0; b < body->bonds.size(); ++b)
+        if (parts[body->bonds[b].i] != parts[body->bonds[b].j]) cracked.push_back(b);
+    test::DrawnSurface drawn(test::sceneOf(body));
+    drawn.show(whole);
+    drawn.show(whole, cracked);
+    const std::vector<Float3> before = drawn.positions();
+    EXPECT_NE(std::count(drawn.chunks.begin(), drawn.chunks.end(), 1u), 0);
+    drawn.show(whole, cracked);
+    EXPECT_EQ(std::count(drawn.chunks.begin(), drawn.chunks.end(), 1u), 0) << "nothing is new";
+    const std::vector<Float3> again = drawn.positions();
+    EXPECT_EQ(std::memcmp(again.data(), before.data(), again.size() * sizeof(Float3)), 0);
+}
+
 TEST(FractureSurface, OneThreadAndTwoWriteTheSameStreams) {
     const auto body = filled(test::makeTorus(0.5, 0.2, 48, 24), 700);
     std::vector<SurfaceVertex> vertices[2];
