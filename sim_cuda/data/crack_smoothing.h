@@ -21,6 +21,23 @@ inline constexpr float kRoughness = 0.05f, kRoughnessWave = 0.6f, kSmoothingLimi
 
 /// Pieces of so few cells are drawn with flat faces and sharp edges.
 inline constexpr uint32_t kMostCellsOfCrumb = 2;
+/// h: limit for what also bounds a crumb. A crater is no mould of what broke out of it, but a crumb must not
+/// be pressed flat.
+inline constexpr float kLimitAtCrumb = 0.35f;
+
+/// The pieces that meet at a vertex of the crack.
+struct PiecesThere {
+    uint32_t smallest = 0;  ///< cells, crumbs left out; 0: none but crumbs
+    bool crumb = false;     ///< there is one
+
+    DEM_FN void add(uint32_t cells) {
+        const bool is_crumb = cells <= kMostCellsOfCrumb;
+        crumb = crumb || is_crumb;
+        if (!is_crumb) smallest = smallest == 0 || cells < smallest ? cells : smallest;
+    }
+    static constexpr uint32_t kCrumbBit = 1u << 31;
+    DEM_FN uint32_t word() const { return smallest | (crumb ? kCrumbBit : 0); }
+};
 
 /// `cells`: of the smallest piece that the crack bounds there.
 DEM_FN CrackSmoothing crackSmoothing(uint32_t cells) {
@@ -29,6 +46,13 @@ DEM_FN CrackSmoothing crackSmoothing(uint32_t cells) {
     if (cells <= 12) return {0.5f, 5, 0.35f, kRoughness};
     if (cells <= 30) return {0.8f, 12, 0.5f, kRoughness};
     return {1.1f, kMostSmoothingSteps, kSmoothingLimit, kRoughness};
+}
+/// `pieces`: PiecesThere::word().
+DEM_FN CrackSmoothing faceSmoothing(uint32_t pieces) {
+    CrackSmoothing smoothing = crackSmoothing(pieces & ~PiecesThere::kCrumbBit);
+    if ((pieces & PiecesThere::kCrumbBit) != 0 && smoothing.limit > kLimitAtCrumb)
+        smoothing.limit = kLimitAtCrumb;
+    return smoothing;
 }
 
 /// A Gaussian's stand-in without exp(): (1 - x^2)^3 for the share x of the way to where it ends, which is at

@@ -2,6 +2,7 @@
 // Which pool vertices may be bent: those on newly exposed faces that neither lie on the outside nor were
 // shown before.
 #pragma once
+#include "sim_cuda/data/crack_smoothing.h"
 #include "sim_cuda/data/fracture_mesh.h"
 
 namespace demolish {
@@ -12,25 +13,23 @@ struct ChooseMovableVertices {
     Span<const uint8_t> face_state;
     Span<const uint8_t> surface_distance;  ///< in edges; 0 on the outside
     Span<const uint32_t> fragment, fragment_size;
-    Span<uint32_t> movable;   ///< 0 or 1
-    Span<uint32_t> smallest;  ///< cells of the smallest fragment at a movable vertex
+    Span<uint32_t> movable;       ///< 0 or 1
+    Span<uint32_t> pieces_there;  ///< PiecesThere::word() of a movable vertex
 
     DEM_FN void operator()(uint32_t v) const {
         bool fresh = false, shown_before = surface_distance[v] == 0;
-        uint32_t least = 0xffffffffu;
+        PiecesThere pieces;
         for (uint32_t c = corners.start[v]; c < corners.start[v + 1] && !shown_before; ++c) {
             const uint32_t f = corners.face[c];
             const uint8_t state = face_state[f];
             if (state == kFaceHidden) continue;
             fresh = fresh || state == kFaceNew;
             shown_before = state == kFaceOld;
-            const uint32_t a = fragment_size[fragment[faces[f].cell_a]];
-            const uint32_t b = fragment_size[fragment[faces[f].cell_b]];
-            least = a < least ? a : least;
-            least = b < least ? b : least;
+            pieces.add(fragment_size[fragment[faces[f].cell_a]]);
+            pieces.add(fragment_size[fragment[faces[f].cell_b]]);
         }
         movable[v] = fresh && !shown_before ? 1 : 0;
-        smallest[v] = least;
+        pieces_there[v] = pieces.word();
     }
 };
 

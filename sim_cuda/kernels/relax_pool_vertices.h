@@ -15,7 +15,7 @@ inline constexpr float kRelaxationFactor = 0.6f;
 struct RelaxPoolVertices {
     PoolCorners corners;
     Span<const uint8_t> face_state;
-    Span<const uint32_t> smallest;
+    Span<const uint32_t> pieces_there;
     Span<const Float3> rest;
     Span<const float> spacing;
     TwoCopies copies;
@@ -23,7 +23,7 @@ struct RelaxPoolVertices {
 
     DEM_FN bool isOver(uint32_t step) const { return steps.isOver(step); }
     DEM_FN void operator()(uint32_t v, uint32_t step) const {
-        const CrackSmoothing smoothing = crackSmoothing(smallest[v]);
+        const CrackSmoothing smoothing = faceSmoothing(pieces_there[v]);
         const bool moves = step < smoothing.steps;
         if (moves) steps.note(step);
         const Span<const Float3> before = copies.before(step);

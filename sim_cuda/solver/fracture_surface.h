@@ -103,7 +103,7 @@ class FractureSurface {
     // changing
     Buffer<uint8_t> face_state_;
     MarkedList<Backend> movable_;                  ///< pool vertices
-    Buffer<uint32_t> smallest_;                    ///< cells of the smallest fragment at each of those
+    Buffer<uint32_t> pieces_there_;                ///< PiecesThere::word() of each of those
     Buffer<uint32_t> steps_moved_;                 ///< of smoothing
     Buffer<uint8_t> uncut_;                        ///< triangles of the mesh
     Buffer<Float3> position_, previous_position_;  ///< alike between updates
@@ -163,7 +163,7 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       surface_distance_(backend.template allocate<uint8_t>(rest_.size())),
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
       movable_(backend, rest_.size()),
-      smallest_(backend.template allocate<uint32_t>(rest_.size())),
+      pieces_there_(backend.template allocate<uint32_t>(rest_.size())),
       steps_moved_(backend.template allocate<uint32_t>(kMostSmoothingSteps)),
       uncut_(backend.template allocate<uint8_t>(exterior_triangles_.size())),
       position_(backend.uploaded(scene.geometry.pool)),
@@ -239,7 +239,7 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
     backend_.forEach(
         rest_.size(),
         ChooseMovableVertices{corners(), faces_.view(), face_state_.view(), surface_distance_.view(),
-                              fracture.fragment, fracture.size, movable_.marks(), smallest_.span()},
+                              fracture.fragment, fracture.size, movable_.marks(), pieces_there_.span()},
         "choose movable vertices");
     movable_.gather();
     backend_.fill(steps_moved_.span(), 0u);
@@ -247,13 +247,13 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
     movable_.forEachInSteps(kMostSmoothingSteps,
                             RelaxPoolVertices{corners(),
                                               face_state_.view(),
-                                              smallest_.view(),
+                                              pieces_there_.view(),
                                               rest_.view(),
                                               spacing_.view(),
                                               {position_.span(), previous_position_.span()},
                                               {steps_moved_.span()}},
                             "relax pool vertices");
-    movable_.forEach(RoughenPoolVertices{surface_distance_.view(), smallest_.view(), rest_.view(),
+    movable_.forEach(RoughenPoolVertices{surface_distance_.view(), pieces_there_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");
 }
