@@ -165,26 +165,32 @@ struct StepRigid {
         if (!(carried_share > 0)) return {};
         return {xyz(arrays.carried[2 * size_t{i}]), xyz(arrays.carried[2 * size_t{i} + 1])};
     }
-    DEM_FN void move(RigidBody& body, const RigidSums& total) const {
+    /// J that gravity's work loses by the change of steps (stretchLoss()), for the ledger.
+    DEM_FN double move(RigidBody& body, const RigidSums& total) const {
         const double substep = double(params.dt);
         body.starts = 0;
         if (body.isHeld()) {
             lead(body, stride * substep);
-            return countContacts(body, total.touching, total.standing);
+            countContacts(body, total.touching, total.standing);
+            return 0;
         }
-        const double fallen = substep * fallenSubsteps(body.flight, previous, stride, total.touching > 0);
+        const double pulled = substep * (body.flight.lag + 1.0),
+                     fallen = substep * fallenSubsteps(body.flight, previous, stride, total.touching > 0);
         if (isLight(body.inverse_mass * total.force)) body.flight.free = 1;
-        advance(body, push() * total.force, push() * total.torque, fallen * asDouble(params.gravity),
-                stride * substep);
+        const Vec3<double> before = body.velocity, gravity = asDouble(params.gravity);
+        advance(body, push() * total.force, push() * total.torque, fallen * gravity, stride * substep);
         countContacts(body, total.touching + total.coming, total.standing + total.coming);
+        return 0.5 * (fallen - pulled) / body.inverse_mass * dot(gravity, body.velocity - before);
     }
     /// What touches gives less than half of what gravity does (m/s^2): the body falls on.
     DEM_FN bool isLight(const Vec3<double>& given) const {
         return length2(given) < 0.25 * length2(asDouble(params.gravity));
     }
-    DEM_FN void keep(const RigidBody& body, const RigidRow& row) const {
+    /// For one lane, that of the first place, which is the slot's if that is active. `lost`: of move().
+    DEM_FN void keep(const RigidBody& body, const RigidRow& row, double lost) const {
         work.body[row.slot] = body;
         work.memory[row.slot] = memoryOf(body);
+        if constexpr (kLedger) bookedDamping(arrays.ledger[row.slot]) += Real(lost);
     }
     /// Every `lanes`-th particle from `lane` on, however many lanes there are; `seat` as in gather().
     DEM_FN void place(const RigidBody& body, const RigidRow& row, RigidSeat<Real> seat, uint32_t lane,
@@ -203,16 +209,34 @@ struct StepRigid {
             constants[i] = shared;
             if (carried_share > 0) in_substeps[i] = carriedConstants(body, shared, seat.own);
             if (kLedger && body.isHeld()) bookHeld(seat, before);
+            if constexpr (kLedger) bookPushes(body, seat, before);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
-            if constexpr (kLedger) {
-                const LoadedState<Real> after = afterKick(body, seat, before);
-                bookLedger(arrays.ledger[i], loads[seat.place].tally(), before, after, Real(push()));
-                if (carried_share > 0)
-                    bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), before, after,
-                               Real(carried_share * push()));
-            }
         }
+    }
+    DEM_FN void bookPushes(const RigidBody& body, const RigidSeat<Real>& seat,
+                           const LoadedState<Real>& before) const {
+        const uint32_t i = seat.particle;
+        const LoadedState<Real> after = afterKick(body, seat, before);
+        const auto book = [&](Real share, const Wrench<Real>& load, const Tally<Real>& tally) {
+            bookLedger(arrays.ledger[i], tally, before, after, share * Real(push()));
+            if (!body.isHeld())
+                bookedDamping(arrays.ledger[i]) += share * stretchLoss(load, tally, before, after);
+        };
+        book(Real(1), loads[seat.place].push().wrench, loads[seat.place].tally());
+        if (carried_share > 0) book(Real(carried_share), carried(i), takeCarriedTally(arrays, i));
+    }
+    /// J: what leapfrog keeps is half the mass times the velocities before and after a kick (physics B.1).
+    /// Where a step is longer than the one before it, it keeps less of what pushes, and more where it is
+    /// shorter: the half of their difference times the half of what the elastic part of the load gives.
+    DEM_FN Real stretchLoss(const Wrench<Real>& load, const Tally<Real>& tally,
+                            const LoadedState<Real>& before, const LoadedState<Real>& after) const {
+        Wrench<Real> elastic = load;
+        add(elastic, {-tally.damping.force, -tally.damping.torque});
+        add(elastic, {-tally.friction.force, -tally.friction.torque});
+        const Real power =
+            powerAt(Real(1), elastic, before, after) - powerAt(Real(0), elastic, before, after);
+        return Real(0.25) * (Real(stride) - Real(previous)) * params.dt * power;
     }
     /// What a kick gives and takes needs the velocity right after it, before drift and turn have changed arm
     /// and spin.
@@ -241,8 +265,7 @@ struct StepRigid {
             sums[lane] = gather(body, row, seat(row, lane), lane, lanes);
         for (uint32_t step = lanes / 2; step > 0; step /= 2)
             for (uint32_t lane = 0; lane < step; ++lane) add(sums[lane], sums[lane + step]);
-        move(body, sums[0]);
-        keep(body, row);
+        keep(body, row, move(body, sums[0]));
         place(body, row, seat(row, 0), 0, 1);
     }
 };

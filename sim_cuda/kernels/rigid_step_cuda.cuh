@@ -35,9 +35,9 @@ __device__ void moveSmall(const StepRigid<kLedger, Real>& step, const RigidRow& 
     RigidSums sums;
     if (lane < lanes) sums = step.gather(body, row, seat, lane, lanes);
     if (lanes > kWarp) add(sums, step.gather(body, row, step.seat(row, lane + kWarp), lane + kWarp, lanes));
-    step.move(body, warpTotal(sums, lanes < kWarp ? lanes : kWarp));
+    const double lost = step.move(body, warpTotal(sums, lanes < kWarp ? lanes : kWarp));
     // Lanes beyond the tree have no total.
-    if (lane == 0) step.keep(body, row);
+    if (lane == 0) step.keep(body, row, lost);
     if (lane < lanes) step.place(body, row, seat, lane, lanes < kWarp ? lanes : kWarp);
 }
 
@@ -57,9 +57,9 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, const RigidRow& 
         if (lane < width) add(sums[lane], sums[lane + width]);
     }
     if (lane < kWarp) {
-        step.move(body, warpTotal(sums[lane], kWarp));
+        const double lost = step.move(body, warpTotal(sums[lane], kWarp));
         if (lane == 0) {
-            step.keep(body, row);
+            step.keep(body, row, lost);
             moved = body;
         }
     }

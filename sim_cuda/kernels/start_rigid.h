@@ -166,11 +166,37 @@ struct SettleRegimes {
                            w = asDouble(xyz(before.spin)) + turn;
         state.velocity[i] = withLowOf(Vec3<Real>{Real(v.x), Real(v.y), Real(v.z)}, before.velocity);
         state.spin[i] = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
+        if (i == slot)
+            bookedDamping(ledger[i]) -= Real(gainOf(slot, gained, turn, 0.5 * flight.lag * substep));
         if (!kicked) return;
-        bookLedger(ledger[i], takeCarriedTally(arrays, i), before, loadState(in, i), Real(pending.time));
+        bookKick(i, before, loadState(in, i));
         if (i == slot && i < in_bodies)
             start[slot] = withW(xyz(start[slot]) + Vec3<Real>{Real(gained.x), Real(gained.y), Real(gained.z)},
                                 start[slot].w);
+    }
+
+    /// What the pending kick dissipates; what rubs is no part of gainOf().
+    DEM_FN void bookKick(uint32_t i, const LoadedState<Real>& before, const LoadedState<Real>& after) const {
+        const Tally<Real> tally = takeCarriedTally(arrays, i);
+        bookLedger(ledger[i], tally, before, after, Real(pending.time));
+        Wrench<Real> spent = tally.damping;
+        add(spent, tally.friction);
+        const Real power = powerAt(Real(1), spent, before, after) - powerAt(Real(0), spent, before, after);
+        bookedDamping(ledger[i]) += Real(0.5 * (pending.time + substep)) * power;
+    }
+    /// J: of what acts leapfrog keeps the more the shorter its steps are (StepRigid::stretchLoss). `gained`,
+    /// `turn`: by what pushes; `fall`: s for which gravity pulls.
+    DEM_FN double gainOf(uint32_t slot, const Vec3<double>& gained, const Vec3<double>& turn,
+                         double fall) const {
+        const RigidBody& woken = body[slot];
+        const double mass = 1 / woken.inverse_mass;
+        const Vec3<double> change = axpy(fall, gravity, gained);
+        const double weight = (0.5 * (fall + substep) * mass) * dot(gravity, change);
+        if (!(pending.time > 0)) return weight;
+        const Vec3<double> in_body = rotate(conjugate(woken.turned), turn);
+        const double pushed =
+            mass * dot(gained, change) + dot(in_body, multiply(inverted(woken.inverse_inertia), in_body));
+        return weight + 0.5 * (1 + substep / pending.time) * pushed;
     }
 
     DEM_FN void setMotion(uint32_t i, bool book, const Vec3<double>& v, const Vec3<double>& w) const {

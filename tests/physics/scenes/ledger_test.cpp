@@ -132,7 +132,7 @@ TEST(LedgerOfShortSteps, ClosesWhereAFrameIsNoMultipleOfTenSubsteps) {
     options.impact_velocity = 0;
     options.no_sleep = true;
     const SceneOutcome outcome = outcomeOf(makeShot(options, "paper"), 0.66);
-    EXPECT_NEAR(outcome.closure, 1, 0.005);
+    EXPECT_NEAR(outcome.closure, 1, 0.0005);
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Ledger, testing::ValuesIn(assetNames("scenes")),

@@ -123,13 +123,16 @@ double SceneRun::movingShare(double speed) {
 }
 
 Standing stand(Shot shot, double seconds) {
+    constexpr double kLook = 0.1;  // s, or what sways may be back where it began
     shot.impact.kind = ImpactKind::kNone;
     shot.sleeping = shot.hand_over = false;
     SceneRun run(shot);
     const auto start = run.positions();
-    run.runTo(seconds);
     Standing standing;
-    standing.moved = farthest(start, run.positions());
+    for (double time = std::min(kLook, seconds); time < seconds + 0.5 * kLook; time += kLook) {
+        run.runTo(time);
+        standing.moved = std::max(standing.moved, farthest(start, run.positions()));
+    }
     standing.broken = run.stats().bonds_broken;
     standing.speed = run.rootMeanSquareSpeed();
     return standing;

@@ -53,7 +53,7 @@ class SceneRun {
 
 struct Standing {
     uint32_t broken = 0;  ///< bonds
-    double moved = 0;     ///< m, the longest way of a particle
+    double moved = 0;     ///< m, the farthest that a particle was from its start
     double speed = 0;     ///< m/s, root of the mean square at the end
 };
 /// `seconds` of the shot with nothing that hits, and without sleeping, which would hide a drift.

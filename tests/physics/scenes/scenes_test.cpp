@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <string>
 
+#include "app/session/ball_flight.h"
+#include "app/session/shot_geometry.h"
 #include "tests/physics/scenes/scene_run.h"
 
 namespace demolish::tests {
@@ -86,6 +90,42 @@ TEST(Scenes, OnlyTheBodyThatIsHitBreaks) {
     run.runTo(second + 0.3);
     EXPECT_LT(run.stats().largest_fragment_fraction, 0.49);
 }
+
+/// Of a ball on its way to its body from the particles of one that stands.
+double leastGap(const BuiltShot& built, const TimedBall& ball, const BodyInstance& standing) {
+    const ThrownBall thrown = makeBall(built.shot, built.setup, ball, ball.flight_time);
+    const Quaternion& q = standing.rotation;
+    const glm::dquat turn(q.w, q.x, q.y, q.z);
+    double least = 1e300;
+    for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const double time = share * thrown.flight;
+        const glm::dvec3 at = toGlm(thrown.ball.position) + time * toGlm(thrown.ball.velocity) -
+                              0.5 * time * time * glm::dvec3(0, kGravity, 0);
+        for (const Particle& particle : standing.body->particles)
+            least =
+                std::min(least, glm::distance(at, toGlm(standing.position) + turn * toGlm(particle.seed)) -
+                                    thrown.ball.radius);
+    }
+    return least;
+}
+
+class SceneOfTwenty : public testing::TestWithParam<const char*> {};
+
+/// One that came through another body would hit that one.
+TEST_P(SceneOfTwenty, NoBallMeetsABodyWhoseOwnBallIsStillToCome) {
+    const BuiltShot built = prepareShot(smallScene(GetParam(), 300), {.draw_geometry = false}, {});
+    const std::vector<TimedBall>& balls = built.shot.balls;
+    ASSERT_EQ(balls.size(), 20u);
+    for (size_t k = 0; k < balls.size(); ++k)
+        for (size_t later = k + 1; later < balls.size(); ++later) {
+            const BodyInstance& standing = built.setup.bodies[balls[later].body];
+            EXPECT_GT(leastGap(built, balls[k], standing), standing.body->spacing)
+                << "the ball of body " << balls[k].body << " and body " << balls[later].body;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneOfTwenty, testing::Values("vase", "column"),
+                         [](const auto& test) { return std::string(test.param); });
 
 TEST(Scenes, AnArchStandsWithoutMortarUntilItsKeystoneIsShot) {
     Shot shot = smallScene("arch", 60);
