@@ -114,24 +114,24 @@ class Repair {
         thicken(facts);
     }
 
-    /// The file's triangles alone.
-    RepairMesh withoutCaps() const {
-        RepairMesh raw = repair_;
-        std::vector<char> of_file(raw.size());
-        for (size_t t = 0; t < raw.size(); ++t) of_file[t] = raw.source[t] != kNoSource;
-        raw.keep(of_file);
-        return raw;
+    /// The file's triangles alone, or all others.
+    RepairMesh only(bool of_file) const {
+        std::vector<char> flags(repair_.size());
+        for (size_t t = 0; t < repair_.size(); ++t) flags[t] = (repair_.source[t] != kNoSource) == of_file;
+        RepairMesh taken = repair_;
+        taken.keep(flags);
+        return taken;
     }
 
     /// What looks like sheets bounds a solid: capped if that agrees with the winding number, else remeshed.
     /// False, and nothing changed, where that encloses nothing: planes in a row, one behind the other.
     bool closeWalls() {
         constexpr double kAgrees = 0.04, kNothing = 1e-6;  // of the diagonal's cube
-        const RepairMesh raw = withoutCaps();
+        const RepairMesh raw = only(true), caps = only(false);
         RepairMesh before = repair_;
         separateParts();
         const bool is_solid = isSolid(repair_.mesh);
-        if (is_solid && (!mayRemesh() || (windingDifference(repair_.mesh, raw.mesh) < kAgrees &&
+        if (is_solid && (!mayRemesh() || (windingDifference(repair_.mesh, caps.mesh) < kAgrees &&
                                           !sampleWinding(repair_.mesh).isInsideOut())))
             return true;
         if (mayRemesh()) remesh(raw, false, RemeshCause::kWallsOfSolid);
@@ -146,7 +146,7 @@ class Repair {
         report_.sheets =
             size_t(std::count_if(thickness.begin(), thickness.end(), [](double t) { return t > 0; }));
         report_.thickness = *std::max_element(thickness.begin(), thickness.end());
-        const RepairMesh raw = withoutCaps();
+        const RepairMesh raw = only(true);
         if (report_.sheets > 0) thickenSheets(repair_, thickness);
         separateParts();
         if (!isSolid(repair_.mesh) && mayRemesh()) remesh(raw, false, RemeshCause::kStillOpen);
