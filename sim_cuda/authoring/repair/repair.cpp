@@ -15,6 +15,7 @@
 #include "sim_cuda/authoring/repair/orientation.h"
 #include "sim_cuda/authoring/repair/outward.h"
 #include "sim_cuda/authoring/repair/parts_apart.h"
+#include "sim_cuda/authoring/repair/quad_diagonals.h"
 #include "sim_cuda/authoring/repair/remesh.h"
 #include "sim_cuda/authoring/repair/sheets.h"
 #include "sim_cuda/authoring/repair/thicken.h"
@@ -51,9 +52,10 @@ class Repair {
     }
 
     RepairedMesh done() && {
-        const bool was_solid = isSolid(repair_.mesh);
         const bool can_start =
             repair_.size() > 0 && diagonal_ > 0 && std::isfinite(diagonal_ * diagonal_ * diagonal_);
+        const bool was_solid =
+            isSolid(repair_.mesh) && (options_.mode == RepairMode::kOff || !hasBothSides());
         const bool is_needed = !was_solid || options_.mode == RepairMode::kRemesh || report_.parts > 1;
         if (can_start && is_needed && options_.mode != RepairMode::kOff) {
             if (was_solid) {
@@ -76,9 +78,18 @@ class Repair {
   private:
     bool mayRemesh() const { return options_.mode != RepairMode::kExact; }
 
+    /// Sheets whose sides were cut along different diagonals are closed, and no bodies. Bodies of one part
+    /// are not searched for them.
+    bool hasBothSides() {
+        if (report_.parts == 1 && !isFlat(enclosedVolume(repair_.mesh), surfaceArea(repair_.mesh), diagonal_))
+            return false;
+        return alignDiagonals(repair_) > 0;
+    }
+
     void close() {
         report_.untouched = false;
         report_.welded = weldNear(repair_, kWeldShare * diagonal_);
+        alignDiagonals(repair_);
         const DoubleCounts doubles = dropDoubles(repair_);
         report_.doubles = doubles.same + 2 * doubles.opposite_both + doubles.opposite_one;
         if (repair_.size() == 0) return;

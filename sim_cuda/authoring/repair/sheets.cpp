@@ -16,13 +16,12 @@ namespace {
 
 constexpr double kLargeCaps = 0.4;    // of the part's area
 constexpr double kOnlyCaps = 0.9;     // the same: nothing but a rim
-constexpr double kFlat = 0.002;       // volume over area times size
 constexpr double kSpacings = 1.5;     // thickness of a sheet
 constexpr double kProbeOff = 1e-4;    // of the diagonal, from the surface to where its sides are probed
 constexpr double kMostOfSize = 0.15;  // thickness over the root of the part's area
 
-bool isFlat(const PartFacts& part) {
-    return std::abs(part.volume) < kFlat * part.area * part.diagonal();
+bool isFlatPart(const PartFacts& part) {
+    return isFlat(part.volume, part.area, part.diagonal());
 }
 
 /// Of caps and of their corners, how much lies inside of the parts that are solid.
@@ -68,13 +67,13 @@ void findSheets(const RepairMesh& filled, std::vector<PartFacts>& facts) {
     double sheet_area = 0, area = 0;
     size_t sheets = 0;
     for (PartFacts& part : facts) {
-        part.is_sheet = !part.is_cavity && (part.cap_area > kLargeCaps * part.area || isFlat(part));
+        part.is_sheet = !part.is_cavity && (part.cap_area > kLargeCaps * part.area || isFlatPart(part));
         area += part.area;
         if (part.is_sheet) sheet_area += part.area;
     }
     for (PartFacts& part : facts) {
         if (part.is_sheet && sheet_area < 0.5 * area && part.cap_area < kOnlyCaps * part.area &&
-            !isFlat(part))
+            !isFlatPart(part))
             part.is_sheet = false;
         sheets += part.is_sheet;
     }

@@ -99,6 +99,34 @@ TEST(Repair, SheetsAreThickened) {
     EXPECT_NEAR(enclosedVolume(pipe.mesh) / (0.4 * std::numbers::pi), 1, 0.01);
 }
 
+/// A leaf as games have it: quads that are there a second time, turned, and cut the other way.
+TriangleMesh leafWithBothSides(double bend) {
+    TriangleMesh leaf;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) leaf.positions.push_back({0.1 * i, bend * i * j, 0.1 * j});
+    for (uint32_t i = 0; i < 2; ++i)
+        for (uint32_t j = 0; j < 2; ++j) {
+            const uint32_t a = 3 * i + j, b = a + 1, c = a + 4, d = a + 3;
+            for (const auto& t : {Triangle{a, b, c}, {a, c, d}, {d, c, b}, {d, b, a}})
+                leaf.triangles.push_back(t);
+        }
+    leaf.corners.resize(leaf.triangles.size());
+    return leaf;
+}
+
+TEST(Repair, ASheetWithBothSidesIsOnePlate) {
+    const RepairedMesh plate = repairMesh(leafWithBothSides(0), {.thickness = 0.01});
+    ASSERT_TRUE(isSolid(plate.mesh));
+    EXPECT_NEAR(enclosedVolume(plate.mesh), 0.2 * 0.2 * 0.01, 1e-12);
+    EXPECT_EQ(repairSentence(plate.report), "8 doubled triangles dropped; 1 sheet made 0.01 m thick");
+    for (const double bend : {0.005, -0.005}) {  // of which one encloses a little, and one less than nothing
+        const TriangleMesh leaf = leafWithBothSides(bend);
+        EXPECT_NEAR(enclosedVolume(repairMesh(leaf, {.thickness = 0.01}).mesh), 0.2 * 0.2 * 0.01, 3e-5);
+        const TriangleMesh with_ball = joined(leaf, test::makeSphere(1, 2), {3, 0, 0});
+        EXPECT_EQ(repairMesh(with_ball, {.thickness = 0.01}).report.sheets, 1u);
+    }
+}
+
 /// A cloud as games have it: eight upright planes, one behind the other. The winding number takes the air
 /// between them for a solid.
 TEST(Repair, PlanesInARowAreThickenedWhereTheyEncloseNothing) {
