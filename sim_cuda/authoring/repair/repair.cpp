@@ -78,12 +78,21 @@ class Repair {
   private:
     bool mayRemesh() const { return options_.mode != RepairMode::kExact; }
 
-    /// Sheets whose sides were cut along different diagonals are closed, and no bodies. Bodies of one part
-    /// are not searched for them.
+    /// Cheaper than to ask each part; of one part that is large enough it is settled.
+    bool mayHaveSheets() const {
+        return options_.mode != RepairMode::kOff &&
+               (report_.parts > 1 ||
+                isFlat(enclosedVolume(repair_.mesh), surfaceArea(repair_.mesh), diagonal_));
+    }
+
+    /// Sheets whose sides were cut along different diagonals are closed, and no bodies.
     bool hasBothSides() {
-        if (report_.parts == 1 && !isFlat(enclosedVolume(repair_.mesh), surfaceArea(repair_.mesh), diagonal_))
-            return false;
-        return alignDiagonals(repair_) > 0;
+        numberParts(repair_);
+        const std::vector<PartFacts> facts = factsOfParts(repair_, {});
+        const bool any_flat = std::any_of(facts.begin(), facts.end(), [](const PartFacts& part) {
+            return isFlat(part.volume, part.area, part.diagonal());
+        });
+        return any_flat && alignDiagonals(repair_) > 0;
     }
 
     void close() {

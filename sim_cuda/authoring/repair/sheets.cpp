@@ -16,12 +16,18 @@ namespace {
 
 constexpr double kLargeCaps = 0.4;    // of the part's area
 constexpr double kOnlyCaps = 0.9;     // the same: nothing but a rim
+constexpr double kFewCaps = 0.05;     // of the part's area: all but closed
+constexpr double kRounding = 1e-5;    // volume over area times size, of what is all but closed
 constexpr double kSpacings = 1.5;     // thickness of a sheet
 constexpr double kProbeOff = 1e-4;    // of the diagonal, from the surface to where its sides are probed
 constexpr double kMostOfSize = 0.15;  // thickness over the root of the part's area
 
+/// Of what is all but closed, rounding alone: thin rings and wires are bodies, which thickened walls would
+/// turn inside out.
 bool isFlatPart(const PartFacts& part) {
-    return isFlat(part.volume, part.area, part.diagonal());
+    return part.cap_area > kFewCaps * part.area
+               ? isFlat(part.volume, part.area, part.diagonal())
+               : std::abs(part.volume) < kRounding * part.area * part.diagonal();
 }
 
 /// Of caps and of their corners, how much lies inside of the parts that are solid.

@@ -11,6 +11,7 @@
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/repair/quad_diagonals.h"
 #include "sim_cuda/authoring/repair/repair.h"
 #include "sim_cuda/authoring/repair/weld.h"
 #include "sim_cuda/authoring/solid_checks.h"
@@ -125,6 +126,45 @@ TEST(Repair, ASheetWithBothSidesIsOnePlate) {
         const TriangleMesh with_ball = joined(leaf, test::makeSphere(1, 2), {3, 0, 0});
         EXPECT_EQ(repairMesh(with_ball, {.thickness = 0.01}).report.sheets, 1u);
     }
+}
+
+/// Two cubes wall to wall with vertices in common, as a half and its mirror image: closed, and bodies both.
+TEST(Repair, BodiesThatShareASideCutTwoWaysPassUntouched) {
+    TriangleMesh other = makeCube(1);
+    other.triangles[0] = {0, 4, 2};  // of the side towards the first cube
+    other.triangles[1] = {4, 6, 2};
+    RepairMesh welded(joined(makeCube(1), other, {1, 0, 0}));
+    weldNear(welded, 1e-9);
+    const TriangleMesh cubes_and_ball = joined(welded.mesh, test::makeSphere(0.2, 2), {5, 0, 0});
+    EXPECT_TRUE(repaired(welded.mesh).report.untouched);
+    EXPECT_TRUE(repaired(cubes_and_ball).report.untouched);
+    EXPECT_TRUE(sameBits(repaired(cubes_and_ball).mesh, cubes_and_ball));
+    EXPECT_EQ(alignDiagonals(welded), 1u) << "or this tests nothing";
+}
+
+/// As a mirror that lies in a cube's own middle makes it: closed, but with nothing in it.
+TEST(Repair, ACubeAndItsInsideOutAreOneCube) {
+    TriangleMesh twice = makeCube(1);
+    for (size_t t = 0; t < 12; t += 2) {
+        const auto [a, b, c] = twice.triangles[t];
+        const uint32_t d = twice.triangles[t + 1][2];
+        twice.triangles.push_back({d, c, b});
+        twice.triangles.push_back({d, b, a});
+    }
+    twice.corners.resize(24);
+    const TriangleMesh ball = test::makeSphere(1, 2);
+    const RepairedMesh both = repaired(joined(twice, ball, {3, 0, 0}));
+    EXPECT_NEAR(enclosedVolume(both.mesh), 1 + enclosedVolume(ball), 1e-9);
+    EXPECT_EQ(repairSentence(both.report), "12 doubled triangles dropped");
+}
+
+TEST(Repair, AThinRingWithAHoleIsARing) {
+    const double radius = 0.006;
+    const TriangleMesh ring = test::makeTorus(1, radius, 64, 8);
+    const RepairedMesh closed = repairMesh(test::without(ring, {5}), {.mode = RepairMode::kExact});
+    ASSERT_TRUE(isSolid(closed.mesh));
+    EXPECT_NEAR(enclosedVolume(closed.mesh), enclosedVolume(ring), 1e-9);
+    EXPECT_EQ(repairSentence(closed.report), "1 hole filled (the longest of 3 edges)");
 }
 
 /// A cloud as games have it: eight upright planes, one behind the other. The winding number takes the air
