@@ -34,6 +34,10 @@ bool isFlatPart(const PartFacts& part) {
 struct Shelter {
     double inside = 0, all = 0;  // m^2
     size_t corners_inside = 0, corners = 0;
+    void operator+=(const Shelter& other) {
+        inside += other.inside, all += other.all;
+        corners_inside += other.corners_inside, corners += other.corners;
+    }
     bool covers() const {
         return (all > 0 && inside > 0.5 * all) || (corners > 0 && 2 * corners_inside > corners);
     }
@@ -45,17 +49,18 @@ void capSheltered(const RepairMesh& filled, std::vector<PartFacts>& facts, doubl
     std::vector<char> solid(filled.size());
     for (size_t t = 0; t < filled.size(); ++t) solid[t] = !facts[filled.part[t]].is_sheet;
     const WindingNumber winding(filled.mesh, solid);
+    std::vector<size_t> caps;
+    for (size_t t = 0; t < filled.size(); ++t)
+        if (solid[t] == 0 && filled.source[t] == kNoSource) caps.push_back(t);
+    std::vector<Shelter> of_cap(caps.size());
+    tbb::parallel_for(size_t(0), caps.size(), [&](size_t i) {
+        const size_t t = caps[i];
+        of_cap[i] = {0, filled.area(t), 0, 3};
+        if (winding.at(filled.middle(t)) > 0.5) of_cap[i].inside = of_cap[i].all;
+        for (int k = 0; k < 3; ++k) of_cap[i].corners_inside += winding.at(filled.at(t, k)) > kAboutInside;
+    });
     std::vector<Shelter> shelters(facts.size());
-    for (size_t t = 0; t < filled.size(); ++t) {
-        if (solid[t] != 0 || filled.source[t] != kNoSource) continue;
-        Shelter& shelter = shelters[filled.part[t]];
-        shelter.all += filled.area(t);
-        if (winding.at(filled.middle(t)) > 0.5) shelter.inside += filled.area(t);
-        for (int k = 0; k < 3; ++k) {
-            ++shelter.corners;
-            shelter.corners_inside += winding.at(filled.at(t, k)) > kAboutInside;
-        }
-    }
+    for (size_t i = 0; i < caps.size(); ++i) shelters[filled.part[caps[i]]] += of_cap[i];
     for (size_t p = 0; p < facts.size(); ++p)
         if (facts[p].is_sheet && facts[p].volume > least_volume && shelters[p].covers())
             facts[p].is_sheet = false;
