@@ -62,8 +62,11 @@ class ComplexBuilder {
           enough_(enoughForAll(mesh, seeds)) {}
 
     CellComplex build() {
+        while (!grown(exterior_.cellsWithVerticesBeyondTheirCube()).empty()) {
+        }
+        exterior_.clip();
         for (;;) {
-            while (growCubes(exterior_.cellsThatOutgrowTheirCube())) {
+            while (growAndClip(exterior_.cellsThatOutgrowTheirCube())) {
             }
             GatheredPieces pieces = exterior_.gather();
             const size_t corners = pieces.keys.size();
@@ -75,19 +78,24 @@ class ComplexBuilder {
             InteriorFaces interior =
                 makeInteriorFaces({queries_, seeds_, cells_, pieces, numbered.vertices, numbered.ids,
                                    list.cell_vertex_start, list.entry_of_cell_vertex});
-            if (!growCubes(interior.cut_short))
+            if (!growAndClip(interior.cut_short))
                 return assemble(std::move(pieces), std::move(numbered), std::move(interior.arrays));
         }
     }
 
   private:
-    /// False: none of them can or must grow.
-    bool growCubes(std::vector<uint32_t> cells) {
+    /// Doubles the cubes of those that can grow, and returns them.
+    std::vector<uint32_t> grown(std::vector<uint32_t> cells) {
         std::erase_if(cells, [&](uint32_t cell) { return cells_[cell].half_side >= enough_; });
-        if (cells.empty()) return false;
-        cells_.doubleCubes(cells);
-        exterior_.clipAgain(cells);
-        return true;
+        if (!cells.empty()) cells_.doubleCubes(cells);
+        return cells;
+    }
+
+    /// False: none of them can or must grow.
+    bool growAndClip(std::vector<uint32_t> cells) {
+        cells = grown(std::move(cells));
+        if (!cells.empty()) exterior_.clipAgain(cells);
+        return !cells.empty();
     }
 
     CellComplex assemble(GatheredPieces&& pieces, NumberedVertices&& numbered, FaceArrays&& faces) const;

@@ -40,11 +40,27 @@ ExteriorPieces::ExteriorPieces(const KeySpace& space, const VoronoiCells& cells)
         for (size_t v = range.begin(); v < range.end(); ++v)
             owner_of_vertex_[v] = cells_.grid().nearest(space_.mesh.positions[v]);
     });
-    blocks_.resize((space.mesh.triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock);
-    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t block) { clipBlock(block); });
 }
 
 ExteriorPieces::~ExteriorPieces() = default;
+
+std::vector<uint32_t> ExteriorPieces::cellsWithVerticesBeyondTheirCube() const {
+    std::vector<char> is_outgrown(space_.seeds.size(), 0);
+    for (size_t v = 0; v < owner_of_vertex_.size(); ++v) {
+        const uint32_t cell = owner_of_vertex_[v];
+        if (!isInCube(space_.mesh.positions[v], space_.seeds[cell], cells_[cell].half_side))
+            is_outgrown[cell] = 1;
+    }
+    std::vector<uint32_t> cells;
+    for (uint32_t cell = 0; cell < is_outgrown.size(); ++cell)
+        if (is_outgrown[cell] != 0) cells.push_back(cell);
+    return cells;
+}
+
+void ExteriorPieces::clip() {
+    blocks_.resize((space_.mesh.triangles.size() + kTrianglesPerBlock - 1) / kTrianglesPerBlock);
+    tbb::parallel_for(size_t(0), blocks_.size(), [&](size_t block) { clipBlock(block); });
+}
 
 void ExteriorPieces::clipBlock(size_t index) {
     auto block = std::make_unique<Block>();

@@ -20,10 +20,15 @@ struct GatheredPieces {
 
 class ExteriorPieces {
   public:
-    /// Clips every triangle. The arguments must outlive this.
+    /// The arguments must outlive this.
     ExteriorPieces(const KeySpace& space, const VoronoiCells& cells);
     ~ExteriorPieces();
 
+    /// Cells whose start cube does not hold all their vertices of the mesh (sorted): told before a triangle
+    /// is clipped, since each clip with cubes too small is one in vain.
+    std::vector<uint32_t> cellsWithVerticesBeyondTheirCube() const;
+    /// Clips every triangle.
+    void clip();
     /// Cells whose start cube does not hold all their pieces (sorted): their cubes have to grow.
     std::vector<uint32_t> cellsThatOutgrowTheirCube() const;
     /// Clips the triangles again that have pieces in these cells (sorted).

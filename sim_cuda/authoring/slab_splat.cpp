@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "sim_cuda/authoring/lanes.h"
 #include "sim_cuda/authoring/point_triangle.h"
 
 namespace demolish {
@@ -80,16 +81,8 @@ struct SplatTriangle {
 
 namespace {
 
-/// Of four nodes of a row that follow each other.
-using Lanes = double __attribute__((vector_size(32)));
-using LaneMask = int64_t __attribute__((vector_size(32)));
-constexpr int kLanes = 4;
-
-Lanes larger(Lanes a, Lanes b) {
-    return a > b ? a : b;
-}
-
-/// What the nodes of one row ask of a triangle: is it certainly no nearer than what they know already?
+/// What four nodes of a row that follow each other ask of a triangle: is it certainly no nearer than what
+/// they know already?
 class RowFilter {
   public:
     RowFilter(const SplatTriangle& t, double y, double z)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds the triangle tree by binned surface-area splits.
+// Builds the triangle tree by binned surface-area splits, two to a node.
 #include "sim_cuda/authoring/triangle_tree.h"
 
 #include <tbb/parallel_for.h>
@@ -139,6 +139,13 @@ struct Split {
     }
 };
 
+/// A node of the tree with two children, or a leaf.
+struct Half {
+    TreeBox box;
+    uint32_t first = 0;  ///< leaf: first of its triangles; else its second child (the first is the next one)
+    uint32_t count = 0;  ///< of triangles; 0: no leaf
+};
+
 }  // namespace
 
 struct TriangleTree::Builder {
@@ -192,41 +199,75 @@ struct TriangleTree::Builder {
         return uint32_t(border - from);
     }
 
-    /// Appends the nodes of the range. Large halves are built at the same time and strung together.
-    void build(uint32_t begin, uint32_t end, int depth, std::vector<Node>& nodes) const {
-        const size_t id = nodes.size();
-        nodes.emplace_back();
-        for (uint32_t i = begin; i < end; ++i) nodes[id].box.add(boxes[tree.triangles_[i]]);
+    /// Appends the tree of the range. Large halves are built at the same time and strung together.
+    void build(uint32_t begin, uint32_t end, int depth, std::vector<Half>& halves) const {
+        const size_t id = halves.size();
+        halves.emplace_back();
+        for (uint32_t i = begin; i < end; ++i) halves[id].box.add(boxes[tree.triangles_[i]]);
         if (end - begin <= kLeafSize) {
-            nodes[id].first = begin;
-            nodes[id].count = end - begin;
+            halves[id].first = begin;
+            halves[id].count = end - begin;
             return;
         }
         const uint32_t middle = parted(begin, end, depth);
         if (end - begin < kAtOnce) {
-            build(begin, middle, depth + 1, nodes);
-            nodes[id].first = uint32_t(nodes.size());
-            build(middle, end, depth + 1, nodes);
+            build(begin, middle, depth + 1, halves);
+            halves[id].first = uint32_t(halves.size());
+            build(middle, end, depth + 1, halves);
             return;
         }
-        std::vector<Node> low, high;
+        std::vector<Half> low, high;
         tbb::parallel_invoke([&] { build(begin, middle, depth + 1, low); },
                              [&] { build(middle, end, depth + 1, high); });
-        append(low, nodes);
-        nodes[id].first = uint32_t(nodes.size());
-        append(high, nodes);
+        append(low, halves);
+        halves[id].first = uint32_t(halves.size());
+        append(high, halves);
     }
 
-    static void append(const std::vector<Node>& subtree, std::vector<Node>& nodes) {
-        const auto before = uint32_t(nodes.size());
-        for (const Node& node : subtree) {
-            nodes.push_back(node);
-            if (node.count == 0) nodes.back().first += before;
+    static void append(const std::vector<Half>& subtree, std::vector<Half>& halves) {
+        const auto before = uint32_t(halves.size());
+        for (const Half& half : subtree) {
+            halves.push_back(half);
+            if (half.count == 0) halves.back().first += before;
         }
+    }
+
+    /// The leaves and trees two steps below halves[id], or one where a leaf is; the leaf itself if that is
+    /// one.
+    static std::vector<size_t> belowOf(const std::vector<Half>& halves, size_t id) {
+        std::vector<size_t> below;
+        const auto add = [&](size_t half) { below.push_back(half); };
+        const auto addHalves = [&](size_t half, const auto& addHalf) {
+            if (halves[half].count > 0) return add(half);
+            addHalf(half + 1);
+            addHalf(halves[half].first);
+        };
+        addHalves(id, [&](size_t half) { addHalves(half, add); });
+        return below;
+    }
+
+    /// The node of what is below halves[id]; returns its number.
+    uint32_t addNode(const std::vector<Half>& halves, size_t id) {
+        const std::vector<size_t> below = belowOf(halves, id);
+        const size_t number = tree.nodes_.size();
+        tree.nodes_.emplace_back();
+        tree.nodes_[number].size = int(below.size());
+        for (size_t lane = 0; lane < below.size(); ++lane) {
+            const Half& half = halves[below[lane]];
+            const bool is_leaf = half.count > 0;
+            const Child child{is_leaf ? half.first : addNode(halves, below[lane]), half.count};
+            tree.nodes_[number].boxes.set(int(lane), half.box);
+            tree.nodes_[number].children[lane] = child;
+        }
+        return uint32_t(number);
     }
 };
 
 TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_count_(mesh.triangles.size()) {
+    if (mesh.triangles.empty()) {
+        nodes_.emplace_back();
+        return;
+    }
     const std::vector<Piece> pieces = piecesOf(mesh);
     triangles_.resize(pieces.size());
     std::iota(triangles_.begin(), triangles_.end(), 0u);
@@ -243,7 +284,11 @@ TriangleTree::TriangleTree(const TriangleMesh& mesh) : triangle_count_(mesh.tria
         builder.boxes[i] = {box.lower - Double3{slack, slack, slack},
                             box.upper + Double3{slack, slack, slack}};
     });
-    builder.build(0, uint32_t(triangles_.size()), 0, nodes_);
+    std::vector<Half> halves;
+    builder.build(0, uint32_t(triangles_.size()), 0, halves);
+    bounds_ = halves[0].box;
+    nodes_.reserve(halves.size() / 3 + 1);
+    builder.addNode(halves, 0);
     corners_.resize(triangles_.size());
     forEachInBlocks(triangles_.size(), [&](size_t i) {
         triangles_[i] = pieces[triangles_[i]].triangle;

@@ -9,6 +9,7 @@
 
 #include "sim_cuda/api/triangle_mesh.h"
 #include "sim_cuda/authoring/double3.h"
+#include "sim_cuda/authoring/lanes.h"
 
 namespace demolish {
 
@@ -27,14 +28,38 @@ struct TreeBox {
         const Double3 d = upper - lower;
         return d.x < 0 ? 0 : d.x * d.y + d.y * d.z + d.z * d.x;
     }
-    /// m^2, 0 inside. Without branches: which side of a box a point is on is hard to foresee.
-    double distanceSquared(const Double3& p) const {
-        const auto beyond = [](double below, double above) {
-            const double most = below > above ? below : above;
-            return most > 0 ? most : 0;
-        };
-        return lengthSquared({beyond(lower.x - p.x, p.x - upper.x), beyond(lower.y - p.y, p.y - upper.y),
-                              beyond(lower.z - p.z, p.z - upper.z)});
+    bool contains(const Double3& p) const {
+        return p.x >= lower.x && p.x <= upper.x && p.y >= lower.y && p.y <= upper.y && p.z >= lower.z &&
+               p.z <= upper.z;
+    }
+};
+
+/// Four boxes that are asked at once.
+struct FourBoxes {
+    std::array<Lanes, 3> lower, upper;  // x, y, z
+
+    void set(int lane, const TreeBox& box) {
+        lower[0][lane] = box.lower.x, lower[1][lane] = box.lower.y, lower[2][lane] = box.lower.z;
+        upper[0][lane] = box.upper.x, upper[1][lane] = box.upper.y, upper[2][lane] = box.upper.z;
+    }
+    /// m^2, 0 inside.
+    Lanes distanceSquared(const Double3& p) const {
+        const Lanes x = larger(larger(lower[0] - p.x, p.x - upper[0]), Lanes{}),
+                    y = larger(larger(lower[1] - p.y, p.y - upper[1]), Lanes{}),
+                    z = larger(larger(lower[2] - p.z, p.z - upper[2]), Lanes{});
+        return x * x + y * y + z * z;
+    }
+    /// All bits set in the lanes of boxes that the line from `origin` may meet within `reach`. `inverse` is
+    /// 1 / direction, no component of which is 0.
+    LaneMask metBy(const Double3& origin, const Double3& inverse, double reach) const {
+        const Lanes ax = (lower[0] - origin.x) * inverse.x, bx = (upper[0] - origin.x) * inverse.x,
+                    ay = (lower[1] - origin.y) * inverse.y, by = (upper[1] - origin.y) * inverse.y,
+                    az = (lower[2] - origin.z) * inverse.z, bz = (upper[2] - origin.z) * inverse.z;
+        const Lanes enter =
+                        larger(larger(smaller(ax, bx), smaller(ay, by)), larger(smaller(az, bz), Lanes{})),
+                    leave = smaller(smaller(larger(ax, bx), larger(ay, by)),
+                                    smaller(larger(az, bz), Lanes{} + reach));
+        return enter <= leave;
     }
 };
 
@@ -49,7 +74,7 @@ class TriangleTree {
     bool repeats() const { return triangles_.size() > triangle_count_; }
 
     /// Boxes are widened by rounding, so a point outside is certainly outside the mesh.
-    bool boundsContain(const Double3& p) const { return nodes_[0].box.distanceSquared(p) == 0; }
+    bool boundsContain(const Double3& p) const { return bounds_.contains(p); }
 
     /// Calls visit(corners, triangle) for every triangle that the half line may meet within `reach` (lengths
     /// of `direction`; the visitor may lower it), until visit returns false; then so does this.
@@ -63,15 +88,21 @@ class TriangleTree {
     void visitNearest(const Double3& point, const double& bound_squared, Visit&& visit) const;
 
   private:
+    /// A run of triangles, or a node; none of both: a lane that is not in use.
+    struct Child {
+        uint32_t first = 0;  ///< of its triangles, or the node
+        uint32_t count = 0;  ///< of triangles
+    };
     struct Node {
-        TreeBox box;
-        uint32_t first =
-            0;  ///< leaf: first of its triangles; inner node: its second child (the first is the next node)
-        uint32_t count = 0;  ///< 0: inner node
+        FourBoxes boxes;
+        std::array<Child, kLanes> children;
+        int size = 0;  ///< lanes in use
     };
     struct Builder;
-    static constexpr int kMaxDepth = 64;
+    static constexpr int kMaxDepth = 32;                               // of nodes
+    static constexpr int kMostWaiting = (kLanes - 1) * kMaxDepth + 1;  // children yet to be looked at
 
+    TreeBox bounds_;
     std::vector<Node> nodes_;
     std::vector<Corners> corners_;     // in tree order
     std::vector<uint32_t> triangles_;  // mesh ids in tree order
@@ -80,57 +111,46 @@ class TriangleTree {
 
 inline constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// May the line from `origin` meet the box within `reach`? `inverse` is 1 / direction, no component of which
-/// is 0.
-inline bool rayMeetsBox(const TreeBox& box, const Double3& origin, const Double3& inverse, double reach) {
-    const Double3 a{(box.lower.x - origin.x) * inverse.x, (box.lower.y - origin.y) * inverse.y,
-                    (box.lower.z - origin.z) * inverse.z};
-    const Double3 b{(box.upper.x - origin.x) * inverse.x, (box.upper.y - origin.y) * inverse.y,
-                    (box.upper.z - origin.z) * inverse.z};
-    const Double3 enter = minimum(a, b), leave = maximum(a, b);
-    return std::max({enter.x, enter.y, enter.z, 0.0}) <= std::min({leave.x, leave.y, leave.z, reach});
-}
-
 template <typename Visit>
 bool TriangleTree::visitAlongRay(const Double3& origin, const Double3& direction, const double& reach,
                                  Visit&& visit) const {
     const Double3 inverse{1 / direction.x, 1 / direction.y, 1 / direction.z};
-    uint32_t stack[kMaxDepth + 1];
-    int size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-        const uint32_t id = stack[--size];
-        const Node& node = nodes_[id];
-        if (!rayMeetsBox(node.box, origin, inverse, reach)) continue;
-        if (node.count == 0) {
-            stack[size++] = node.first;
-            stack[size++] = id + 1;
-            continue;
-        }
-        for (uint32_t i = node.first; i < node.first + node.count; ++i)
+    Child stack[kMostWaiting];
+    int waiting = 0;
+    stack[waiting++] = {};
+    while (waiting > 0) {
+        const Child child = stack[--waiting];
+        for (uint32_t i = child.first; i < child.first + child.count; ++i)
             if (!visit(corners_[i], triangles_[i])) return false;
+        if (child.count > 0) continue;
+        const Node& node = nodes_[child.first];
+        const LaneMask met = node.boxes.metBy(origin, inverse, reach);
+        for (int lane = node.size - 1; lane >= 0; --lane)
+            if (met[lane] != 0) stack[waiting++] = node.children[size_t(lane)];
     }
     return true;
 }
 
 template <typename Visit>
 void TriangleTree::visitNearest(const Double3& point, const double& bound_squared, Visit&& visit) const {
-    std::pair<double, uint32_t> stack[kMaxDepth + 1];
-    int size = 0;
-    stack[size++] = {nodes_[0].box.distanceSquared(point), 0};
-    while (size > 0) {
-        const auto [distance, id] = stack[--size];
+    std::pair<double, Child> stack[kMostWaiting];
+    int waiting = 0;
+    stack[waiting++] = {0, {}};
+    while (waiting > 0) {
+        const auto [distance, child] = stack[--waiting];
         if (distance > bound_squared) continue;
-        const Node& node = nodes_[id];
-        if (node.count > 0) {
-            for (uint32_t i = node.first; i < node.first + node.count; ++i) visit(corners_[i], triangles_[i]);
-            continue;
+        for (uint32_t i = child.first; i < child.first + child.count; ++i) visit(corners_[i], triangles_[i]);
+        if (child.count > 0) continue;
+        const Node& node = nodes_[child.first];
+        const Lanes distances = node.boxes.distanceSquared(point);
+        const int below = waiting;
+        for (int lane = 0; lane < node.size; ++lane) {
+            if (distances[lane] > bound_squared) continue;
+            int place = waiting++;  // farther ones wait below
+            for (; place > below && stack[place - 1].first < distances[lane]; --place)
+                stack[place] = stack[place - 1];
+            stack[place] = {distances[lane], node.children[size_t(lane)]};
         }
-        std::pair<double, uint32_t> nearer{nodes_[id + 1].box.distanceSquared(point), id + 1};
-        std::pair<double, uint32_t> farther{nodes_[node.first].box.distanceSquared(point), node.first};
-        if (farther.first < nearer.first) std::swap(nearer, farther);
-        stack[size++] = farther;
-        stack[size++] = nearer;
     }
 }
 

@@ -2,12 +2,19 @@
 // One pass for the boxes, one for the sums: volumes are taken about the middle of their own part.
 #include "sim_cuda/authoring/repair/part_facts.h"
 
+#include <cmath>
+
 #include "sim_cuda/authoring/double3.h"
 
 namespace demolish {
 
 double PartFacts::diagonal() const {
     return length(upper - lower);
+}
+
+bool isFlat(double volume, double area, double diagonal) {
+    constexpr double kFlat = 0.002;
+    return std::abs(volume) < kFlat * area * diagonal;
 }
 
 std::vector<PartFacts> factsOfParts(const RepairMesh& filled, const std::vector<char>& patch_touched) {

@@ -17,6 +17,9 @@ struct PartFacts {
     double diagonal() const;
 };
 
+/// Next to no volume (m^3) for an area (m^2) and a diagonal (m): a surface, not a body.
+bool isFlat(double volume, double area, double diagonal);
+
 /// By part, after fillHoles(). `patch_touched` as from orientPatches().
 std::vector<PartFacts> factsOfParts(const RepairMesh& filled, const std::vector<char>& patch_touched);
 

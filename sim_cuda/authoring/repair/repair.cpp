@@ -15,6 +15,7 @@
 #include "sim_cuda/authoring/repair/orientation.h"
 #include "sim_cuda/authoring/repair/outward.h"
 #include "sim_cuda/authoring/repair/parts_apart.h"
+#include "sim_cuda/authoring/repair/quad_diagonals.h"
 #include "sim_cuda/authoring/repair/remesh.h"
 #include "sim_cuda/authoring/repair/sheets.h"
 #include "sim_cuda/authoring/repair/thicken.h"
@@ -51,9 +52,10 @@ class Repair {
     }
 
     RepairedMesh done() && {
-        const bool was_solid = isSolid(repair_.mesh);
         const bool can_start =
             repair_.size() > 0 && diagonal_ > 0 && std::isfinite(diagonal_ * diagonal_ * diagonal_);
+        const bool was_solid =
+            isSolid(repair_.mesh) && (options_.mode == RepairMode::kOff || !hasBothSides());
         const bool is_needed = !was_solid || options_.mode == RepairMode::kRemesh || report_.parts > 1;
         if (can_start && is_needed && options_.mode != RepairMode::kOff) {
             if (was_solid) {
@@ -76,9 +78,27 @@ class Repair {
   private:
     bool mayRemesh() const { return options_.mode != RepairMode::kExact; }
 
+    /// Cheaper than to ask each part; of one part that is large enough it is settled.
+    bool mayHaveSheets() const {
+        return options_.mode != RepairMode::kOff &&
+               (report_.parts > 1 ||
+                isFlat(enclosedVolume(repair_.mesh), surfaceArea(repair_.mesh), diagonal_));
+    }
+
+    /// Sheets whose sides were cut along different diagonals are closed, and no bodies.
+    bool hasBothSides() {
+        numberParts(repair_);
+        const std::vector<PartFacts> facts = factsOfParts(repair_, {});
+        const bool any_flat = std::any_of(facts.begin(), facts.end(), [](const PartFacts& part) {
+            return isFlat(part.volume, part.area, part.diagonal());
+        });
+        return any_flat && alignDiagonals(repair_) > 0;
+    }
+
     void close() {
         report_.untouched = false;
         report_.welded = weldNear(repair_, kWeldShare * diagonal_);
+        alignDiagonals(repair_);
         const DoubleCounts doubles = dropDoubles(repair_);
         report_.doubles = doubles.same + 2 * doubles.opposite_both + doubles.opposite_one;
         if (repair_.size() == 0) return;
@@ -114,24 +134,24 @@ class Repair {
         thicken(facts);
     }
 
-    /// The file's triangles alone.
-    RepairMesh withoutCaps() const {
-        RepairMesh raw = repair_;
-        std::vector<char> of_file(raw.size());
-        for (size_t t = 0; t < raw.size(); ++t) of_file[t] = raw.source[t] != kNoSource;
-        raw.keep(of_file);
-        return raw;
+    /// The file's triangles alone, or all others.
+    RepairMesh only(bool of_file) const {
+        std::vector<char> flags(repair_.size());
+        for (size_t t = 0; t < repair_.size(); ++t) flags[t] = (repair_.source[t] != kNoSource) == of_file;
+        RepairMesh taken = repair_;
+        taken.keep(flags);
+        return taken;
     }
 
     /// What looks like sheets bounds a solid: capped if that agrees with the winding number, else remeshed.
     /// False, and nothing changed, where that encloses nothing: planes in a row, one behind the other.
     bool closeWalls() {
         constexpr double kAgrees = 0.04, kNothing = 1e-6;  // of the diagonal's cube
-        const RepairMesh raw = withoutCaps();
+        const RepairMesh raw = only(true), caps = only(false);
         RepairMesh before = repair_;
         separateParts();
         const bool is_solid = isSolid(repair_.mesh);
-        if (is_solid && (!mayRemesh() || (windingDifference(repair_.mesh, raw.mesh) < kAgrees &&
+        if (is_solid && (!mayRemesh() || (windingDifference(repair_.mesh, caps.mesh) < kAgrees &&
                                           !sampleWinding(repair_.mesh).isInsideOut())))
             return true;
         if (mayRemesh()) remesh(raw, false, RemeshCause::kWallsOfSolid);
@@ -146,7 +166,7 @@ class Repair {
         report_.sheets =
             size_t(std::count_if(thickness.begin(), thickness.end(), [](double t) { return t > 0; }));
         report_.thickness = *std::max_element(thickness.begin(), thickness.end());
-        const RepairMesh raw = withoutCaps();
+        const RepairMesh raw = only(true);
         if (report_.sheets > 0) thickenSheets(repair_, thickness);
         separateParts();
         if (!isSolid(repair_.mesh) && mayRemesh()) remesh(raw, false, RemeshCause::kStillOpen);

@@ -16,19 +16,28 @@ namespace {
 
 constexpr double kLargeCaps = 0.4;    // of the part's area
 constexpr double kOnlyCaps = 0.9;     // the same: nothing but a rim
-constexpr double kFlat = 0.002;       // volume over area times size
+constexpr double kFewCaps = 0.05;     // of the part's area: all but closed
+constexpr double kRounding = 1e-5;    // volume over area times size, of what is all but closed
 constexpr double kSpacings = 1.5;     // thickness of a sheet
 constexpr double kProbeOff = 1e-4;    // of the diagonal, from the surface to where its sides are probed
 constexpr double kMostOfSize = 0.15;  // thickness over the root of the part's area
 
-bool isFlat(const PartFacts& part) {
-    return std::abs(part.volume) < kFlat * part.area * part.diagonal();
+/// Of what is all but closed, rounding alone: thin rings and wires are bodies, which thickened walls would
+/// turn inside out.
+bool isFlatPart(const PartFacts& part) {
+    return part.cap_area > kFewCaps * part.area
+               ? isFlat(part.volume, part.area, part.diagonal())
+               : std::abs(part.volume) < kRounding * part.area * part.diagonal();
 }
 
 /// Of caps and of their corners, how much lies inside of the parts that are solid.
 struct Shelter {
     double inside = 0, all = 0;  // m^2
     size_t corners_inside = 0, corners = 0;
+    void operator+=(const Shelter& other) {
+        inside += other.inside, all += other.all;
+        corners_inside += other.corners_inside, corners += other.corners;
+    }
     bool covers() const {
         return (all > 0 && inside > 0.5 * all) || (corners > 0 && 2 * corners_inside > corners);
     }
@@ -40,17 +49,18 @@ void capSheltered(const RepairMesh& filled, std::vector<PartFacts>& facts, doubl
     std::vector<char> solid(filled.size());
     for (size_t t = 0; t < filled.size(); ++t) solid[t] = !facts[filled.part[t]].is_sheet;
     const WindingNumber winding(filled.mesh, solid);
+    std::vector<size_t> caps;
+    for (size_t t = 0; t < filled.size(); ++t)
+        if (solid[t] == 0 && filled.source[t] == kNoSource) caps.push_back(t);
+    std::vector<Shelter> of_cap(caps.size());
+    tbb::parallel_for(size_t(0), caps.size(), [&](size_t i) {
+        const size_t t = caps[i];
+        of_cap[i] = {0, filled.area(t), 0, 3};
+        if (winding.at(filled.middle(t)) > 0.5) of_cap[i].inside = of_cap[i].all;
+        for (int k = 0; k < 3; ++k) of_cap[i].corners_inside += winding.at(filled.at(t, k)) > kAboutInside;
+    });
     std::vector<Shelter> shelters(facts.size());
-    for (size_t t = 0; t < filled.size(); ++t) {
-        if (solid[t] != 0 || filled.source[t] != kNoSource) continue;
-        Shelter& shelter = shelters[filled.part[t]];
-        shelter.all += filled.area(t);
-        if (winding.at(filled.middle(t)) > 0.5) shelter.inside += filled.area(t);
-        for (int k = 0; k < 3; ++k) {
-            ++shelter.corners;
-            shelter.corners_inside += winding.at(filled.at(t, k)) > kAboutInside;
-        }
-    }
+    for (size_t i = 0; i < caps.size(); ++i) shelters[filled.part[caps[i]]] += of_cap[i];
     for (size_t p = 0; p < facts.size(); ++p)
         if (facts[p].is_sheet && facts[p].volume > least_volume && shelters[p].covers())
             facts[p].is_sheet = false;
@@ -68,13 +78,13 @@ void findSheets(const RepairMesh& filled, std::vector<PartFacts>& facts) {
     double sheet_area = 0, area = 0;
     size_t sheets = 0;
     for (PartFacts& part : facts) {
-        part.is_sheet = !part.is_cavity && (part.cap_area > kLargeCaps * part.area || isFlat(part));
+        part.is_sheet = !part.is_cavity && (part.cap_area > kLargeCaps * part.area || isFlatPart(part));
         area += part.area;
         if (part.is_sheet) sheet_area += part.area;
     }
     for (PartFacts& part : facts) {
         if (part.is_sheet && sheet_area < 0.5 * area && part.cap_area < kOnlyCaps * part.area &&
-            !isFlat(part))
+            !isFlatPart(part))
             part.is_sheet = false;
         sheets += part.is_sheet;
     }

@@ -97,13 +97,14 @@ WindingSamples sampleWinding(const TriangleMesh& mesh) {
     return samples;
 }
 
-double windingDifference(const TriangleMesh& closed, const TriangleMesh& raw) {
+double windingDifference(const TriangleMesh& closed, const TriangleMesh& caps) {
     const SampleGrid grid(closed, kPointsAlong);
     const std::vector<int> exact = windingsOn(grid, closed);
-    const WindingNumber winding(raw);
+    const WindingNumber of_caps(caps);
     std::vector<char> differs(grid.size());
-    tbb::parallel_for(size_t(0), grid.size(),
-                      [&](size_t i) { differs[i] = (exact[i] > 0) != (winding.at(grid.point(i)) > 0.5); });
+    tbb::parallel_for(size_t(0), grid.size(), [&](size_t i) {
+        differs[i] = (exact[i] > 0) != (exact[i] - of_caps.at(grid.point(i)) > 0.5);
+    });
     size_t inside = 0, different = 0;
     for (size_t i = 0; i < exact.size(); ++i) {
         inside += exact[i] > 0;

@@ -22,8 +22,9 @@ struct WindingSamples {
 /// Of a closed mesh, at some 30,000 points of its box, or eight times as many where few of them are inside.
 WindingSamples sampleWinding(const TriangleMesh& mesh);
 
-/// How many of the same points the winding number of `closed` and the generalized one of `raw` disagree on,
-/// as a share of those inside.
-double windingDifference(const TriangleMesh& closed, const TriangleMesh& raw);
+/// How many of the same points the winding number of `closed` and the generalized one of it without `caps`
+/// disagree on, as a share of those inside. The winding numbers of the two add up to that of `closed`: only
+/// the caps, which are few, are summed up.
+double windingDifference(const TriangleMesh& closed, const TriangleMesh& caps);
 
 }  // namespace demolish

@@ -185,12 +185,17 @@ TEST(ClosestPoint, OfNeedlesAgreesWithBruteForce) {
     }
 }
 
+TEST(ClosestPoint, OfNoTrianglesIsNone) {
+    const MeshQueries queries(TriangleMesh{});
+    EXPECT_EQ(queries.closestPoint({1, 2, 3}).triangle, kNoTriangle);
+    EXPECT_EQ(queries.windingNumber({}), 0);
+}
+
 /// Large trees are built at several places at the same time.
 TEST(ClosestPoint, OfManyTrianglesAgreesWithBruteForce) {
     expectClosestOfBruteForce(test::makeTorus(1, 0.3, 400, 100), {1.5, 0.5, 1.5});
 }
 
-/// A part's own crossings sum up to its own winding number, whatever else the ray passes.
 /// The area of their boxes is no number any more.
 TEST(SlenderTriangles, OfHugeMeshesAreNotHalvedWithoutEnd) {
     TriangleMesh mesh = test::makeSphere(1, 2);
@@ -200,6 +205,7 @@ TEST(SlenderTriangles, OfHugeMeshesAreNotHalvedWithoutEnd) {
     EXPECT_FALSE(TriangleTree(mesh).repeats());
 }
 
+/// A part's own crossings sum up to its own winding number, whatever else the ray passes.
 TEST(Crossings, OfEachPartSumUpToItsWindingNumber) {
     constexpr int kBeams = 40;
     const TriangleMesh beams = askewBeams(kBeams);

@@ -7,6 +7,7 @@
 #include "sim_cuda/authoring/repair/doubles.h"
 #include "sim_cuda/authoring/repair/junctions.h"
 #include "sim_cuda/authoring/repair/orientation.h"
+#include "sim_cuda/authoring/repair/quad_diagonals.h"
 #include "sim_cuda/authoring/repair/weld.h"
 #include "tests/unit/repair/open_meshes.h"
 
@@ -66,6 +67,67 @@ TEST(Doubles, OfASheetWithBothSidesOneStays) {
     weldNear(repair, 1e-9);
     EXPECT_EQ(dropDoubles(repair).opposite_one, sheet.triangles.size());
     EXPECT_EQ(repair.size(), sheet.triangles.size());
+}
+
+/// As exporters write a surface with both sides: the quads of the second the other way round, each cut from
+/// its own first corner.
+TriangleMesh withBothSides(const TriangleMesh& quads) {
+    TriangleMesh mesh = quads;
+    for (size_t t = 0; t < quads.triangles.size(); t += 2) {
+        const auto [a, b, c] = quads.triangles[t];
+        const uint32_t d = quads.triangles[t + 1][2];
+        mesh.triangles.push_back({d, c, b});
+        mesh.triangles.push_back({d, b, a});
+    }
+    mesh.corners.resize(mesh.triangles.size());
+    return mesh;
+}
+
+/// Quads a b c, a c d, bent a little.
+TriangleMesh bentQuads() {
+    constexpr uint32_t kAlong = 4;
+    std::vector<Double3> positions;
+    std::vector<Triangle> triangles;
+    for (uint32_t i = 0; i < kAlong * kAlong; ++i) {
+        const double x = 0.1 * (i % kAlong), z = 0.1 * (i / kAlong);
+        positions.push_back({x, x * z, z});
+    }
+    for (uint32_t i = 0; i + 1 < kAlong; ++i)
+        for (uint32_t j = 0; j + 1 < kAlong; ++j) {
+            const uint32_t a = j * kAlong + i, b = a + kAlong, c = b + 1, d = a + 1;
+            triangles.push_back({a, b, c});
+            triangles.push_back({a, c, d});
+        }
+    return test::meshOf(positions, triangles);
+}
+
+TEST(QuadDiagonals, OfASheetWithBothSidesOneStays) {
+    const TriangleMesh sheet = bentQuads();
+    RepairMesh repair(withBothSides(sheet));
+    EXPECT_EQ(dropDoubles(repair).opposite_one, 0u) << "the sides are cut differently";
+    EXPECT_EQ(alignDiagonals(repair), sheet.triangles.size() / 2);
+    EXPECT_EQ(dropDoubles(repair).opposite_one, sheet.triangles.size());
+    EXPECT_EQ(repair.mesh.triangles, sheet.triangles);
+}
+
+TEST(QuadDiagonals, CornersKeepTheirLooks) {
+    TriangleMesh quad =
+        withBothSides(test::meshOf({{0, 0, 0}, {0, 0, 1}, {1, 0, 1}, {1, 0, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+    for (size_t t = 0; t < 4; ++t)
+        for (size_t k = 0; k < 3; ++k) quad.corners[t][k].uv.x = float(10 * (t / 2) + quad.triangles[t][k]);
+    RepairMesh repair(quad);
+    EXPECT_EQ(alignDiagonals(repair), 1u);
+    for (size_t t = 0; t < 4; ++t)
+        for (size_t k = 0; k < 3; ++k)
+            EXPECT_EQ(repair.mesh.corners[t][k].uv.x, float(10 * (t / 2) + repair.mesh.triangles[t][k]));
+}
+
+TEST(QuadDiagonals, SolidsAreLeftAlone) {
+    RepairMesh tetrahedron(test::meshOf({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                        {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}));
+    EXPECT_EQ(alignDiagonals(tetrahedron), 0u);
+    RepairMesh cube(makeCube(1));
+    EXPECT_EQ(alignDiagonals(cube), 0u);
 }
 
 TEST(Doubles, TheLastOnesAreSettledWithoutOpeningAnEdge) {

@@ -11,6 +11,7 @@
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/api/model_file.h"
 #include "sim_cuda/authoring/mesh_checks.h"
+#include "sim_cuda/authoring/repair/quad_diagonals.h"
 #include "sim_cuda/authoring/repair/repair.h"
 #include "sim_cuda/authoring/repair/weld.h"
 #include "sim_cuda/authoring/solid_checks.h"
@@ -97,6 +98,73 @@ TEST(Repair, SheetsAreThickened) {
     EXPECT_EQ(repairSentence(plate.report), "1 sheet made 0.04 m thick");
     const RepairedMesh pipe = repairMesh(test::makeOpenTube(1, 2, 48), {.thickness = 0.1});
     EXPECT_NEAR(enclosedVolume(pipe.mesh) / (0.4 * std::numbers::pi), 1, 0.01);
+}
+
+/// A leaf as games have it: quads that are there a second time, turned, and cut the other way.
+TriangleMesh leafWithBothSides(double bend) {
+    TriangleMesh leaf;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) leaf.positions.push_back({0.1 * i, bend * i * j, 0.1 * j});
+    for (uint32_t i = 0; i < 2; ++i)
+        for (uint32_t j = 0; j < 2; ++j) {
+            const uint32_t a = 3 * i + j, b = a + 1, c = a + 4, d = a + 3;
+            for (const auto& t : {Triangle{a, b, c}, {a, c, d}, {d, c, b}, {d, b, a}})
+                leaf.triangles.push_back(t);
+        }
+    leaf.corners.resize(leaf.triangles.size());
+    return leaf;
+}
+
+TEST(Repair, ASheetWithBothSidesIsOnePlate) {
+    const RepairedMesh plate = repairMesh(leafWithBothSides(0), {.thickness = 0.01});
+    ASSERT_TRUE(isSolid(plate.mesh));
+    EXPECT_NEAR(enclosedVolume(plate.mesh), 0.2 * 0.2 * 0.01, 1e-12);
+    EXPECT_EQ(repairSentence(plate.report), "8 doubled triangles dropped; 1 sheet made 0.01 m thick");
+    for (const double bend : {0.005, -0.005}) {  // of which one encloses a little, and one less than nothing
+        const TriangleMesh leaf = leafWithBothSides(bend);
+        EXPECT_NEAR(enclosedVolume(repairMesh(leaf, {.thickness = 0.01}).mesh), 0.2 * 0.2 * 0.01, 3e-5);
+        const TriangleMesh with_ball = joined(leaf, test::makeSphere(1, 2), {3, 0, 0});
+        EXPECT_EQ(repairMesh(with_ball, {.thickness = 0.01}).report.sheets, 1u);
+    }
+}
+
+/// Two cubes wall to wall with vertices in common, as a half and its mirror image: closed, and bodies both.
+TEST(Repair, BodiesThatShareASideCutTwoWaysPassUntouched) {
+    TriangleMesh other = makeCube(1);
+    other.triangles[0] = {0, 4, 2};  // of the side towards the first cube
+    other.triangles[1] = {4, 6, 2};
+    RepairMesh welded(joined(makeCube(1), other, {1, 0, 0}));
+    weldNear(welded, 1e-9);
+    const TriangleMesh cubes_and_ball = joined(welded.mesh, test::makeSphere(0.2, 2), {5, 0, 0});
+    EXPECT_TRUE(repaired(welded.mesh).report.untouched);
+    EXPECT_TRUE(repaired(cubes_and_ball).report.untouched);
+    EXPECT_TRUE(sameBits(repaired(cubes_and_ball).mesh, cubes_and_ball));
+    EXPECT_EQ(alignDiagonals(welded), 1u) << "or this tests nothing";
+}
+
+/// As a mirror that lies in a cube's own middle makes it: closed, but with nothing in it.
+TEST(Repair, ACubeAndItsInsideOutAreOneCube) {
+    TriangleMesh twice = makeCube(1);
+    for (size_t t = 0; t < 12; t += 2) {
+        const auto [a, b, c] = twice.triangles[t];
+        const uint32_t d = twice.triangles[t + 1][2];
+        twice.triangles.push_back({d, c, b});
+        twice.triangles.push_back({d, b, a});
+    }
+    twice.corners.resize(24);
+    const TriangleMesh ball = test::makeSphere(1, 2);
+    const RepairedMesh both = repaired(joined(twice, ball, {3, 0, 0}));
+    EXPECT_NEAR(enclosedVolume(both.mesh), 1 + enclosedVolume(ball), 1e-9);
+    EXPECT_EQ(repairSentence(both.report), "12 doubled triangles dropped");
+}
+
+TEST(Repair, AThinRingWithAHoleIsARing) {
+    const double radius = 0.006;
+    const TriangleMesh ring = test::makeTorus(1, radius, 64, 8);
+    const RepairedMesh closed = repairMesh(test::without(ring, {5}), {.mode = RepairMode::kExact});
+    ASSERT_TRUE(isSolid(closed.mesh));
+    EXPECT_NEAR(enclosedVolume(closed.mesh), enclosedVolume(ring), 1e-9);
+    EXPECT_EQ(repairSentence(closed.report), "1 hole filled (the longest of 3 edges)");
 }
 
 /// A cloud as games have it: eight upright planes, one behind the other. The winding number takes the air

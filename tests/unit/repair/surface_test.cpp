@@ -158,7 +158,29 @@ TEST(WindingSamples, TellOverlapAndInsideOut) {
     EXPECT_FALSE(nested.isInsideOut());
     EXPECT_TRUE(
         sampleWinding(joined(makeCube(2), test::turnedInsideOut(makeCube(1)), {3, 0, 0})).isInsideOut());
-    EXPECT_LT(windingDifference(makeCube(1), test::unwelded(makeCube(1))), 0.01);
+}
+
+TEST(WindingSamples, DifferFromTheFilesOwnByItsCaps) {
+    const TriangleMesh sphere = test::makeSphere(1, 3);
+    EXPECT_EQ(windingDifference(sphere, {}), 0) << "nothing was capped";
+    EXPECT_NEAR(windingDifference(sphere, sphere), 1, 0.01) << "nothing but caps";
+    const RepairMesh repair(sphere);
+    std::set<size_t> above, below;
+    for (size_t t = 0; t < repair.size(); ++t) (repair.middle(t).y > 0.2 ? above : below).insert(t);
+    // By the definition: the file's triangles summed up.
+    const WindingNumber dish(test::without(sphere, above));
+    constexpr int kAlong = 24;
+    size_t inside = 0, different = 0;
+    for (int i = 0; i < kAlong * kAlong * kAlong; ++i) {
+        const auto at = [](int k) { return 2 * (k + 0.513) / kAlong - 1; };
+        const Double3 p{at(i % kAlong), at(i / kAlong % kAlong), at(i / kAlong / kAlong)};
+        const bool is_inside = length(p) < 1;
+        inside += is_inside;
+        different += is_inside != (dish.at(p) > 0.5);
+    }
+    EXPECT_GT(different, inside / 5);
+    EXPECT_NEAR(windingDifference(sphere, test::without(sphere, below)), double(different) / double(inside),
+                0.02);
 }
 
 }  // namespace
