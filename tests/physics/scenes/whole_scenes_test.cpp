@@ -18,11 +18,14 @@ TEST(WholeScenes, EveryBodyStandsThreeSeconds) {
     struct Row {
         const char* scene;
         uint32_t particles;
-        double most;  ///< m
+        double most;         ///< m
+        double settled = 0;  ///< s; 0: as the scene says
     };
-    for (const Row& row : {Row{"bunny", 1200, 5e-4}, Row{"wolf", 3000, 2e-3}, Row{"vase", 1000, 2e-4},
+    // The wolf sways on its paws with 0.7 Hz. A shot hides that by sleep, and does not settle for so long.
+    for (const Row& row : {Row{"bunny", 1200, 5e-4}, Row{"wolf", 3000, 2e-3, 1.5}, Row{"vase", 1000, 2e-4},
                            Row{"column", 1000, 2e-4}}) {
         Shot shot = smallScene(row.scene, row.particles);
+        if (row.settled > 0) shot.settle_time = row.settled;
         if (!shot.bodies.empty()) shot = smallScene(row.scene, row.particles, {0});
         const Standing standing = stand(shot, 3);
         printf("%s: %.3g mm, v_rms %.3g m/s\n", row.scene, 1000 * standing.moved, standing.speed);
