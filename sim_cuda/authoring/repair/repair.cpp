@@ -54,8 +54,7 @@ class Repair {
     RepairedMesh done() && {
         const bool can_start =
             repair_.size() > 0 && diagonal_ > 0 && std::isfinite(diagonal_ * diagonal_ * diagonal_);
-        const bool was_solid =
-            isSolid(repair_.mesh) && (options_.mode == RepairMode::kOff || !hasBothSides());
+        const bool was_solid = isSolid(repair_.mesh) && !(mayHaveSheets() && hasBothSides());
         const bool is_needed = !was_solid || options_.mode == RepairMode::kRemesh || report_.parts > 1;
         if (can_start && is_needed && options_.mode != RepairMode::kOff) {
             if (was_solid) {
