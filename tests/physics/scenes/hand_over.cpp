@@ -23,6 +23,7 @@ Shot shotOf(const HandOverScene& scene, bool regimes, int k) {
     Shot shot = smallScene(scene.name, scene.particles, scene.bodies);
     bringForward(shot, {.first = 0.05, .last = 0.35});
     shot.seed += static_cast<uint64_t>(k);
+    if (scene.settled > 0) shot.settle_time = scene.settled;
     shot.hand_over = shot.sleeping = regimes;
     return shot;
 }

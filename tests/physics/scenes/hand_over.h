@@ -15,6 +15,7 @@ struct HandOverScene {
     std::vector<uint32_t> bodies = {};  ///< that stay, with their balls; empty: all
     double seconds = 1;                 ///< s simulated; the balls come from 0.05 s to 0.35 s
     int runs = 3;                       ///< packings
+    double settled = 0;                 ///< s; 0: as the scene says
 };
 std::string nameOf(const HandOverScene& scene);
 void PrintTo(const HandOverScene& scene, std::ostream* out);
