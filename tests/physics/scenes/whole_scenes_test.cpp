@@ -25,8 +25,8 @@ TEST(WholeScenes, EveryBodyStandsThreeSeconds) {
     for (const Row& row : {Row{"bunny", 1200, 5e-4}, Row{"wolf", 3000, 2e-3, 1.5}, Row{"vase", 1000, 2e-4},
                            Row{"column", 1000, 2e-4}}) {
         Shot shot = smallScene(row.scene, row.particles);
-        if (row.settled > 0) shot.settle_time = row.settled;
         if (!shot.bodies.empty()) shot = smallScene(row.scene, row.particles, {0});
+        if (row.settled > 0) shot.settle_time = row.settled;
         const Standing standing = stand(shot, 3);
         printf("%s: %.3g mm, v_rms %.3g m/s\n", row.scene, 1000 * standing.moved, standing.speed);
         EXPECT_EQ(standing.broken, 0u) << row.scene;
