@@ -236,13 +236,13 @@ double areaOf(const test::Soup& soup) {
 
 TEST(FractureSurface, ACraterIsNoMouldOfItsCrumbsAndThoseStayWhole) {
     const auto body = filled(test::makeSphere(0.5, 4), 600);
-    std::vector<uint32_t> crater(600), alone(600);  // a half, and the cells of the other one
+    std::vector<uint32_t> crater(600), alone(600), half(600);  // a half, and the cells of the other one
     std::iota(alone.begin(), alone.end(), 0u);
     uint32_t crumbs = 0;
-    for (uint32_t cell = 0; cell < 600; ++cell)
-        crater[cell] = body->particles[cell].seed.x < 0 ? 0 : ++crumbs;
-    std::vector<uint32_t> half(600);
-    for (uint32_t cell = 0; cell < 600; ++cell) half[cell] = crater[cell] == 0 ? 0 : 1;
+    for (uint32_t cell = 0; cell < 600; ++cell) {
+        half[cell] = body->particles[cell].seed.x < 0 ? 0 : 1;
+        crater[cell] = half[cell] == 0 ? 0 : ++crumbs;
+    }
     test::DrawnSurface drawn(test::sceneOf(body)), cells(test::sceneOf(body)), halves(test::sceneOf(body));
     drawn.show(crater);
     cells.show(alone);
@@ -309,18 +309,21 @@ TEST(FractureSurface, WhatShowedBeforeNeverMovesAgain) {
 
 TEST(FractureSurface, HairlinesThatCannotBeStraightenedAreNotTriedAgain) {
     const auto body = filled(test::makeVase(50, 30), 700);
-    const std::vector<uint32_t> whole(700, 0);
-    const std::vector<uint32_t> parts = test::randomFragments(body->geometry, 700, 60, 2);
+    const std::vector<uint32_t> whole(700, 0), parts = test::randomFragments(body->geometry, 700, 60, 2);
     std::vector<uint32_t> cracked;
     for (uint32_t b = 0; b < body->bonds.size(); ++b)
         if (parts[body->bonds[b].i] != parts[body->bonds[b].j]) cracked.push_back(b);
     test::DrawnSurface drawn(test::sceneOf(body));
     drawn.show(whole);
     drawn.show(whole, cracked);
-    const std::vector<Float3> before = drawn.positions();
     EXPECT_NE(std::count(drawn.chunks.begin(), drawn.chunks.end(), 1u), 0);
+    const std::vector<Float3> before = drawn.positions();
     drawn.show(whole, cracked);
     EXPECT_EQ(std::count(drawn.chunks.begin(), drawn.chunks.end(), 1u), 0) << "nothing is new";
+    const std::vector<std::byte> state = drawn.surface.saveState();
+    drawn.surface.reset();
+    drawn.surface.restoreState(state, drawn.fracture());
+    drawn.show(whole, cracked);
     const std::vector<Float3> again = drawn.positions();
     EXPECT_EQ(std::memcmp(again.data(), before.data(), again.size() * sizeof(Float3)), 0);
 }
