@@ -9,7 +9,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kShare = 0, kCount = 1;
+constexpr GLint kShare = 0, kCount = 1, kFrameSeconds = 2;
 constexpr size_t kMotionBytes = 32, kFragmentBytes = 4, kFlyingBytes = 32;
 constexpr size_t kGroup = 64;
 constexpr StreamId kFlying[] = {StreamId::kGrains, StreamId::kPuffs};
@@ -61,18 +61,19 @@ void MotionBetween::placeFragments(FractureMesh& mesh, float share) {
     run(fragments_, {&fragment_before_, &transforms_.before, &transforms_.after, &shown}, share, remembered_);
 }
 
-void MotionBetween::placeEffects(FractureMesh& mesh, float share) {
+void MotionBetween::placeEffects(FractureMesh& mesh, float share, float frame_s) {
     for (size_t i = 0; i < flying_.size(); ++i) {
         gl::Buffer& shown = mesh.stream(kFlying[i]);
         if (!moved_) copy(shown, flying_[i].after, shown.size());
+        effects_.set(kFrameSeconds, kFlying[i] == StreamId::kGrains ? frame_s : 0.0f);
         run(effects_, {&flying_[i].before, &flying_[i].after, &shown}, share, shown.size() / kFlyingBytes);
     }
 }
 
-void MotionBetween::place(FractureMesh& mesh, float share) {
+void MotionBetween::place(FractureMesh& mesh, float share, float frame_s) {
     if (remembered_ == 0 || remembered_ != mesh.particleCount()) return;
     placeFragments(mesh, share);
-    if (with_effects_) placeEffects(mesh, share);
+    if (with_effects_) placeEffects(mesh, share, frame_s);
     moved_ = true;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     gl::throwIfError("Moving a body between two frames");

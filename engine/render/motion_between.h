@@ -17,9 +17,10 @@ class MotionBetween {
     /// Keeps where all is: call before the next frame is brought to the mesh.
     void remember(const FractureMesh& mesh);
     /// Moves fragments, grains and puffs to where they were at this share of the way from the remembered
-    /// frame (0) to the present one (1). Nothing moves before a first remember(). The particle view's spheres
-    /// stay.
-    void place(FractureMesh& mesh, float share);
+    /// frame (0) to the present one (1), `frame_s` seconds later. What is new stays where it is, but for
+    /// sparks, which fly from where they were struck. Nothing moves before a first remember(). The particle
+    /// view's spheres stay.
+    void place(FractureMesh& mesh, float share, float frame_s);
     /// Brings the present frame back. Without place() it does nothing.
     void restore(FractureMesh& mesh);
 
@@ -28,7 +29,7 @@ class MotionBetween {
         gl::Buffer before, after;
     };
     void placeFragments(FractureMesh& mesh, float share);
-    void placeEffects(FractureMesh& mesh, float share);
+    void placeEffects(FractureMesh& mesh, float share, float frame_s);
     gl::Program fragments_, effects_;
     gl::Buffer fragment_before_;
     Kept transforms_;
