@@ -29,13 +29,14 @@ class MotionBetween {
         gl::Buffer before, after;
     };
     void placeFragments(FractureMesh& mesh, float share);
+    void keepEffects(const FractureMesh& mesh);
     void placeEffects(FractureMesh& mesh, float share, float frame_s);
     gl::Program fragments_, effects_;
     gl::Buffer fragment_before_;
     Kept transforms_;
-    std::array<Kept, 2> flying_;  ///< grains and puffs
-    bool with_effects_ = false;
-    size_t remembered_ = 0;  ///< particles
+    std::array<Kept, 2> flying_;                       ///< grains and puffs
+    bool had_effects_ = false, with_effects_ = false;  ///< at the remembered and at the present frame
+    size_t remembered_ = 0;                            ///< particles
     bool moved_ = false;
 };
 

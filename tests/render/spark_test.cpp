@@ -102,6 +102,7 @@ class Sparks : public GlTest, public testing::WithParamInterface<RenderQuality> 
                    const Lens& lens) {
         MotionBetween motion(shaderFolder());
         writeEffects(*scene_.mesh, before, {});
+        if (before.empty()) scene_.mesh->showEffects(false, false);  // as before the first hit
         motion.remember(*scene_.mesh);
         writeEffects(*scene_.mesh, after, {});
         Film film(shaderFolder());
