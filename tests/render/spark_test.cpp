@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <glm/gtc/packing.hpp>
+#include <set>
 
 #include "engine/render/film.h"
 #include "engine/render/frame_capture.h"
@@ -190,6 +191,29 @@ TEST_P(Sparks, OneThatIsStruckWhileTheShutterIsOpenComesFromThere) {
     const Streak film = exposed({}, {sparkAt(kPlace, velocity, kAge)}, {.shutter = 1, .samples = 16});
     const float way = 12 * kAge * pixelsPerMetre(scene_);
     EXPECT_NEAR(film.length(), way, 0.1f * way + 4);
+}
+
+/// Sparks at rest, each in the middle of a square: rays of a burst reach far out of it.
+TEST_P(Sparks, AFewBurst) {
+    constexpr int kColumns = 16, kRows = 9, kSquare = 60;  // px
+    std::vector<GrainDraw> sparks;
+    for (int k = 0; k < kColumns * kRows; ++k) {
+        const glm::vec2 pixel(kSquare * (k % kColumns) - 450, 240 - kSquare * (k / kColumns));
+        sparks.push_back(
+            sparkAt(glm::vec3(pixel / pixelsPerMetre(scene_), 0) + glm::vec3(0, 0.5f, 0), {}, kLong, 0.7f));
+        sparks.back().seed = 7919 * static_cast<uint32_t>(k);
+    }
+    writeEffects(*scene_.mesh, sparks, {});
+    const Image image = drawPicture(renderer(), scene_);
+    std::set<int> burst;
+    for (int y = 0; y < image.height; ++y)
+        for (int x = 0; x < image.width; ++x) {
+            const glm::ivec2 off(x % kSquare - kSquare / 2, y % kSquare - kSquare / 2);
+            const bool far = off.x * off.x + off.y * off.y > 10 * 10;
+            if (far && image.at(x, y)[0] > 20) burst.insert(y / kSquare * kColumns + x / kSquare);
+        }
+    EXPECT_GE(burst.size(), 1u);
+    EXPECT_LE(burst.size(), sparks.size() / 10);
 }
 
 TEST_P(Sparks, ItIsNotSeenThroughABodyOrTheFloor) {
