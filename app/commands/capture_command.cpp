@@ -117,7 +117,7 @@ void runFrames(Capture& capture, Session& session, HeadlessStage& stage, FrameFi
             for (size_t k = 0; k < yaws.size(); ++k) {
                 const engine::FrameView before = viewAt(view, capture, session.built(), yaws[k], time_before);
                 view = viewAt(view, capture, session.built(), yaws[k], time);
-                exposure.draw(session, view, before, lens, target.framebuffer());
+                exposure.draw(session, view, before, time - time_before, lens, target.framebuffer());
                 tellRefusal(stage.renderer());
                 target.submit(k * capture.moments.size() + drawn);
             }

@@ -52,17 +52,19 @@ std::vector<engine::SphereDraw> FrameExposure::spheresAt(const Session& session,
 }
 
 void FrameExposure::draw(Session& session, const engine::FrameView& view, const engine::FrameView& before,
-                         const engine::Lens& lens, unsigned framebuffer) {
+                         double frame_s, const engine::Lens& lens, unsigned framebuffer) {
     const uint32_t pictures = engine::picturesOf(lens);
     if (pictures == 1 && lens.aperture <= 0 && lens.shutter <= 0 && !view.transparent)
         return renderer_.draw(session.mesh(), session.spheres(), view, framebuffer);
     if (!film_) film_ = std::make_unique<engine::Film>(dataFolder() / "shaders");
     film_->begin(view.width, view.height);
+    const auto seconds = static_cast<float>(frame_s);
     for (uint32_t i = 0; i < pictures; ++i) {
         const float moment = engine::pictureMoment(lens, i, pictures);
         engine::FrameView picture = engine::pictureView(viewBetween(before, view, moment), lens, i, pictures);
+        picture.opening = engine::pictureOpening(lens, seconds, i, pictures);
         if (pictures >= kEnoughForEdges) picture.samples = 1;
-        if (motion_ && session.mesh() != nullptr) motion_->place(*session.mesh(), moment);
+        if (motion_ && session.mesh() != nullptr) motion_->place(*session.mesh(), moment, seconds);
         addPicture(*film_, renderer_, session.mesh(),
                    motion_ ? spheresAt(session, moment) : session.spheres(), picture);
     }

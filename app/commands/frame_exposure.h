@@ -17,10 +17,11 @@ class FrameExposure {
     explicit FrameExposure(engine::Renderer& renderer) : renderer_(renderer) {}
     /// Call before a frame that is drawn with an open shutter is simulated.
     void remember(const Session& session, const engine::Lens& lens);
-    /// Draws the present frame, while whose exposure camera and colliders come from where `before`, the same
-    /// view at the frame before, has them; the session's bodies stay where they are.
+    /// Draws the present frame, `frame_s` seconds after the frame before, while whose exposure camera and
+    /// colliders come from where `before`, the same view at the frame before, has them; the session's bodies
+    /// stay where they are.
     void draw(Session& session, const engine::FrameView& view, const engine::FrameView& before,
-              const engine::Lens& lens, unsigned framebuffer);
+              double frame_s, const engine::Lens& lens, unsigned framebuffer);
 
   private:
     std::vector<engine::SphereDraw> spheresAt(const Session& session, float moment) const;

@@ -7,7 +7,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kPixels = 1;
+constexpr GLint kPixels = 1, kOpening = 2;
 constexpr GLuint kSolidUnit = 4;
 
 }  // namespace
@@ -24,12 +24,15 @@ void SparkPass::draw(const FractureMesh& mesh, const RenderTargets& targets, con
         setTone(program, kind.tone);
     }
     program.set(kPixels, 1.0f);
+    program.set(kOpening, glm::vec4(opening_.seconds, opening_.shares));
     (full ? *nearest_depth : targets.depth).bind(kSolidUnit);
     bindStorage(StorageBinding::kParticles, mesh.stream(StreamId::kGrains));
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
-    glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // Light adds up. What is mapped to the display already cannot, and takes what is left to white.
+    glBlendFuncSeparate(GL_ONE, kind.radiance ? GL_ONE : GL_ONE_MINUS_SRC_COLOR, GL_ONE,
+                        GL_ONE_MINUS_SRC_ALPHA);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);
     program.use();

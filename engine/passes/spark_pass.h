@@ -17,7 +17,10 @@ class SparkPass {
   public:
     explicit SparkPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
     /// For the frames to come.
-    void prepare(const PictureKind& kind) { kind_ = kind; }
+    void prepare(const PictureKind& kind, const Opening& opening) {
+        kind_ = kind;
+        opening_ = opening;
+    }
     /// Over `framebuffer`. `nearest_depth`: as DustPass::draw().
     void draw(const FractureMesh& mesh, const RenderTargets& targets, const gl::Texture* nearest_depth,
               GLuint framebuffer);
@@ -26,6 +29,7 @@ class SparkPass {
     std::filesystem::path shaders_;
     std::map<std::pair<bool, PictureKind>, gl::Program> programs_;  ///< by fullness; made when first needed
     PictureKind kind_;
+    Opening opening_;
     gl::VertexArray no_attributes_;
 };
 

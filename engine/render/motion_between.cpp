@@ -9,7 +9,7 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kShare = 0, kCount = 1;
+constexpr GLint kShare = 0, kCount = 1, kFrameSeconds = 2;
 constexpr size_t kMotionBytes = 32, kFragmentBytes = 4, kFlyingBytes = 32;
 constexpr size_t kGroup = 64;
 constexpr StreamId kFlying[] = {StreamId::kGrains, StreamId::kPuffs};
@@ -20,6 +20,10 @@ void copy(const gl::Buffer& from, const gl::Buffer& to, size_t bytes) {
 
 void fit(gl::Buffer& buffer, size_t bytes) {
     if (buffer.size() != bytes) buffer = gl::Buffer::immutable(bytes);
+}
+
+void clear(const gl::Buffer& buffer) {
+    glClearNamedBufferData(buffer.id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
 }
 
 void run(gl::Program& program, std::initializer_list<const gl::Buffer*> buffers, float share, size_t count) {
@@ -44,15 +48,25 @@ void MotionBetween::remember(const FractureMesh& mesh) {
     fit(transforms_.after, particles * kMotionBytes);
     copy(mesh.stream(StreamId::kParticleFragment), fragment_before_, particles * kFragmentBytes);
     copy(mesh.stream(StreamId::kTransforms), transforms_.before, particles * kMotionBytes);
-    with_effects_ = mesh.effectsShown();
-    for (size_t i = 0; i < flying_.size() && with_effects_; ++i) {
+    had_effects_ = mesh.effectsShown();
+    for (size_t i = 0; i < flying_.size() && had_effects_; ++i) {
         const gl::Buffer& shown = mesh.stream(kFlying[i]);
         fit(flying_[i].before, shown.size());
-        fit(flying_[i].after, shown.size());
         copy(shown, flying_[i].before, shown.size());
     }
     remembered_ = particles;
     gl::throwIfError("Remembering a frame");
+}
+
+void MotionBetween::keepEffects(const FractureMesh& mesh) {
+    for (size_t i = 0; i < flying_.size(); ++i) {
+        const gl::Buffer& shown = mesh.stream(kFlying[i]);
+        fit(flying_[i].after, shown.size());
+        copy(shown, flying_[i].after, shown.size());
+        if (had_effects_) continue;
+        fit(flying_[i].before, shown.size());
+        clear(flying_[i].before);
+    }
 }
 
 void MotionBetween::placeFragments(FractureMesh& mesh, float share) {
@@ -61,18 +75,20 @@ void MotionBetween::placeFragments(FractureMesh& mesh, float share) {
     run(fragments_, {&fragment_before_, &transforms_.before, &transforms_.after, &shown}, share, remembered_);
 }
 
-void MotionBetween::placeEffects(FractureMesh& mesh, float share) {
+void MotionBetween::placeEffects(FractureMesh& mesh, float share, float frame_s) {
+    if (!moved_) keepEffects(mesh);
     for (size_t i = 0; i < flying_.size(); ++i) {
         gl::Buffer& shown = mesh.stream(kFlying[i]);
-        if (!moved_) copy(shown, flying_[i].after, shown.size());
+        effects_.set(kFrameSeconds, kFlying[i] == StreamId::kGrains ? frame_s : 0.0f);
         run(effects_, {&flying_[i].before, &flying_[i].after, &shown}, share, shown.size() / kFlyingBytes);
     }
 }
 
-void MotionBetween::place(FractureMesh& mesh, float share) {
+void MotionBetween::place(FractureMesh& mesh, float share, float frame_s) {
     if (remembered_ == 0 || remembered_ != mesh.particleCount()) return;
     placeFragments(mesh, share);
-    if (with_effects_) placeEffects(mesh, share);
+    with_effects_ = mesh.effectsShown();
+    if (with_effects_) placeEffects(mesh, share, frame_s);
     moved_ = true;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     gl::throwIfError("Moving a body between two frames");

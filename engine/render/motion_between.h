@@ -17,9 +17,10 @@ class MotionBetween {
     /// Keeps where all is: call before the next frame is brought to the mesh.
     void remember(const FractureMesh& mesh);
     /// Moves fragments, grains and puffs to where they were at this share of the way from the remembered
-    /// frame (0) to the present one (1). Nothing moves before a first remember(). The particle view's spheres
-    /// stay.
-    void place(FractureMesh& mesh, float share);
+    /// frame (0) to the present one (1), `frame_s` seconds later. What is new stays where it is, but for
+    /// sparks, which fly from where they were struck. Nothing moves before a first remember(). The particle
+    /// view's spheres stay.
+    void place(FractureMesh& mesh, float share, float frame_s);
     /// Brings the present frame back. Without place() it does nothing.
     void restore(FractureMesh& mesh);
 
@@ -28,13 +29,14 @@ class MotionBetween {
         gl::Buffer before, after;
     };
     void placeFragments(FractureMesh& mesh, float share);
-    void placeEffects(FractureMesh& mesh, float share);
+    void keepEffects(const FractureMesh& mesh);
+    void placeEffects(FractureMesh& mesh, float share, float frame_s);
     gl::Program fragments_, effects_;
     gl::Buffer fragment_before_;
     Kept transforms_;
-    std::array<Kept, 2> flying_;  ///< grains and puffs
-    bool with_effects_ = false;
-    size_t remembered_ = 0;  ///< particles
+    std::array<Kept, 2> flying_;                       ///< grains and puffs
+    bool had_effects_ = false, with_effects_ = false;  ///< at the remembered and at the present frame
+    size_t remembered_ = 0;                            ///< particles
     bool moved_ = false;
 };
 

@@ -89,7 +89,7 @@ struct Renderer::Passes {
         if (with_looks) mesh->looks()->bind();
         kind.glow = with_looks && mesh->looks()->glows();
         dust.prepare(kind);
-        sparks.prepare(kind);
+        sparks.prepare(kind, view.opening);
         PictureKind lit = kind;
         lit.radiance = lit.radiance || kind.glass;  // glass mixes light, and comes after
         light.prepare(view, lit, with_looks);

@@ -18,8 +18,8 @@ enum class StreamId : uint32_t {
     kExteriorVertices,  ///< 24 B: position 3f, normal oct 2 x snorm16, triangle of its looks u32, cell u32
     kExteriorChunks,    ///< u32 per 64 exterior vertices: which were written last; nothing here reads it
     kCommands,          ///< 60 B: three DrawElementsIndirectCommand: interior, cracks, exterior
-    kGrains,            ///< 32 B: position 3f, size, quaternion 4 x snorm16 (of a spark: velocity 3 x half),
-                        ///< seed u32, heat
+    kGrains,            ///< 32 B: position 3f, size, quaternion 4 x snorm16 (of a spark: velocity and age,
+                        ///< 4 x half), seed u32, heat
     kPuffs,             ///< 32 B: position 3f, radius, optical depth, age, seed u32, heat
     kEffectCommands,    ///< 48 B: three DrawArraysIndirectCommand: grains, puffs, sparks
     kCount

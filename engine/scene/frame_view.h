@@ -31,6 +31,13 @@ struct SphereDraw {
     bool operator==(const SphereDraw&) const = default;
 };
 
+/// When light falls on the film. Sparks are streaks of the way that they come in this time.
+struct Opening {
+    glm::vec2 seconds{-1.0f / 250, 0};  ///< from and to, s after the picture's moment
+    glm::vec2 shares{0, 1};             ///< of the frame's whole exposure, that have passed by then
+    bool operator==(const Opening&) const = default;
+};
+
 struct FrameView {
     Camera camera;
     Lighting lighting;
@@ -54,6 +61,7 @@ struct FrameView {
     glm::vec2 jitter{0};        ///< px, that the picture is moved right and up under its pixels, for a Film
     glm::vec2 lens_offset{0};   ///< m right and up, from the camera's eye to the point of the lens
     float focus_distance = 1;   ///< m along the view axis: what lies there stays in place for any lens_offset
+    Opening opening;            ///< of a still a short one, however long the frame is
     float noise_turn = 0;       ///< 0..1, another for each picture that a Film averages
     float scene_radius = 1.0f;  ///< m, what the shadow map must cover
     float scene_centre[3] = {0, 0.5f, 0};

@@ -49,4 +49,10 @@ float pictureMoment(const Lens& lens, uint32_t i, uint32_t n) {
     return 1 - lens.shutter * (1 - (static_cast<float>(i) + 0.5f) / static_cast<float>(n));
 }
 
+Opening pictureOpening(const Lens& lens, float frame_s, uint32_t i, uint32_t n) {
+    if (lens.shutter <= 0 || frame_s <= 0) return {};
+    const float pictures = static_cast<float>(n), half = 0.5f * lens.shutter * frame_s / pictures;
+    return {{-half, half}, glm::vec2(i, i + 1) / pictures};
+}
+
 }  // namespace demolish::engine

@@ -27,5 +27,8 @@ float apertureRadius(const Lens& lens, const Camera& camera);
 FrameView pictureView(const FrameView& frame, const Lens& lens, uint32_t i, uint32_t n);
 /// When it is taken: 0 a frame before, 1 at the frame's moment.
 float pictureMoment(const Lens& lens, uint32_t i, uint32_t n);
+/// When light falls on it, where a frame is so many seconds long: the pictures of a frame follow each other
+/// without a gap. A still's own where the shutter is not open.
+Opening pictureOpening(const Lens& lens, float frame_s, uint32_t i, uint32_t n);
 
 }  // namespace demolish::engine

@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Grains of grit: bent octahedra, each of its own shape and thickness.
 #include "common/rotate.glsl"
+#include "common/grain_draw.glsl"
 struct Grain {
     vec4 position_size;  // m; size 0: there is none
-    uvec2 turn;          // quaternion, 4 x snorm16; of a spark its velocity, m/s, and s of its streak, 4 x half
+    uvec2 turn;          // quaternion, 4 x snorm16; of a spark its velocity, m/s, and its age, s, 4 x half
     uint seed;
     float heat;          // 0: grit; of a spark 1 as it is born
 };
 layout(std430, binding = GRAIN_BINDING) readonly buffer Grains { Grain grains[]; };
 const uint kGrainFaces = 8u;
-
-uint grainHash(uint h) {
-    h ^= h >> 16;
-    h *= 0x7feb352du;
-    h ^= h >> 15;
-    h *= 0x846ca68bu;
-    return h ^ (h >> 16);
-}
-float grainDraw(uint h) { return float(grainHash(h) >> 8) / 16777216.0; }
 
 // Thinner one way than the others.
 vec3 grainShape(uint seed) {

@@ -61,7 +61,7 @@ struct GrainInstance {
     Float3 position;   ///< m
     float size;        ///< m, across; 0: none
     uint32_t turn[2];  ///< grit: quaternion x y z w, 4 x snorm16, x in the low half; spark: velocity in m/s,
-                       ///< 3 x float16, and s of its streak
+                       ///< 3 x float16, and age in s
     uint32_t seed;     ///< of its shape
     float heat;        ///< 0: grit; a spark 1 as it is born, then less
 };

@@ -16,7 +16,7 @@ inline constexpr float kFastSlide = 0.5f;  ///< m/s
 inline constexpr float kHitGrit = 0.07f, kHitDust = 0.15f, kSlideGrit = 0.01f, kSlideDust = 0.03f;
 /// Of a puff of smoke: optical depth.
 inline constexpr float kSmokeDepth = 0.12f;
-inline constexpr float kSparksPerSpeed = 3, kMostSparks = 50, kSmokePerSpeed = 0.5f, kMostSmoke = 6;
+inline constexpr float kSparksPerSpeed = 7, kMostSparks = 120, kSmokePerSpeed = 0.5f, kMostSmoke = 6;
 
 struct Hit {
     Vec3<float> normal;  ///< unit, out of what is hit
@@ -147,14 +147,15 @@ struct ThrowOffHits {
         born.first_depth = 0.6f * born.first_depth;
         return born;
     }
-    /// Glowing iron and stone, fast and wide.
+    /// Glowing iron and stone, fast and wide. Most are small, slow down in the air and are out soon.
     DEM_FN Grain spark(const Hit& hit, Draws& draws) const {
-        Grain born = thrown({hit.place, {}}, kSparkSize * (0.5f + draws.uniform()), kSparkDrag, 0.0f, draws);
-        const float speed = (0.25f + 0.55f * draws.uniform()) * minOf(hit.violence, 14.0f);
+        const float share = draws.uniform(), large = share * share * share;
+        Grain born = thrown({hit.place, {}}, kSparkSize * (0.4f + 1.4f * large), kSparkDrag, 0.0f, draws);
+        const float speed = (0.15f + 0.65f * draws.uniform()) * minOf(hit.violence, 14.0f);
         born.velocity = speed * spray(hit, 0.8f, draws);
         born.age = births.elapsed * draws.uniform();
         born.position = axpy(born.age, born.velocity, born.position);
-        born.glows = kSparkLife * (0.4f + draws.uniform());
+        born.glows = kSparkLife * (0.25f + 0.4f * draws.uniform() + 0.8f * large);
         return born;
     }
     DEM_FN Puff smoke(uint32_t i, const Hit& hit, Draws& draws) const {

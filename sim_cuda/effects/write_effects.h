@@ -20,9 +20,6 @@ DEM_FN uint32_t packPair(float x, float y) {
     return word(x) | word(y) << 16;
 }
 
-/// s: a spark is drawn as the way that it has come in this time, the least that a film is open.
-inline constexpr float kSparkStreak = 0.012f;
-
 DEM_FN GrainInstance instanceOf(const Grain& grain) {
     const Quat<float>& q = grain.rotation;
     const Vec3<float>& v = grain.velocity;
@@ -30,7 +27,7 @@ DEM_FN GrainInstance instanceOf(const Grain& grain) {
     return {{grain.position.x, grain.position.y, grain.position.z},
             grain.size,
             {glows ? packHalf2(v.x, v.y) : packPair(q.x, q.y),
-             glows ? packHalf2(v.z, minOf(grain.age, kSparkStreak)) : packPair(q.z, q.w)},
+             glows ? packHalf2(v.z, grain.age) : packPair(q.z, q.w)},
             grain.seed,
             glows ? maxOf(1.0f - grain.age / grain.glows, 1e-3f) : 0.0f};
 }

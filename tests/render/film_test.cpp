@@ -19,6 +19,8 @@ namespace {
 
 using FilmTest = GlTest;
 
+constexpr float kFrame = 1.0f / 60;  // s
+
 /// Seen from the front, with nothing behind it, so that alpha is the share of time in which a pixel was
 /// covered.
 Scene blockBeforeNothing() {
@@ -101,8 +103,8 @@ TEST_F(FilmTest, BlurIsAsLongAsTheWayDuringTheOpenShutter) {
         motion.remember(*scene.mesh);
         putAt(scene, {kWay, 0, 0});
         const Lens lens{.shutter = shutter, .samples = 32};
-        const Image blurred =
-            exposed(renderer(), scene, lens, 32, [&](float moment) { motion.place(*scene.mesh, moment); });
+        const Image blurred = exposed(renderer(), scene, lens, 32,
+                                      [&](float moment) { motion.place(*scene.mesh, moment, kFrame); });
         motion.restore(*scene.mesh);
         // Both the front and the back edge of the block sweep over this many pixels.
         const float swept = shutter * kWay * pixelsPerMetre(scene);
@@ -125,7 +127,7 @@ TEST_F(FilmTest, BetweenTwoFramesABodyMovesRigidly) {
     putAt(scene, about(0), 0);
     motion.remember(*scene.mesh);
     putAt(scene, about(0.4f), 0.4f);
-    motion.place(*scene.mesh, 0.25f);
+    motion.place(*scene.mesh, 0.25f, kFrame);
     const Image between = drawPicture(renderer(), scene);
     motion.restore(*scene.mesh);
     putAt(scene, about(0.1f), 0.1f);
@@ -150,7 +152,7 @@ TEST_F(FilmTest, WhatBrokeOffComesFromWhereItsBodyWas) {
     whole();
     motion.remember(*scene.mesh);
     apart({0.3f, 0.2f, 0});
-    motion.place(*scene.mesh, 0.5f);
+    motion.place(*scene.mesh, 0.5f, kFrame);
     const Image between = drawPicture(renderer(), scene);
     motion.restore(*scene.mesh);
     apart({0.15f, 0.1f, 0});
@@ -169,13 +171,13 @@ TEST_F(FilmTest, GritAndDustMoveTooAndWhatIsNewStaysWhereItIs) {
     at(0.3f, 5);
     motion.remember(*scene.mesh);
     const Image late = at(0.6f, 5);
-    motion.place(*scene.mesh, 0.5f);
+    motion.place(*scene.mesh, 0.5f, kFrame);
     EXPECT_LT(differingPixels(drawPicture(renderer(), scene), middle, 3), 20u);
     EXPECT_GT(differingPixels(early, middle, 20), 300u);
     motion.restore(*scene.mesh);
     EXPECT_EQ(drawPicture(renderer(), scene).pixels, late.pixels);
     const Image other = at(0.6f, 6);
-    motion.place(*scene.mesh, 0.5f);
+    motion.place(*scene.mesh, 0.5f, kFrame);
     EXPECT_EQ(drawPicture(renderer(), scene).pixels, other.pixels);
 }
 
