@@ -32,8 +32,8 @@ struct HardHits {
 };
 
 /// Of the sum of two contact radii: a ball that comes farther in a contact step is met in substeps, however
-/// few particles it hits. It would be through a crumb before contact steps had pushed it back.
-inline constexpr double kFarInAStep = 1;
+/// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
+inline constexpr double kFarInAStep = 0.5;
 
 /// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;

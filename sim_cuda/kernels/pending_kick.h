@@ -19,6 +19,10 @@ struct PendingKicks {
     DEM_FN bool wakes(uint32_t slot) const {
         return regime[slot] == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kRigid);
     }
+    /// It is moved with its bonds, as it was before.
+    DEM_FN bool goesOn(uint32_t slot) const {
+        return regime[slot] == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kBonded);
+    }
     /// It has gone a contact step, and is free to move.
     DEM_FN bool isPending(uint32_t slot) const {
         return time > 0 && wakes(slot) && body[slot].starts == 0 && !body[slot].isHeld();
@@ -90,7 +94,9 @@ struct GatherPendingKick {
 
     DEM_FN void operator()(uint32_t i) const {
         const uint32_t slot = work.label[i];
-        if (!pending.isPending(slot) || !(arrays.constants[i].takesPart())) return;
+        if (!(arrays.constants[i].takesPart())) return;
+        if (pending.goesOn(slot)) return meetWoken(i);
+        if (!pending.isPending(slot)) return;
         OwnParticle<Real> own = loadOwn(arrays, i);
         Tally<Real> tally;
         Wrench<Real> load = rowsLoad(own, tally);
@@ -112,8 +118,9 @@ struct GatherPendingKick {
                asDouble(lowPart(of.state.position, of.state.velocity, of.state.spin)) -
                work.body[work.label[of.id]].centre;
     }
-    /// Its constants in contact steps.
+    /// Its constants in contact steps, if it has gone any.
     DEM_FN ParticleConstants<Real> shared(const OwnParticle<Real>& of) const {
+        if (!pending.isPending(work.label[of.id])) return of.constants;
         const RigidBody& body = work.body[work.label[of.id]];
         return sharedConstants(body, rotate(conjugate(body.turned), armOf(of)), of.constants);
     }
@@ -121,7 +128,9 @@ struct GatherPendingKick {
         Wrench<Real> load;
         for (uint32_t s = arrays.bond_row[own.id]; s < arrays.bond_row[own.id + 1]; ++s) {
             const LinkEnd end = linkEnd(arrays, s);
-            if (isBonded(end.link) || !isShared(own.id, end.id)) continue;
+            if (isBonded(end.link)) continue;
+            if (pending.goesOn(work.label[end.id])) beginSoft(own, s, end);
+            if (!isShared(own.id, end.id)) continue;
             if (facesBegin(own, s, end)) {
                 add(load, newFaces(own, s, end, tally));
                 continue;
@@ -137,6 +146,20 @@ struct GatherPendingKick {
                 }));
         }
         return load;
+    }
+    /// Of a particle that goes on as it did.
+    DEM_FN void meetWoken(uint32_t i) const {
+        for (uint32_t s = arrays.bond_row[i]; s < arrays.bond_row[i + 1]; ++s) {
+            const LinkEnd end = linkEnd(arrays, s);
+            if (!isBonded(end.link) && pending.isPending(work.label[end.id]))
+                beginSoft(loadOwn(arrays, i), s, end);
+        }
+    }
+    /// Faces of one that goes on as it did and one that wakes: substeps have seen that half a contact step
+    /// back, where the two were apart.
+    DEM_FN void beginSoft(const OwnParticle<Real>& own, uint32_t s, const LinkEnd& end) const {
+        Tally<Real> unbooked;
+        if (facesBegin(own, s, end)) newFaces(own, s, end, unbooked);
     }
     /// Faces of a broken bond that the last contact step has pressed on each other, and that nothing has seen
     /// touch yet.

@@ -94,8 +94,12 @@ double expectedSubsteps(const Shot& shot, const Size& size) {
     return std::clamp(speed / (kKappa * kStepSafety * 60 * size.spacing()), 40.0, kSubstepRange.most);
 }
 
-/// Steps into which each of them is divided where something would come far in one (step_division.h). Not part
-/// of what a shot may cost, by which it is chosen: seeds go on meaning the same shots.
+/// Times what a shot may cost, with all divided substeps: a cell of a quarter of a millimetre that a ball of
+/// 64 m/s hits has its substeps divided by 925, and that shot would have taken an hour.
+constexpr double kMostDivided = 20;
+
+/// Steps into which each of them is divided where something would come far in one (step_division.h). Up to
+/// kMostDivided no part of what a shot may cost, by which it is chosen: seeds go on meaning the same shots.
 double expectedDivision(const Shot& shot, const Size& size) {
     const double fall = 4 * kGravity * size.height, shot_speed = shot.impact.velocity,
                  way = std::sqrt(shot_speed * shot_speed + fall) / (60 * expectedSubsteps(shot, size));
@@ -124,8 +128,11 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
     size.volume = subject.volume * std::pow(scale, 3);
     size.particles = std::max(2 * size.bodies, wholeNumber(dice, 2, limits.most_particles));
     const auto cost = [&] { return expectedCost(random.shot(), size); };
+    const auto allowed = [&] {
+        return limits.cost * std::min(1.0, kMostDivided / expectedDivision(random.shot(), size));
+    };
     const auto affordable = [&] {
-        return cost().start + static_cast<double>(kLeastFrames) * cost().frame <= limits.cost;
+        return cost().start + static_cast<double>(kLeastFrames) * cost().frame <= allowed();
     };
     while (!affordable() && size.ofEach() > 2) size.particles /= 2;
     while (!affordable() && random.shot().fps < 500) options.fps = 2 * random.shot().fps;
@@ -135,7 +142,7 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
         options.particle_size = spacing;
     else
         options.particles = size.ofEach();
-    const double frames = (limits.cost - cost().start) / cost().frame;
+    const double frames = (allowed() - cost().start) / cost().frame;
     random.frames = static_cast<uint64_t>(std::clamp(frames, double{kLeastFrames}, double{kMostFrames}));
     random.cost = expectedDivision(random.shot(), size) *
                   (cost().start + static_cast<double>(random.frames) * cost().frame);

@@ -20,6 +20,30 @@ BondStiffness<T> stiffness() {
     return {T(k.normal), T(k.shear), T(k.bending), T(k.torsion)};
 }
 
+/// J, that a bond takes in while its second end is turned in place, by so many rad about `axis`, over the
+/// energy that it has then.
+double takenInOverEnergy(const Vec3<double>& axis, double angle) {
+    constexpr int kSteps = 20000;
+    auto set = test::chain<double>(1, 0.0625, stiffness<double>());
+    Quat<double>& turned = set.particles[1].rotation;
+    double taken_in = 0;
+    for (int k = 0; k < kSteps; ++k) {
+        turned = advanced(turned, axis, 0.5 * angle / kSteps);
+        set.evaluate();
+        taken_in -= dot(set.loads[1].torque, axis) * angle / kSteps;
+        turned = advanced(turned, axis, 0.5 * angle / kSteps);
+    }
+    return taken_in / set.elasticEnergy();
+}
+/// Rubber bends by a radian before it breaks.
+TEST(BondKinematics, ABondHoldsWhatItHasTakenInHoweverFarItTurns) {
+    for (const double angle : {0.01, 0.3, 1.0, 2.0, -1.5}) {
+        EXPECT_NEAR(takenInOverEnergy({1, 0, 0}, angle), 1, 1e-6) << "twisted by " << angle;
+        EXPECT_NEAR(takenInOverEnergy({0, 0.6, 0.8}, angle), 1, 1e-6) << "bent by " << angle;
+        EXPECT_NEAR(takenInOverEnergy({0.8, 0.6, 0}, angle), 1, 0.03) << "both by " << angle;
+    }
+}
+
 /// Largest force on any particle of a rigidly moved lattice, in units of k_N L0.
 template <class T>
 T largestRigidForce(double reach) {
