@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures averaged on a film: what rests is sharp, what moves is blurred as far as it moved, what is out of
 // focus too.
-#include "engine/render/film.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 
-#include "engine/render/frame_capture.h"
 #include "engine/render/motion_between.h"
 #include "engine/scene/lens.h"
+#include "tests/render/developed.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -53,13 +52,7 @@ Image exposed(Renderer& renderer, const Scene& scene, const Lens& lens, uint32_t
                       film.framebuffer());
         film.add();
     }
-    Image result;
-    FrameCapture capture(scene.view.width, scene.view.height,
-                         [&](uint64_t, Image image) { result = std::move(image); });
-    film.develop(scene.view.lighting, capture.framebuffer());
-    capture.submit(0);
-    capture.finish();
-    return result;
+    return developed(film, scene.view);
 }
 
 /// Pixels of a row whose alpha lies between the given shares.

@@ -7,10 +7,9 @@
 #include <glm/gtc/packing.hpp>
 #include <set>
 
-#include "engine/render/film.h"
-#include "engine/render/frame_capture.h"
 #include "engine/render/motion_between.h"
 #include "engine/scene/lens.h"
+#include "tests/render/developed.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -115,13 +114,7 @@ class Sparks : public GlTest, public testing::WithParamInterface<RenderQuality> 
             renderer().draw(scene_.mesh.get(), scene_.spheres, view, film.framebuffer());
             film.add();
         }
-        Image result;
-        FrameCapture capture(scene_.view.width, scene_.view.height,
-                             [&](uint64_t, Image image) { result = std::move(image); });
-        film.develop(scene_.view.lighting, capture.framebuffer());
-        capture.submit(0);
-        capture.finish();
-        return streakIn(result);
+        return streakIn(developed(film, scene_.view));
     }
 };
 
