@@ -188,7 +188,7 @@ struct StepRigid {
     }
     /// For one lane, that of the first place, which is the slot's if that is active. `lost`: of move().
     DEM_FN void keep(const RigidBody& body, const RigidRow& row, double lost) const {
-        work.body[row.slot] = body;
+        store(work.body[row.slot], body);
         work.memory[row.slot] = memoryOf(body);
         if constexpr (kLedger) bookedDamping(arrays.ledger[row.slot]) += Real(lost);
     }

@@ -60,7 +60,7 @@ __device__ void moveLarge(const StepRigid<kLedger, Real>& step, const RigidRow& 
         const double lost = step.move(body, warpTotal(sums[lane], kWarp));
         if (lane == 0) {
             step.keep(body, row, lost);
-            moved = body;
+            store(moved, body);
         }
     }
     __syncthreads();

@@ -30,10 +30,10 @@ struct StartBodies {
         if (label[slot] != slot || (is_bonded && former[slot] != wordOf(Regime::kRigid))) return;
         if (!frame_starts && (is_bonded || slot < in_bodies)) return;
         if (slot < in_bodies) {
-            body[slot] = holds.hold(slot) ? ofHeld(slot) : ofFragment(slot);
+            store(body[slot], holds.hold(slot) ? ofHeld(slot) : ofFragment(slot));
         } else {
             if (!(constants[slot].takesPart())) return;
-            body[slot] = ofProjectile(slot);
+            store(body[slot], ofProjectile(slot));
         }
         body[slot].starts = former[slot] == wordOf(Regime::kBonded) ? 1 : 0;
         const BodyMemory last = former[slot] == wordOf(Regime::kRigid) ? memory[slot] : memoryOf({});

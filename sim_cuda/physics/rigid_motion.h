@@ -53,6 +53,29 @@ struct RigidBody {
     DEM_FN bool stands() const { return isHeld() && !(length2(velocity) + length2(spin) > 0); }
 };
 
+/// The whole of a body to its place in memory, member by member: nvcc copies what is larger than 128 bytes
+/// byte by byte.
+DEM_FN void store(RigidBody& to, const RigidBody& body) {
+    // All members, or this does not compile.
+    const auto& [centre, velocity, angular, spin, turned, kicked, inverse_inertia, inverse_mass,
+                 contact_share, least_share, least_stand, contacts, standing, starts, flight] = body;
+    to.centre = centre;
+    to.velocity = velocity;
+    to.angular = angular;
+    to.spin = spin;
+    to.turned = turned;
+    to.kicked = kicked;
+    to.inverse_inertia = inverse_inertia;
+    to.inverse_mass = inverse_mass;
+    to.contact_share = contact_share;
+    to.least_share = least_share;
+    to.least_stand = least_stand;
+    to.contacts = contacts;
+    to.standing = standing;
+    to.starts = starts;
+    to.flight = flight;
+}
+
 /// omega of J(q) omega = L.
 DEM_FN Vec3<double> spinAt(const RigidBody& body, const Quat<double>& turned) {
     return rotate(turned, multiply(body.inverse_inertia, rotate(conjugate(turned), body.angular)));
