@@ -20,6 +20,9 @@ inline constexpr double kCornerRolling = 0.3;
 /// Steps ahead in which a contact is reckoned with that is still to come.
 inline constexpr double kStepsAhead = 1.5;
 
+/// m, farther than anything is.
+inline constexpr double kFarAway = 1e30;
+
 /// A particle's cell as a step sees it.
 template <class Real>
 struct SeenCell {
@@ -41,16 +44,13 @@ struct Pressed {
 };
 
 /// Depths of points added up, each by what it presses with.
-template <class Real>
+template <bool kHertz, class Real>
 class DepthSums {
   public:
-    explicit DEM_FN DepthSums(uint32_t hertz) : hertz_(hertz) {}
     /// `distance`: m, above the surface. Gives the force, in units of the law's constant.
     DEM_FN Real add(Real distance, const Vec3<Real>& arm) {
         nearest_ = minOf(nearest_, distance);
-        const Real depth = -distance;
-        if (!(depth > Real(0))) return Real(0);
-        const Real force = forceOf(depth);
+        const Real depth = -distance, force = depth > Real(0) ? forceOf(depth) : Real(0);
         force_ = force_ + force;
         energy_ = madd(force, depth, energy_);
         arm_ = axpy(force, arm, arm_);
@@ -65,10 +65,9 @@ class DepthSums {
     DEM_FN Vec3<Real> arm() const { return (Real(1) / force_) * arm_; }
 
   private:
-    DEM_FN Real forceOf(Real depth) const { return hertz_ != 0 ? depth * squareRoot(depth) : depth; }
+    static DEM_FN Real forceOf(Real depth) { return kHertz ? depth * squareRoot(depth) : depth; }
 
-    uint32_t hertz_;
-    Real force_{}, energy_{}, nearest_{Real(1e30)};
+    Real force_{}, energy_{}, nearest_{Real(kFarAway)};
     Vec3<Real> arm_;
 };
 
@@ -100,23 +99,23 @@ DEM_FN void forEachCorner(const OwnCorners<Real>& corners, const Visit& visit) {
         Vec3<Real> corner[kAtOnce];
         for (uint32_t k = 0; k < kAtOnce; ++k)
             corner[k] = xyz(corners.from_seed[k < count ? first + k : first]);
-        for (uint32_t k = 0; k < kAtOnce; ++k)
-            if (k < count) visit(corner[k]);
+        for (uint32_t k = 0; k < kAtOnce; ++k) visit(corner[k], k < count);
     }
 }
 
 /// Corners on a plane, whose normal is turned into the cell's frame rather than its corners out of it: a
 /// fifth of the work.
-template <bool kLedger, class Real>
+template <bool kLedger, class Real, class Sums>
 DEM_FN void pressOnPlane(const OwnParticle<Real>& own, const SeenCell<Real>& cell,
-                         const TangentPlane<Real>& tangent, DepthSums<Real>& sums, Pressed<Real>& at) {
+                         const TangentPlane<Real>& tangent, Sums& sums, Pressed<Real>& at) {
     const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(cell.turned), normal);
     const Vec3<Real> rising = rotate(conjugate(cell.turned), cross(normal, xyz(own.state.spin)));
     const Real opening = dot(xyz(own.state.velocity), normal);
-    forEachCorner<4>(cell.corners, [&](const Vec3<Real>& corner) {
+    forEachCorner<4>(cell.corners, [&](const Vec3<Real>& corner, bool present) {
         const Real distance = tangent.distance + dot(up, corner);
-        sums.add(distance, corner);
-        if constexpr (kLedger) addChange(at, distance, opening + dot(rising, corner), cell.drift);
+        sums.add(present ? distance : Real(kFarAway), corner);
+        if constexpr (kLedger)
+            if (present) addChange(at, distance, opening + dot(rising, corner), cell.drift);
     });
     at.normal = normal;
     at.gap = sums.nearest();
@@ -125,10 +124,10 @@ DEM_FN void pressOnPlane(const OwnParticle<Real>& own, const SeenCell<Real>& cel
 
 /// Corners on collider c of any shape, and a sphere within the cell, since edges of the collider reach
 /// between corners.
-template <bool kLedger, class Real>
+template <bool kLedger, class Real, class Sums>
 DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<Real>& own,
                          const SeenCell<Real>& cell, uint32_t c, const TangentPlane<Real>& tangent,
-                         DepthSums<Real>& sums, Pressed<Real>& at) {
+                         Sums& sums, Pressed<Real>& at) {
     const LoadedState<Real>& state = own.state;
     const Vec3<Real> low = lowPart(state.position, state.velocity, state.spin);
     Vec3<Real> normal;
@@ -145,7 +144,7 @@ DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<R
         if (distance > Real(0)) sums.add(distance, arm);
         return distance > Real(0);
     };
-    forEachCorner<1>(cell.corners, [&](const Vec3<Real>& corner) {
+    forEachCorner<1>(cell.corners, [&](const Vec3<Real>& corner, bool) {
         const Vec3<Real> arm = rotate(cell.turned, corner);
         if (isOff(arm)) return;
         const TangentPlane<Real> below = colliders.tangent(c, xyz(state.position), low + arm);
@@ -159,13 +158,12 @@ DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<R
 }
 
 /// Colliders, here and below: ColliderSet or PlanesOnly.
-template <bool kLedger, class Real, class Colliders>
-DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& colliders,
-                               const OwnParticle<Real>& own, const SeenCell<Real>& cell, uint32_t c,
-                               const TangentPlane<Real>& tangent) {
-    if (cell.corners.from_seed.empty()) return pressedSphere(own, cell.drift, tangent);
+template <bool kLedger, bool kHertz, class Real, class Colliders>
+DEM_FN Pressed<Real> pressedAtCorners(const Colliders& colliders, const OwnParticle<Real>& own,
+                                      const SeenCell<Real>& cell, uint32_t c,
+                                      const TangentPlane<Real>& tangent) {
     Pressed<Real> at;
-    DepthSums<Real> sums(params.hertz);
+    DepthSums<kHertz, Real> sums;
     if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>)
         pressOnPlane<kLedger>(own, cell, tangent, sums, at);
     else if (colliders.isPlane(c))
@@ -177,6 +175,14 @@ DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& 
     at.depth = sums.depth();
     at.springs = sums.springs();
     return at;
+}
+template <bool kLedger, class Real, class Colliders>
+DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& colliders,
+                               const OwnParticle<Real>& own, const SeenCell<Real>& cell, uint32_t c,
+                               const TangentPlane<Real>& tangent) {
+    if (cell.corners.from_seed.empty()) return pressedSphere(own, cell.drift, tangent);
+    return params.hertz != 0 ? pressedAtCorners<kLedger, true>(colliders, own, cell, c, tangent)
+                             : pressedAtCorners<kLedger, false>(colliders, own, cell, c, tangent);
 }
 
 /// What is set against a push on a collider.
