@@ -27,7 +27,7 @@ struct Options {
     std::optional<uint64_t> only;
     std::string device = "cpu";
     double cost = 0;  ///< 0: what suits the device
-    bool record = false, in_process = false;
+    bool record = false, in_process = false, show = false;
     std::filesystem::path models = std::filesystem::temp_directory_path() / "demolish_fuzz_models";
 };
 
@@ -81,6 +81,15 @@ Json summaryOf(uint64_t index, const RandomShot& random, const ShotRun& run) {
     if (!run.refused.empty()) line["refused"] = run.refused;
     if (!run.stopped.empty()) line["stopped"] = run.stopped;
     return line;
+}
+
+/// What a shot is, without running it.
+int show(uint64_t index, const RandomShot& random) {
+    print({{"shot", index},
+           {"frames", random.frames},
+           {"cost", random.cost},
+           {random.isForBench() ? "bench" : "nearly", "demolish " + commandLine(random.benchWords())}});
+    return 0;
 }
 
 /// Both runs here; a crash ends this process.
@@ -156,9 +165,10 @@ void runApart(const Options& options, uint64_t index, Tally& tally) {
 }
 
 int run(const Options& options) {
-    if (options.in_process)
-        return runHere(options, *options.only,
-                       randomShot(options.seed, *options.only, limitsOf(options), options.models));
+    if (options.in_process || options.show) {
+        const RandomShot random = randomShot(options.seed, *options.only, limitsOf(options), options.models);
+        return options.show ? show(*options.only, random) : runHere(options, *options.only, random);
+    }
     if (options.device == "cuda" && !findCudaDevice().usable) {
         std::puts("there is no usable GPU: skipped");
         return kSkipped;
@@ -187,8 +197,9 @@ int parseAndRun(int argument_count, char** arguments) {
     app.add_option("--models", options.models, "Folder for the models that are made");
     app.add_flag("--record", options.record, "Some shots are recorded; needs OpenGL");
     app.add_flag("--in-process", options.in_process, "With --only: no process of its own, for a debugger");
+    app.add_flag("--show", options.show, "With --only: say what the shot is, and run nothing");
     CLI11_PARSE(app, argument_count, arguments);
-    if (options.in_process && !options.only) options.only = 0;
+    if (!options.only && (options.in_process || options.show)) options.only = 0;
     return run(options);
 }
 
