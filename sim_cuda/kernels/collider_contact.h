@@ -43,7 +43,7 @@ struct Pressed {
     OverlapChange<Real> change;  ///< for the ledger
 };
 
-/// Depths of points added up, each by what it presses with.
+/// Depths of points added up, each by what it presses with. kHertz: as StepParams::hertz.
 template <bool kHertz, class Real>
 class DepthSums {
   public:
@@ -90,7 +90,8 @@ DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
     add(at.change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
 }
 
-/// Calls visit(corner) for each in turn; `kAtOnce` are read at once, since on a GPU the way to each is long.
+/// Calls visit(corner, present) for each in turn; `kAtOnce` are read at once, since on a GPU the way to each
+/// is long. The last such group is filled up with corners that are not present: a branch costs more.
 template <uint32_t kAtOnce, class Real, class Visit>
 DEM_FN void forEachCorner(const OwnCorners<Real>& corners, const Visit& visit) {
     const auto last = static_cast<uint32_t>(corners.from_seed.size());
