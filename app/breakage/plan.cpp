@@ -58,6 +58,7 @@ std::string BreakagePlan::fingerprint() const {
 }
 
 void settlePlan(const BreakagePlan& plan, const fs::path& folder) {
+    makeOutputFolder(folder);
     makeOutputFolder(folder / "items");
     if (!fs::exists(planFile(folder))) return writeTextFile(planFile(folder), plan.json());
     if (readTextFile(planFile(folder)) != plan.json())

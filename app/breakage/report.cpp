@@ -182,6 +182,7 @@ GatheredResults gatherResults(const BreakagePlan& plan, const fs::path& folder) 
         results.push_back(std::move(*result));
     }
     const auto statistics = summarise(plan, results);
+    requireWritable(folder / "specimens.csv");
     writeTextFile(folder / "specimens.csv", specimensCsv(plan, results));
     writeTextFile(folder / "probability.csv", probabilityCsv(plan, statistics));
     writeTextFile(folder / "breakage.json", breakageJson(plan, statistics));

@@ -22,6 +22,7 @@ void runScene(const SceneOptions& options) {
     std::error_code ignored;
     if (std::filesystem::exists(out, ignored))
         throw OutputError("'" + options.out + "' is there already, perhaps edited; choose another name");
+    requireWritable(out);
     const std::string text = sceneTextOf(options.shot.model, setSize(options.shot), out);
     writeTextFile(out, text);
     const Shot shot = loadSceneFile(out);

@@ -148,8 +148,10 @@ TEST_F(Program, ASetBecomesASceneFileThatIsNeverWrittenOver) {
                            R"([{"name":"a","mesh":0},{"name":"b","mesh":0,"translation":[3,0,0]}])", "[0,1]")
             .string();
     const std::string file = (folder_.path() / "my_shot.toml").string();
+    const std::filesystem::path left_by_killed = folder_.write(".demolish.1.0", "version");
     const ProgramRun written = runProgram({"scene", set, "--out", file});
     EXPECT_EQ(written.exit_code, 0) << written.err;
+    EXPECT_FALSE(std::filesystem::exists(left_by_killed));
     EXPECT_THAT(written.out, HasSubstr("2 bodies, 0 colliders"));
     const ProgramRun run = runProgram({"bench", file, "--no-draw", "--device", "cpu", "--particles", "40",
                                        "--frames", "2", "--warmup", "0"});

@@ -62,9 +62,11 @@ TEST_F(BreakageProgram, ResumedByItemsAndByProcessesItGivesTheSameBytes) {
     const fs::path items = folder_.path() / "resumed" / "items";
     fs::remove(items / "item_00001.json");
     folder_.write("resumed/items/item_00001.json.4711", "{\"pl");
+    const fs::path left_by_killed = folder_.write("resumed/.demolish.1.1", "{\"pl");
     const auto untouched = fs::last_write_time(items / "item_00000.json");
     ASSERT_EQ(run("resumed").exit_code, 0);
     EXPECT_EQ(fs::last_write_time(items / "item_00000.json"), untouched) << "computed again";
+    EXPECT_FALSE(fs::exists(left_by_killed));
     expectSame("whole", "resumed");
 
     for (const char* index : {"2", "0", "1", "1"}) {
@@ -72,8 +74,10 @@ TEST_F(BreakageProgram, ResumedByItemsAndByProcessesItGivesTheSameBytes) {
         EXPECT_EQ(item.exit_code, 0) << item.err;
     }
     EXPECT_FALSE(fs::exists(folder_.path() / "array" / "specimens.csv"));
+    const fs::path left_by_gather = folder_.write("array/.demolish.1.2", "<svg");
     const ProgramRun gathered = runProgram({"breakage", "gather", "--out", folder_.path() / "array"});
     EXPECT_EQ(gathered.exit_code, 0) << gathered.err;
+    EXPECT_FALSE(fs::exists(left_by_gather));
     const std::string table = gathered.out.substr(0, gathered.out.find("written to"));
     EXPECT_THAT(table, HasSubstr("distance to these four"));
     EXPECT_THAT(whole.out, HasSubstr(table));
