@@ -27,10 +27,13 @@ DEM_FN bool stands(const OwnParticle<Real>& own) {
 /// less, and a ball that slides for seconds in steps of a microsecond hardly feels its friction.
 inline constexpr double kDigitsSeen = 64, kOneG = 9.81;
 
+/// Who may be moved: a kernel that moves no projectile is without what only those need.
+enum class Movable : uint32_t { kAll, kBodies };
+
 /// A projectile so fast, and substeps so short, that what friction takes is lost in rounding.
-template <class Real>
+template <Movable kMovable, class Real>
 DEM_FN bool losesDigits(const OwnParticle<Real>& own, const StepParams<Real>& params) {
-    if (own.id < params.in_bodies) return false;
+    if (kMovable == Movable::kBodies || own.id < params.in_bodies) return false;
     const Vec4<Real>& v = own.state.velocity;
     const Real most = maxOf(maxOf(absOf(v.x), absOf(v.y)), absOf(v.z));
     return Real(kOneG) * params.dt < Real(kDigitsSeen) * lastDigit(most);
@@ -49,7 +52,7 @@ DEM_FN Vec3<Real> addedByChance(const LoadedState<Real>& state, uint64_t index, 
 
 /// v += dt f/m, w += dt tau/I, x += dt v, q <- exp(dt w/2) q. What is held is not kicked, and what stands
 /// stays to the last bit.
-template <class Real>
+template <Movable kMovable, class Real>
 DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench<Real>& load,
                                       const StepParams<Real>& params) {
     LoadedState<Real> next = own.state;
@@ -58,7 +61,7 @@ DEM_FN LoadedState<Real> kickAndDrift(const OwnParticle<Real>& own, const Wrench
     const bool free = !own.constants.isHeld();
     const Vec3<Real> acceleration = axpy(own.constants.inverseMass(), load.force, params.gravity);
     const Real turning = dt * own.constants.inverse_inertia;
-    const bool by_chance = losesDigits(own, params);
+    const bool by_chance = losesDigits<kMovable>(own, params);
     const Vec3<Real> v = xyz(own.state.velocity), w = xyz(own.state.spin);
     const Vec3<Real> kicked =
         keep * (by_chance ? addedByChance(own.state, 0, v, dt * acceleration) : axpy(dt, acceleration, v));

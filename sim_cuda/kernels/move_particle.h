@@ -22,11 +22,11 @@ DEM_FN Wrench<Real> collidersPush(const SubstepArrays<Real>& arrays, const StepP
 
 /// Writes the particle's state after the substep. `load`: of its slots and of colliders, N, N m; `tally`:
 /// what they book.
-template <bool kLedger, class Real>
+template <bool kLedger, Movable kMovable, class Real>
 DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                          const OwnParticle<Real>& own, const Wrench<Real>& load, const Tally<Real>& tally) {
     const LoadedState<Real> next =
-        own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift(own, load, params);
+        own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift<kMovable>(own, load, params);
     if constexpr (kLedger) {
         if (own.isCarried())
             bookCarried(arrays, own.id, tally);

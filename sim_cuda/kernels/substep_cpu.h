@@ -24,7 +24,7 @@ class CpuParticleStep {
         if (const auto& colliders = params_.colliders;
             isNearColliders<StepKind::kSubstep>(params_, colliders, own))
             add(load, collidersPush<kLedger>(arrays_, params_, colliders, own, tally));
-        moveParticle<kLedger>(arrays_, params_, own, load, tally);
+        moveParticle<kLedger, Movable::kAll>(arrays_, params_, own, load, tally);
     }
 
   private:

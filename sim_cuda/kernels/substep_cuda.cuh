@@ -63,7 +63,7 @@ constexpr uint32_t substepThreads(bool moves_apart) {
     return kSubstepBlock + (moves_apart ? 32 : 0);
 }
 /// The thread that moves a particle, as far as it comes before the others have gathered.
-template <bool kLedger, class Real>
+template <bool kLedger, Movable kMovable, class Real>
 struct MovingThread {
     OwnParticle<Real> own;
     Wrench<Real> push;  ///< of colliders
@@ -83,7 +83,7 @@ struct MovingThread {
         Wrench<Real> load = gathered;
         tally += booked;
         if (near) add(load, push);
-        moveParticle<kLedger>(arrays, params, own, load, tally);
+        moveParticle<kLedger, kMovable>(arrays, params, own, load, tally);
     }
 };
 
@@ -131,7 +131,7 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
     const uint32_t lane = threadIdx.x;
     constexpr uint32_t kMover = kMovesApart ? kSubstepBlock : 0;
-    MovingThread<kLedger, Real> mover;
+    MovingThread<kLedger, Movable::kAll, Real> mover;
     if (lane < kSubstepBlock) {
         Tally<Real> tally;
         sums[lane] = longRowPart<kLedger>(arrays, params, loadOwn(arrays, i), lane, tally);
@@ -217,7 +217,7 @@ __global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blo
     const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = k < count && place < kParticles;
-    MovingThread<kLedger, Real> mover;
+    MovingThread<kLedger, Movable::kBodies, Real> mover;
     if constexpr (kMovesApart) {
         __shared__ alignas(16) unsigned char sums_memory[kParticles * sizeof(Wrench<Real>)];
         __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kParticles * sizeof(Tally<Real>) : 16];
