@@ -47,15 +47,16 @@ glm::vec3 mirroredRadiance(const MirroredLayers& mirrored, int layer, glm::vec3 
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
 }
 
-/// Evenly by u = (1 - x) / 4 where z >= 0 and (3 + x) / 4 where z < 0, of level directions with |x| + |z|
-/// = 1.
+/// Evenly by u = (1 - x) / 4 where z >= 0 and (3 + x) / 4 where z < 0, of directions with |x| + |z| = 1. A
+/// little above the level, as the blur would take in the picture's ground.
 gl::Texture horizonOf(const MirroredLayers& mirrored) {
     constexpr int kTexels = 64, kBlurred = 1;  // the layer
+    constexpr float kAbove = 0.06f;
     std::vector<glm::vec3> horizon;
     for (int i = 0; i < kTexels; ++i) {
         const float u = (static_cast<float>(i) + 0.5f) / kTexels;
         const float x = u < 0.5f ? 1 - 4 * u : 4 * u - 3, z = 1 - std::abs(x);
-        horizon.push_back(mirroredRadiance(mirrored, kBlurred, glm::vec3(x, 0, u < 0.5f ? z : -z)));
+        horizon.push_back(mirroredRadiance(mirrored, kBlurred, glm::vec3(x, kAbove, u < 0.5f ? z : -z)));
     }
     gl::Texture texture = gl::Texture::make2d(GL_RGBA16F, kTexels, 1);
     texture.setFilter(GL_LINEAR, GL_LINEAR);
