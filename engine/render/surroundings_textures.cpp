@@ -34,28 +34,19 @@ gl::Texture backdropOf(RadiancePicture picture) {
     return texture;
 }
 
-/// Of a layer, between the texels.
-glm::vec3 mirroredRadiance(const MirroredLayers& mirrored, int layer, glm::vec3 direction) {
-    const glm::vec2 at = octahedralPlace(direction, mirrored.side);
-    const glm::ivec2 first(at);
-    const auto texel = [&](int dx, int dy) {
-        const int row = layer * mirrored.side + std::min(first.y + dy, mirrored.side - 1);
-        return mirrored.texels[static_cast<size_t>(row) * static_cast<size_t>(mirrored.side) +
-                               static_cast<size_t>(std::min(first.x + dx, mirrored.side - 1))];
-    };
-    const glm::vec2 f = at - glm::vec2(first);
-    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), f.x), glm::mix(texel(0, 1), texel(1, 1), f.x), f.y);
-}
-
-/// Evenly by u = (1 - x) / 4 where z >= 0 and (3 + x) / 4 where z < 0, of level directions with |x| + |z|
-/// = 1.
-gl::Texture horizonOf(const MirroredLayers& mirrored) {
-    constexpr int kTexels = 64, kBlurred = 1;  // the layer
+/// Evenly by u = (1 - x) / 4 where z >= 0 and (3 + x) / 4 where z < 0, of directions with |x| + |z| = 1. Just
+/// above the level: the lowest sky is the haze that far things fade into, and the picture's ground is not.
+gl::Texture horizonOf(RadiancePicture picture) {
+    constexpr int kTexels = 64, kWidest = 256;  // coarser than that, a texel would take in the ground
+    while (picture.width > kWidest) picture = halved(picture);
     std::vector<glm::vec3> horizon;
     for (int i = 0; i < kTexels; ++i) {
         const float u = (static_cast<float>(i) + 0.5f) / kTexels;
-        const float x = u < 0.5f ? 1 - 4 * u : 4 * u - 3, z = 1 - std::abs(x);
-        horizon.push_back(mirroredRadiance(mirrored, kBlurred, glm::vec3(x, 0, u < 0.5f ? z : -z)));
+        const float x = u < 0.5f ? 1 - 4 * u : 4 * u - 3, z = (u < 0.5f ? 1 : -1) * (1 - std::abs(x));
+        const glm::vec3 level = glm::normalize(glm::vec3(x, 0, z));
+        glm::vec3 sum(0);
+        for (const float up : {0.015f, 0.03f, 0.045f}) sum += picture.sample(level + glm::vec3(0, up, 0));
+        horizon.push_back(sum / 3.0f);
     }
     gl::Texture texture = gl::Texture::make2d(GL_RGBA16F, kTexels, 1);
     texture.setFilter(GL_LINEAR, GL_LINEAR);
@@ -79,7 +70,7 @@ void SurroundingsTextures::show(const std::shared_ptr<const Surroundings>& surro
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     backdrop_ = backdropOf(surroundings->backdrop);
     mirrored_ = mirroredOf(surroundings->mirrored);
-    horizon_ = horizonOf(surroundings->mirrored);
+    horizon_ = horizonOf(surroundings->backdrop);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     shown_ = surroundings;
 }

@@ -24,7 +24,7 @@ struct Lighting {
     /// All light but the sun's; none: a clear sky, of the renderer's own.
     std::shared_ptr<const Surroundings> surroundings{};
     FloorMaterial floor = FloorMaterial::kChecker;
-    glm::vec3 floor_colour{0.17f, 0.168f, 0.162f};
+    glm::vec3 floor_colour{0.115f, 0.112f, 0.106f};
     float exposure = 0.85f;         ///< of everything, before the tone curve
     float temperature = kDaylight;  ///< K, of the light that is shown as white
     ToneCurve tone = ToneCurve::kFilm;

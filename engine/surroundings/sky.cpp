@@ -14,13 +14,13 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kGround = 6360, kTop = 6440;               // km, radii
 const glm::vec3 kRayleigh(5.80e-3f, 13.56e-3f, 33.1e-3f);  // 1/km at sea level
 const glm::vec3 kOzone(0.65e-3f, 1.88e-3f, 0.085e-3f);
-constexpr float kMie = 12.0e-3f, kMieAbsorbed = 1.3e-3f;  // of a hazy summer day
-constexpr float kRayleighHeight = 8, kMieHeight = 1.2f;   // km, over which density falls to 1/e
-constexpr float kForward = 0.76f;                         // mean cosine of Mie scattering
+constexpr float kMie = 5.0e-3f, kMieAbsorbed = 1.3e-3f;  // of a hazy summer day
+constexpr float kRayleighHeight = 8, kMieHeight = 1.2f;  // km, over which density falls to 1/e
+constexpr float kForward = 0.76f;                        // mean cosine of Mie scattering
 constexpr float kGroundAlbedo = 0.2f;
 /// Thin high clouds, which photographers wait for: this share of the sun's light on level ground comes evenly
 /// from all over the sky. Without them shadows are twice as deep and as blue.
-constexpr float kVeil = 0.15f;
+constexpr float kVeil = 0.08f;
 constexpr int kSteps = 24, kSunSteps = 8, kBounces = 3;
 constexpr int kWidth = 256, kHeight = 128, kCoarse = 16;
 

@@ -45,6 +45,11 @@ float floorNoise(FloorPlace place, float size, float seed) {
     return noiseOver(vec3(place.at / size, seed), place.footprint / size).w;
 }
 
+// Of a board or a tile, from its whole numbers: 0..1.
+float ownValue(vec2 piece) {
+    return fract(52.9829189 * fract(dot(piece, vec2(0.06711056, 0.00583715)) + 0.31));
+}
+
 #if FLOOR == FLOOR_CONCRETE
 #include "common/floor_concrete.glsl"
 #elif FLOOR == FLOOR_PLANKS

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// Large tiles in two tones with thin joints.
+// Large tiles of stone in two tones, each a little lighter or darker than the next, with thin joints.
 void floorMaterial(FloorPlace place, inout Surface s) {
     float tile_size = frame.eye.w;
     vec2 tile = place.at / tile_size, width = max(place.width / tile_size, vec2(1e-4));
     float checker = filteredWave(tile.x, width.x) * filteredWave(tile.y, width.y);
+    float melted = smoothstep(0.1, 0.5, max(width.x, width.y));  // far tiles melt to their mean
+    float own = mix(ownValue(floor(tile)) - 0.5, 0.0, melted);
     float line = max(joint(tile.x, 0.006, width.x), joint(tile.y, 0.006, width.y));
     float cloud = floorNoise(place, 0.7 * tile_size, 0.3);
     float grain = kFineGrain ? floorNoise(place, 0.045 * tile_size, 1.7) : 0.0;
-    s.albedo =
-        frame.floor_colour.rgb * (1.0 + 0.055 * checker + 0.02 * cloud + 0.02 * grain) * (1.0 - 0.28 * line);
+    float tone = 1.0 + 0.07 * checker + 0.16 * own + 0.05 * cloud + 0.03 * grain;
+    s.albedo = frame.floor_colour.rgb * tone * (1.0 - 0.4 * line);
     s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
 }

@@ -2,16 +2,12 @@
 // Oak boards along z, each of its own tone, with grain, laid with staggered ends.
 const float kBoardsPerTile = 4.0, kBoardLength = 9.0;  // in widths of a board
 
-float boardValue(vec2 board) {
-    return fract(52.9829189 * fract(dot(board, vec2(0.06711056, 0.00583715)) + 0.31));
-}
-
 void floorMaterial(FloorPlace place, inout Surface s) {
     float board_width = frame.eye.w / kBoardsPerTile;
     vec2 at = place.at / board_width, width = max(place.width / board_width, vec2(1e-4));
     float row = floor(at.x);
-    float along = at.y / kBoardLength + 7.0 * boardValue(vec2(row, 1.0));
-    float value = boardValue(vec2(row, floor(along) + 17.0));
+    float along = at.y / kBoardLength + 7.0 * ownValue(vec2(row, 1.0));
+    float value = ownValue(vec2(row, floor(along) + 17.0));
     float melted = smoothstep(0.5, 2.0, width.x);  // far boards melt to their mean
     float gap = max(joint(at.x, 0.012, width.x), joint(along, 0.012 / kBoardLength, width.y / kBoardLength));
     vec3 grain_at = vec3(9.0 * at.x, 0.35 * at.y, 13.0 * value);

@@ -63,22 +63,40 @@ vec3 skyRadiance(vec3 direction) {
 vec3 horizonRadiance(vec3 ray) {
     return sweepRadiance(normalize(ray));
 }
-const float kHazeReach = 3.0;  // of the scene's radius
+float airReach(float distance) { return 3.0 * frame.scene.w + 2.0 * distance; }
 #else
-vec3 skyRadiance(vec3 direction) {
-    return backdropRadiance(direction);
-}
 vec3 horizonRadiance(vec3 ray) {
     float x = ray.x / max(abs(ray.x) + abs(ray.z), 1e-9);
     return textureLod(horizon, vec2(0.25 * (ray.z >= 0.0 ? 1.0 - x : 3.0 + x), 0.5), 0.0).rgb;
 }
-const float kHazeReach = 9.0;
+#if FLOOR == FLOOR_SHADOW
+vec3 skyRadiance(vec3 direction) {
+    return backdropRadiance(direction);
+}
+#else
+const float kMist = 0.025;  // sine of the height up to which the horizon's haze hides what lies behind it
+
+// A floor ends in the haze of the horizon, or the ground of a picture would show as a line between floor and sky. A loop in
+// place of a branch: few pixels look there.
+vec3 skyRadiance(vec3 direction) {
+    vec3 seen = backdropRadiance(direction);
+    for (bool low = frame.floor_colour.w * frame.eye.y > 0.0 && direction.y < kMist; low; low = false)
+        seen = mix(horizonRadiance(direction), seen, smoothstep(0.0, kMist, direction.y));
+    return seen;
+}
+#endif
+// Far enough that air does not veil the scene nor the floor about it, and near enough that the floor is gone before it ends.
+float airReach(float distance) {
+    float clear = 20.0 * frame.scene.w + 6.0 * distance, ends = kFloorReach * frame.depth_range.y;
+    return max(min(clear, 0.45 * ends), 2.0 * distance);
+}
 #endif
 
-// Air between the eye and a point: far things fade into the haze of the horizon.
+// Air between the eye and a point: far things fade into the haze of the horizon. It hardly begins before half its reach, as
+// air close by takes nothing away.
 vec3 throughAir(vec3 colour, vec3 position) {
     vec3 ray = position - frame.eye.xyz;
-    float reach = kHazeReach * frame.scene.w + 2.0 * length(frame.eye.xyz - frame.scene.xyz);
-    float haze = 1.0 - exp(-pow(length(ray) / reach, 1.6));
+    float reach = airReach(length(frame.eye.xyz - frame.scene.xyz));
+    float haze = 1.0 - exp(-dot(ray, ray) / (reach * reach));
     return mix(colour, horizonRadiance(ray), haze);
 }

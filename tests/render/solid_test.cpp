@@ -85,7 +85,7 @@ TEST_P(SolidTest, GoesOnFromTheOutsideIntoTheBreak) {
             other += differ(greenAt(outside, x, y), greenAt(broken, x, y));
         }
     EXPECT_GT(dark, all / 150);
-    EXPECT_LT(dark, all * 9 / 10);
+    EXPECT_LT(dark, all * 19 / 20);
     EXPECT_LT(other, all * 3 / 100);
 }
 

@@ -183,6 +183,39 @@ TEST_F(SurroundingsTest, EveryFloorIsDrawnAlikeByBothWaysAndUnlikeTheOthers) {
     }
 }
 
+/// By how much a white floor outshines a black one `below` pixels under the middle of the picture.
+float floorContrast(Renderer& renderer, Scene& scene, int below) {
+    float light[2];
+    for (const int white : {0, 1}) {
+        scene.view.lighting.floor_colour = glm::vec3(static_cast<float>(white));
+        const Image picture = drawPicture(renderer, scene);
+        light[white] = decoded(picture.at(scene.view.width / 2, scene.view.height / 2 + below)[1]);
+    }
+    return light[1] - light[0];
+}
+
+/// Air takes nothing from what one looks at, however far the camera goes back to see all of it, and the floor
+/// is gone before it ends.
+TEST_F(SurroundingsTest, AirIsClearAboutTheSceneAndHidesTheEndOfTheFloor) {
+    Scene scene = makeScene("empty_floor");
+    putIntoFurnace(scene.view, glm::vec3(0.6f));
+    scene.view.lighting.floor = FloorMaterial::kChecker;
+    scene.view.quality = RenderQuality::kDraft;
+    const float radius = scene.view.scene_radius;
+    engine::Camera& camera = scene.view.camera;
+    camera.target = {0.5f, 0, 0.5f};  // the middle of a tile
+    const auto contrastFrom = [&](float radii) {
+        camera.eye = camera.target + radii * radius * glm::normalize(glm::vec3(0.3f, 0.5f, 0.8f));
+        return floorContrast(renderer(), scene, 0);
+    };
+    const float near = contrastFrom(1.5f);
+    EXPECT_GT(near, 0.4f);
+    EXPECT_GT(contrastFrom(10), 0.92f * near);
+    camera.eye = {0, radius, 0};
+    camera.target = {0, radius, -1};
+    EXPECT_LT(floorContrast(renderer(), scene, 3), 0.02f * near);
+}
+
 /// The sweep has no horizon: no jump from a row of the picture to the next.
 TEST_F(SurroundingsTest, TheSweepHasNoHorizon) {
     Scene scene = makeScene("empty_floor");
