@@ -14,7 +14,7 @@ constexpr float kPi = std::numbers::pi_v<float>;
 constexpr float kGround = 6360, kTop = 6440;               // km, radii
 const glm::vec3 kRayleigh(5.80e-3f, 13.56e-3f, 33.1e-3f);  // 1/km at sea level
 const glm::vec3 kOzone(0.65e-3f, 1.88e-3f, 0.085e-3f);
-constexpr float kMie = 5.0e-3f, kMieAbsorbed = 1.3e-3f;  // of a hazy summer day
+constexpr float kMie = 5.0e-3f, kMieAbsorbed = 1.3e-3f;  // of a clear summer day
 constexpr float kRayleighHeight = 8, kMieHeight = 1.2f;  // km, over which density falls to 1/e
 constexpr float kForward = 0.76f;                        // mean cosine of Mie scattering
 constexpr float kGroundAlbedo = 0.2f;

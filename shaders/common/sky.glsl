@@ -76,8 +76,8 @@ vec3 skyRadiance(vec3 direction) {
 #else
 const float kMist = 0.025;  // sine of the height up to which the horizon's haze hides what lies behind it
 
-// A floor ends in the haze of the horizon, or the ground of a picture would show as a line between floor and sky. A loop in
-// place of a branch: few pixels look there.
+// A floor ends in the haze of the horizon, or the ground of a picture would show as a line between floor and
+// sky. A loop in place of a branch: few pixels look there.
 vec3 skyRadiance(vec3 direction) {
     vec3 seen = backdropRadiance(direction);
     for (bool low = frame.floor_colour.w * frame.eye.y > 0.0 && direction.y < kMist; low; low = false)
@@ -85,15 +85,16 @@ vec3 skyRadiance(vec3 direction) {
     return seen;
 }
 #endif
-// Far enough that air does not veil the scene nor the floor about it, and near enough that the floor is gone before it ends.
+// Far enough that air does not veil the scene nor the floor about it, and near enough that the floor is gone
+// before it ends.
 float airReach(float distance) {
     float clear = 20.0 * frame.scene.w + 6.0 * distance, ends = kFloorReach * frame.depth_range.y;
     return max(min(clear, 0.45 * ends), 2.0 * distance);
 }
 #endif
 
-// Air between the eye and a point: far things fade into the haze of the horizon. It hardly begins before half its reach, as
-// air close by takes nothing away.
+// Air between the eye and a point: far things fade into the haze of the horizon. It hardly begins before half
+// its reach, as air close by takes nothing away.
 vec3 throughAir(vec3 colour, vec3 position) {
     vec3 ray = position - frame.eye.xyz;
     float reach = airReach(length(frame.eye.xyz - frame.scene.xyz));
