@@ -29,7 +29,9 @@ void LightPass::prepare(const FrameView& view, const PictureKind& kind, bool wit
     kind_ = kind;
     with_looks_ = with_looks;
     texture_ = view.look.texture;
-    surroundings_.show(view.lighting.surroundings ? view.lighting.surroundings : usualSurroundings());
+    const bool above_floor = view.hasFloor() && view.camera.eye.y > 0;
+    surroundings_.show(view.lighting.surroundings ? view.lighting.surroundings : usualSurroundings(),
+                       above_floor && view.lighting.floor != FloorMaterial::kShadow);
     surroundings_.bind();
 }
 

@@ -19,7 +19,7 @@ constexpr float kRayleighHeight = 8, kMieHeight = 1.2f;  // km, over which densi
 constexpr float kForward = 0.76f;                        // mean cosine of Mie scattering
 constexpr float kGroundAlbedo = 0.2f;
 /// Thin high clouds, which photographers wait for: this share of the sun's light on level ground comes evenly
-/// from all over the sky. Without them shadows are twice as deep and as blue.
+/// from all over the sky. Without them shadows are deeper and bluer.
 constexpr float kVeil = 0.08f;
 constexpr int kSteps = 24, kSunSteps = 8, kBounces = 3;
 constexpr int kWidth = 256, kHeight = 128, kCoarse = 16;

@@ -4,8 +4,8 @@ void floorMaterial(FloorPlace place, inout Surface s) {
     float tile_size = frame.eye.w;
     vec2 tile = place.at / tile_size, width = max(place.width / tile_size, vec2(1e-4));
     float checker = filteredWave(tile.x, width.x) * filteredWave(tile.y, width.y);
-    float melted = smoothstep(0.1, 0.5, max(width.x, width.y));  // far tiles melt to their mean
-    float own = mix(ownValue(floor(tile)) - 0.5, 0.0, melted);
+    float distinct = 1.0 - smoothstep(0.1, 0.5, max(width.x, width.y));  // far tiles melt to their mean
+    float own = distinct * (ownValue(floor(tile)) - 0.5);
     float line = max(joint(tile.x, 0.006, width.x), joint(tile.y, 0.006, width.y));
     float cloud = floorNoise(place, 0.7 * tile_size, 0.3);
     float grain = kFineGrain ? floorNoise(place, 0.045 * tile_size, 1.7) : 0.0;

@@ -65,26 +65,13 @@ vec3 horizonRadiance(vec3 ray) {
 }
 float airReach(float distance) { return 3.0 * frame.scene.w + 2.0 * distance; }
 #else
+vec3 skyRadiance(vec3 direction) {
+    return backdropRadiance(direction);
+}
 vec3 horizonRadiance(vec3 ray) {
     float x = ray.x / max(abs(ray.x) + abs(ray.z), 1e-9);
     return textureLod(horizon, vec2(0.25 * (ray.z >= 0.0 ? 1.0 - x : 3.0 + x), 0.5), 0.0).rgb;
 }
-#if FLOOR == FLOOR_SHADOW
-vec3 skyRadiance(vec3 direction) {
-    return backdropRadiance(direction);
-}
-#else
-const float kMist = 0.025;  // sine of the height up to which the horizon's haze hides what lies behind it
-
-// A floor ends in the haze of the horizon, or the ground of a picture would show as a line between floor and
-// sky. A loop in place of a branch: few pixels look there.
-vec3 skyRadiance(vec3 direction) {
-    vec3 seen = backdropRadiance(direction);
-    for (bool low = frame.floor_colour.w * frame.eye.y > 0.0 && direction.y < kMist; low; low = false)
-        seen = mix(horizonRadiance(direction), seen, smoothstep(0.0, kMist, direction.y));
-    return seen;
-}
-#endif
 // Far enough that air does not veil the scene nor the floor about it, and near enough that the floor is gone
 // before it ends.
 float airReach(float distance) {
