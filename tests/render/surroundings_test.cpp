@@ -2,7 +2,9 @@
 // Light from all around, and what the camera makes of it: a furnace, tone curves, floors, alpha.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/surroundings/surroundings.h"
 #include "tests/render/gl_fixture.h"
@@ -214,6 +216,30 @@ TEST_F(SurroundingsTest, AirIsClearAboutTheSceneAndHidesTheEndOfTheFloor) {
     camera.eye = {0, radius, 0};
     camera.target = {0, radius, -1};
     EXPECT_LT(floorContrast(renderer(), scene, 3), 0.02f * near);
+}
+
+/// What the picture has below the horizon, here without red, shows neither above a floor's end nor in the
+/// haze that it fades into; without a floor it is seen.
+TEST_F(SurroundingsTest, TheGroundOfAPictureDoesNotShowAboveAFloor) {
+    RadiancePicture picture(256, 128, glm::vec3(0.6f));
+    for (int y = 64; y < 128; ++y)
+        for (int x = 0; x < 256; ++x) picture.at(x, y) = {0, 0.6f, 0};
+    Scene scene = makeScene("empty_floor");
+    putIntoFurnace(scene.view, glm::vec3(0.6f));
+    scene.view.lighting.surroundings = makeSurroundings(picture, std::nullopt);
+    scene.view.lighting.floor = FloorMaterial::kConcrete;
+    scene.view.camera.eye = {0, scene.view.scene_radius, 0};
+    scene.view.camera.target = {0, scene.view.scene_radius, -1};
+    const auto leastRed = [&](bool floor) {
+        scene.view.show_floor = floor;
+        const Image shown = drawPicture(renderer(), scene);
+        float least = 1;
+        for (int row = -6; row <= 6; ++row)
+            least = std::min(least, decoded(shown.at(shown.width / 2, shown.height / 2 + row)[0]));
+        return least;
+    };
+    EXPECT_GT(leastRed(true), 0.55f);
+    EXPECT_LT(leastRed(false), 0.05f);
 }
 
 /// The sweep has no horizon: no jump from a row of the picture to the next.
