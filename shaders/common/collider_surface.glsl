@@ -14,7 +14,7 @@ Surface colliderSurface(vec3 position, vec3 normal, float along) {
     s.geometric_normal = normal;
     s.normal = normal;
     s.albedo = frame.floor_colour.rgb * (1.0 + 0.03 * cloud + 0.03 * grain);
-    s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
+    s.roughness = clamp(0.82 + 0.1 * cloud, 0.05, 1.0);
     s.metalness = 0.0;
     return s;
 }

@@ -11,5 +11,5 @@ void floorMaterial(FloorPlace place, inout Surface s) {
     float grain = kFineGrain ? floorNoise(place, 0.045 * tile_size, 1.7) : 0.0;
     float tone = 1.0 + 0.07 * checker + 0.16 * own + 0.05 * cloud + 0.03 * grain;
     s.albedo = frame.floor_colour.rgb * tone * (1.0 - 0.4 * line);
-    s.roughness = clamp(0.62 + 0.1 * cloud, 0.05, 1.0);
+    s.roughness = clamp(0.82 + 0.1 * cloud, 0.05, 1.0);
 }

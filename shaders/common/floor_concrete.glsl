@@ -18,5 +18,5 @@ void floorMaterial(FloorPlace place, inout Surface s) {
         tone *= (1.0 + 0.10 * grain) * (1.0 - 0.35 * smoothstep(0.45, 0.75, pores));
     }
     s.albedo = frame.floor_colour.rgb * vec3(1.02, 1.0, 0.97) * tone * (1.0 - 0.45 * cut);
-    s.roughness = clamp(0.55 + 0.16 * cloud + 0.08 * wide, 0.05, 1.0);
+    s.roughness = clamp(0.75 + 0.16 * cloud + 0.08 * wide, 0.05, 1.0);
 }

@@ -242,6 +242,27 @@ TEST_F(SurroundingsTest, TheGroundOfAPictureDoesNotShowAboveAFloor) {
     EXPECT_LT(leastRed(false), 0.05f);
 }
 
+/// Stone that nobody has polished keeps its colour towards a low sun.
+TEST_F(SurroundingsTest, StoneFloorsHardlyMirrorTheSun) {
+    for (const FloorMaterial stone : {FloorMaterial::kChecker, FloorMaterial::kConcrete}) {
+        Scene scene = makeScene("empty_floor");
+        putIntoFurnace(scene.view, glm::vec3(0));
+        scene.view.lighting.floor = stone;
+        scene.view.lighting.floor_colour = glm::vec3(0.5f);
+        scene.view.lighting.sun_direction = {0, -0.4f, 0.9f};
+        scene.view.lighting.sun_colour = glm::vec3(0.5f);
+        const float radius = scene.view.scene_radius;
+        const auto lightSeen = [&](float side) {
+            scene.view.camera.target = {0.5f, 0, 0.5f};  // the middle of a tile
+            scene.view.camera.eye = scene.view.camera.target + radius * glm::vec3(0, 0.4f, side * 0.9f);
+            const Image picture = drawPicture(renderer(), scene);
+            return decoded(picture.at(picture.width / 2, picture.height / 2)[1]);
+        };
+        const float towards = lightSeen(1), away = lightSeen(-1);
+        EXPECT_LT(towards, 1.8f * away);
+    }
+}
+
 /// The sweep has no horizon: no jump from a row of the picture to the next.
 TEST_F(SurroundingsTest, TheSweepHasNoHorizon) {
     Scene scene = makeScene("empty_floor");
