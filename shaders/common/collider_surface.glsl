@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Colliders are of the floor's material, without its tiles.
 #include "common/colliders.glsl"
+#include "common/stone.glsl"
 
 // `along`: m, from the eye along the view axis.
 Surface colliderSurface(vec3 position, vec3 normal, float along) {
@@ -14,7 +15,7 @@ Surface colliderSurface(vec3 position, vec3 normal, float along) {
     s.geometric_normal = normal;
     s.normal = normal;
     s.albedo = frame.floor_colour.rgb * (1.0 + 0.03 * cloud + 0.03 * grain);
-    s.roughness = clamp(0.82 + 0.1 * cloud, 0.05, 1.0);
+    s.roughness = stoneRoughness(cloud);
     s.metalness = 0.0;
     return s;
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Large tiles of stone in two tones, each a little lighter or darker than the next, with thin joints.
+#include "common/stone.glsl"
+
 void floorMaterial(FloorPlace place, inout Surface s) {
     float tile_size = frame.eye.w;
     vec2 tile = place.at / tile_size, width = max(place.width / tile_size, vec2(1e-4));
@@ -11,5 +13,5 @@ void floorMaterial(FloorPlace place, inout Surface s) {
     float grain = kFineGrain ? floorNoise(place, 0.045 * tile_size, 1.7) : 0.0;
     float tone = 1.0 + 0.07 * checker + 0.16 * own + 0.05 * cloud + 0.03 * grain;
     s.albedo = frame.floor_colour.rgb * tone * (1.0 - 0.4 * line);
-    s.roughness = clamp(0.82 + 0.1 * cloud, 0.05, 1.0);
+    s.roughness = stoneRoughness(cloud);
 }
