@@ -12,8 +12,8 @@ struct ShaderSource {
     std::vector<std::string> files;  ///< index = GLSL's source string number in #line
 };
 
-/// Reads `file` under `folder` and everything it includes, each file once. Throws GlError when one is
-/// missing.
+/// Reads `file` under `folder` and everything it includes; the compiler sees each file once, where it is
+/// first included in a part that is not skipped. Throws GlError when one is missing.
 ShaderSource loadShaderSource(const std::filesystem::path& folder, const std::string& file);
 
 }  // namespace demolish::engine::gl

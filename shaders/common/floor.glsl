@@ -2,6 +2,7 @@
 // The floor plane y = 0 without being drawn: where a ray meets it, and of what it is made there.
 #include "common/gbuffer.glsl"
 #include "common/noise.glsl"
+#include "common/fine_grain.glsl"
 
 const float kNoFloor = 1e30;
 
@@ -34,12 +35,6 @@ struct FloorPlace {
     vec2 width;       // m along x and z
     float footprint;  // m, the wider way
 };
-
-#ifdef SHADOW_DRAFT
-const bool kFineGrain = false;  // software renderers pay for the floor in every pixel
-#else
-const bool kFineGrain = true;
-#endif
 
 float floorNoise(FloorPlace place, float size, float seed) {
     return noiseOver(vec3(place.at / size, seed), place.footprint / size).w;

@@ -107,6 +107,17 @@ TEST_F(GlObjects, IncludesAreTakenOnceAndDefinesFollowTheVersion) {
     EXPECT_NO_THROW(gl::Program(folder_, {"test.comp"}, "#define VALUE 1.0\n"));
 }
 
+/// Only the compiler knows which parts are skipped.
+TEST_F(GlObjects, WhatASkippedPartIncludesIsThereBelow) {
+    write("chunk.glsl", "float chunk() { return 1.0; }\n");
+    write("user.glsl", "#include \"chunk.glsl\"\nfloat use() { return chunk(); }\n");
+    write("test.comp",
+          "#version 450 core\n#ifdef ABSENT\n#include \"chunk.glsl\"\n#endif\n#include \"user.glsl\"\n"
+          "#include \"chunk.glsl\"\nlayout(local_size_x = 1) in;\nvoid main() {}\n");
+    EXPECT_NO_THROW(gl::Program(folder_, {"test.comp"}));
+    EXPECT_NO_THROW(gl::Program(folder_, {"test.comp"}, "#define ABSENT\n"));
+}
+
 TEST_F(GlObjects, MissingShaderIsNamed) {
     try {
         gl::loadShaderSource(folder_, "absent.frag");

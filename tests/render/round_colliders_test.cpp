@@ -77,6 +77,18 @@ TEST_F(RoundColliders, FillTheirSilhouettesAndNothingElse) {
     }
 }
 
+TEST_F(RoundColliders, StandOnEveryFloorInEveryQuality) {
+    for (const FloorMaterial floor :
+         {FloorMaterial::kChecker, FloorMaterial::kConcrete, FloorMaterial::kPlanks, FloorMaterial::kGrid,
+          FloorMaterial::kSweep, FloorMaterial::kShadow, FloorMaterial::kNone})
+        for (const RenderQuality quality : {RenderQuality::kDraft, RenderQuality::kFull}) {
+            Scene scene = sceneOf(ball());
+            scene.view.lighting.floor = floor;
+            scene.view.quality = quality;
+            EXPECT_NO_THROW(drawPicture(renderer(), scene));
+        }
+}
+
 /// Twelve triangles, one unit to each side of the origin.
 std::shared_ptr<const ColliderTriangles> unitCube() {
     auto triangles = std::make_shared<ColliderTriangles>();

@@ -52,6 +52,19 @@ TEST(Capture, WritesWholeFilesAndAReport) {
     EXPECT_GE(report["frame_ms_p99"].get<double>(), report["sim_ms"].get<double>());
 }
 
+TEST(Capture, EachSceneThatIsShippedIsDrawn) {
+    if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
+    const TemporaryFolder folder;
+    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(DEMOLISH_SOURCE_DIR) / "assets/scenes"))
+        for (const std::string quality : {"draft", "full"}) {
+            const std::string scene = entry.path().stem();
+            const ProgramRun run =
+                runProgram({"capture", scene, "--particles", "8", "--frames", "1", "--size", "64x36",
+                            "--quality", quality, "--out", folder.path() / "out"});
+            EXPECT_EQ(run.exit_code, 0) << scene << ", " << quality << ": " << run.err;
+        }
+}
+
 TEST(Capture, EachMethodIsCaptured) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;
