@@ -32,7 +32,7 @@ void main() {
     FragmentTransform t = transforms[particle_fragment[cell]];
     world_position = moved(t, rest_position);
     world_normal = rotate(t.rotation, decodeOctahedral(rest_normal));
-    rest = rest_position;
+    rest = rest_position + cutFrom(texture_shape.w, cell);
     rotation = t.rotation;
     tone = paleness(texture_shape.w, cell);
 #ifdef INTERIOR

@@ -50,7 +50,8 @@ uint32_t startOf(const ModelLooks* model, MaterialStarts& starts, engine::BodyLo
     return place->second;
 }
 
-engine::LookTriangle triangleOf(const FractureGeometry& geometry, size_t t, uint32_t first_material) {
+engine::LookTriangle triangleOf(const FractureGeometry& geometry, size_t t, const ModelLooks* looks,
+                                uint32_t first_material) {
     engine::LookTriangle to{};
     to.material = engine::kNoLook;
     if (geometry.looks.empty()) return to;
@@ -66,7 +67,8 @@ engine::LookTriangle triangleOf(const FractureGeometry& geometry, size_t t, uint
         to.second_uv[k][1] = from.second_uv[k].y;
         to.colour[k] = from.colour[k];
     }
-    if (from.material != kNoMaterial) to.material = first_material + from.material;
+    if (from.material != kNoMaterial && looks->materials[from.material].says_nothing == 0)
+        to.material = first_material + from.material;
     return to;
 }
 
@@ -83,7 +85,7 @@ std::optional<engine::BodyLooks> sceneLooks(const SceneSetup& setup) {
         const FractureGeometry& geometry = instance.body->geometry;
         const uint32_t first = startOf(instance.body->looks.get(), starts, looks);
         for (size_t t = 0; t < geometry.mesh_triangles.size(); ++t)
-            looks.triangles.push_back(triangleOf(geometry, t, first));
+            looks.triangles.push_back(triangleOf(geometry, t, instance.body->looks.get(), first));
     }
     return looks;
 }

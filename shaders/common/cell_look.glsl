@@ -13,3 +13,9 @@ vec4 unlessHidden(vec4 position, uint cell) { return isHidden(cell) ? vec4(2.0, 
 
 // Factor of its body's colours; a `variation` of 0 reads nothing.
 float paleness(float variation, uint cell) { return variation > 0.0 ? 1.0 + variation * unpackSnorm2x16(cell_look[cell]).y : 1.0; }
+
+// Where in its solid texture a body was cut from, m from where others of its kind were, or they would look printed.
+vec3 cutFrom(float variation, uint cell) {
+    if (!(variation > 0.0)) return vec3(0.0);
+    return 4.0 * fract(43.758 * sin(vec3(12.9898, 78.233, 37.719) * unpackSnorm2x16(cell_look[cell]).y));
+}

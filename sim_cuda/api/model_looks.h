@@ -38,11 +38,12 @@ struct LookMaterial {
     float occlusion_strength = 1;
     float alpha_cutoff = 0;  ///< what is less opaque is not there; 0: all is; kBlends: as much as is opaque
     uint32_t is_double_sided = 0;
+    uint32_t says_nothing = 0;  ///< 1: the file names it and no more, so that the outside is the body's own
     ImageUse base_map, normal_map, metallic_map, roughness_map, occlusion_map, emission_map;
 
     bool operator==(const LookMaterial&) const = default;
 };
-static_assert(sizeof(LookMaterial) == 100, "no bytes between the members that nobody has set");
+static_assert(sizeof(LookMaterial) == 104, "no bytes between the members that nobody has set");
 
 inline constexpr uint32_t kMostImageEdge = 16384;               ///< px
 inline constexpr uint64_t kMostImageBytes = uint64_t{2} << 30;  ///< of all pictures of a model, decoded

@@ -148,6 +148,15 @@ TEST_F(LooksTest, APictureLiesTheRightWayUpAndInItsColours) {
     }
 }
 
+TEST_F(LooksTest, WhatTheFileSaysNothingOfIsOfTheBodysMaterial) {
+    FileMaterial red, unsaid;
+    for (FileMaterial* both : {&red, &unsaid}) both->base_colour[1] = 0;
+    unsaid.says_nothing = 1;
+    Scene as_file = cutScene(cube(), looksOf(red, {})), own = cutScene(cube(), looksOf(unsaid, {}));
+    for (Scene* scene : {&as_file, &own}) lookAtSide(scene->view);
+    EXPECT_GT(differingPixels(drawPicture(renderer(), as_file), drawPicture(renderer(), own), 20), 500u);
+}
+
 TEST_F(LooksTest, ColoursAtTheVerticesRunBetweenThem) {
     TriangleMesh mesh = cube();
     for (size_t t = 0; t < mesh.triangles.size(); ++t)

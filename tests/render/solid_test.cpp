@@ -222,5 +222,26 @@ TEST_F(LooksTest, BodiesOfOneLookDifferByItsVariation) {
     EXPECT_LT(others, (paler + darker) / 50);
 }
 
+/// Or bricks of one model would look printed.
+TEST_F(LooksTest, BodiesThatDifferAreCutFromOtherPlacesOfTheirSolid) {
+    const auto drawnAs = [&](float paleness, SolidTexture texture) {
+        Scene scene = makeScene("whole_block");
+        const std::vector<uint32_t> looks(scene.body->cellCount(), cellLook(0, paleness));
+        scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
+        scene.body->write(
+            *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
+            [](uint32_t, uint32_t) { return false; });
+        putIntoFurnace(scene.view, glm::vec3(0.5f));
+        scene.view.look.texture = texture;
+        scene.view.look.variation = 0.001f;
+        return drawPicture(renderer(), scene);
+    };
+    EXPECT_GT(
+        differingPixels(drawnAs(0.3f, SolidTexture::kPebbles), drawnAs(-0.4f, SolidTexture::kPebbles), 8),
+        2000u);
+    EXPECT_LT(differingPixels(drawnAs(0.3f, SolidTexture::kNone), drawnAs(-0.4f, SolidTexture::kNone), 12),
+              50u);
+}
+
 }  // namespace
 }  // namespace demolish::engine::test

@@ -48,7 +48,8 @@ Format formatOf(const std::filesystem::path& model) {
 /// What the meshes of a material have.
 struct UseOfMaterial {
     int uv_sets = 0;
-    bool is_faint = false;  ///< opacities below 1 at the vertices
+    bool is_faint = false;     ///< opacities below 1 at the vertices
+    bool has_colours = false;  ///< at the vertices
 };
 
 class MaterialReader {
@@ -267,11 +268,21 @@ bool isFaint(const aiMesh& mesh) {
            std::any_of(begin, end, [](const aiColor4D& c) { return c.a < 1; });
 }
 
+bool isGrey(const LookMaterial& look, float grey) {
+    return std::all_of(look.base_colour, look.base_colour + 3, [grey](float c) { return c == grey; });
+}
+
+bool glows(const LookMaterial& look) {
+    return std::any_of(std::begin(look.emission), std::end(look.emission), [](float e) { return e > 0; });
+}
+
 bool saysColour(const LookMaterial& look) {
-    const auto* c = look.base_colour;
-    const bool grey = c[0] == c[1] && c[1] == c[2];
-    return !(grey && (c[0] == 1 || c[0] == kAssimpsGrey)) ||
-           std::any_of(std::begin(look.emission), std::end(look.emission), [](float e) { return e > 0; });
+    return glows(look) || (!isGrey(look, 1) && !isGrey(look, kAssimpsGrey));
+}
+
+/// Of an OBJ's usemtl that no MTL describes, or of faces without any.
+bool isAsAssimpMakesIt(const LookMaterial& look) {
+    return isGrey(look, kAssimpsGrey) && !glows(look);
 }
 
 bool namesTexture(const aiMaterial& material) {
@@ -290,6 +301,7 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
         UseOfMaterial& use = uses[mesh.mMaterialIndex];
         use.uv_sets = std::max(use.uv_sets, static_cast<int>(mesh.GetNumUVChannels()));
         use.is_faint = use.is_faint || isFaint(mesh);
+        use.has_colours = use.has_colours || mesh.HasVertexColors(0);
         looks->has_colours = looks->has_colours || mesh.HasVertexColors(0);
     }
     ImageImport images(model, scene);
@@ -305,8 +317,11 @@ ImportedLooks importLooks(const std::filesystem::path& model, const aiScene& sce
         MaterialReader reader(*scene.mMaterials[m], formatOf(model), used->second, options, images);
         looks->materials[m] = reader.read();
         uv_transforms[m] = reader.uvTransforms();
-        any = any || saysColour(looks->materials[m]) || namesTexture(*scene.mMaterials[m]) ||
-              options.names(scene.mMaterials[m]->GetName().C_Str());
+        LookMaterial& look = looks->materials[m];
+        const bool has_picture =
+            namesTexture(*scene.mMaterials[m]) || options.names(scene.mMaterials[m]->GetName().C_Str());
+        look.says_nothing = !has_picture && !used->second.has_colours && isAsAssimpMakesIt(look) ? 1 : 0;
+        any = any || saysColour(look) || has_picture;
     }
     const GltfLeftOut left = gltfLeftOut(model);
     for (const std::string& note : left.pictures) images.note(note);

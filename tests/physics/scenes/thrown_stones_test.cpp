@@ -30,7 +30,7 @@ body = [
     { position_m = [-2, 0.9, 0], velocity_mps = [0, -1, 4], spin_radps = [-5, 3, 2], rotation_deg = [60, 45, 10] },
     { position_m = [0, 0.9, 0], velocity_mps = [0, 0, 3], spin_radps = [5, 1, 2], rotation_deg = [30, 20, 10], breaks = false },
     { model = "models/brick.obj", height_m = 0.0964, position_m = [2, 0.9, 0], velocity_mps = [0, 0, 3], spin_radps = [5, 1, 2], rotation_deg = [0, 0, 50] },
-    { model = "models/voussoir.obj", height_m = 0.1688, position_m = [4, 0.9, 0], velocity_mps = [0, -1, 4], spin_radps = [5, 1, 2], rotation_deg = [40, 80, 0] },
+    { model = "models/bevelled_voussoir.obj", height_m = 0.1688, position_m = [4, 0.9, 0], velocity_mps = [0, -1, 4], spin_radps = [5, 1, 2], rotation_deg = [40, 80, 0] },
 ]
 [particles]
 full = 500

@@ -55,7 +55,8 @@ TEST(Capture, WritesWholeFilesAndAReport) {
 TEST(Capture, EachSceneThatIsShippedIsDrawn) {
     if (programPath().empty()) GTEST_SKIP() << "the program is not built here; set DEMOLISH_PROGRAM";
     const TemporaryFolder folder;
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(DEMOLISH_SOURCE_DIR) / "assets/scenes"))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(DEMOLISH_SOURCE_DIR) / "assets/scenes"))
         for (const std::string quality : {"draft", "full"}) {
             const std::string scene = entry.path().stem();
             const ProgramRun run =

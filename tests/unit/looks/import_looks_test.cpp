@@ -87,6 +87,25 @@ TEST_F(ImportLooks, ASecondSetOfUvsIsTakenAndAThirdIsSaid) {
         }
 }
 
+/// As bricks are, on whose bevels mortar sticks.
+TEST_F(ImportLooks, AMaterialThatAnObjOnlyNamesIsTheBodysOwn) {
+    write("wall.mtl", "newmtl mortar\nKd 0.5 0.4 0.3\n");
+    const ImportedModel model = importModel(
+        write("wall.obj",
+              "mtllib wall.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nusemtl clay\nf 1 3 2\nf 1 2 4\n"
+              "usemtl mortar\nf 1 4 3\nf 2 3 4\n"));
+    ASSERT_NE(model.looks, nullptr);
+    ASSERT_EQ(model.mesh.triangles.size(), 4u);
+    int own = 0, mortar = 0;
+    for (const auto& corners : model.mesh.corners) {
+        const LookMaterial& look = model.looks->materials[corners[0].material];
+        own += look.says_nothing == 1;
+        mortar += look.says_nothing == 0 && look.base_colour[0] == 0.5f;
+    }
+    EXPECT_EQ(own, 2);
+    EXPECT_EQ(mortar, 2);
+}
+
 TEST_F(ImportLooks, TheOnlySetOfUvsIsTakenWhateverItsNumber) {
     write("skin.png", test::pngOf(2, 2, test::fourTexels()));
     std::string text = test::cubeDae("skin.png");
