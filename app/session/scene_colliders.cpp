@@ -8,6 +8,7 @@
 
 #include "app/reading/model_reader.h"
 #include "app/session/asset_files.h"
+#include "app/session/mean_colour.h"
 #include "app/session/scene_node_box.h"
 #include "app/session/scene_shapes.h"
 #include "app/session/shot_geometry.h"
@@ -22,7 +23,7 @@ constexpr Range kFrictionRange{0, 1.5}, kRestitutionRange{0.05, 1};
 /// deep.
 constexpr double kPlaneReach = 3, kPlaneDepth = 0.1;
 
-Collider::Shape readPlane(TomlReader& reader, const std::string& at) {
+Collider readPlane(TomlReader& reader, const std::string& at) {
     Double3 position, normal{0, 1, 0};
     reader.read(at + "position_m", position, kPlaceRange);
     reader.read(at + "normal", normal, kDirectionRange);
@@ -32,7 +33,7 @@ Collider::Shape readPlane(TomlReader& reader, const std::string& at) {
     return Plane{fromGlm(unit), glm::dot(unit, toGlm(position))};
 }
 
-Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
+Collider readCapsule(TomlReader& reader, const std::string& at) {
     Capsule rod;
     for (const char* key : {"radius_m", "from_m", "to_m"}) requireKey(reader, at + key);
     reader.read(at + "radius_m", rod.radius, kEdgeRange);
@@ -44,7 +45,8 @@ Collider::Shape readCapsule(TomlReader& reader, const std::string& at) {
 }
 
 /// The model is read and measured here, so that whatever is wrong with it is said with file, line and key.
-Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
+/// Its colour is the file's.
+Collider readMesh(TomlReader& reader, const std::string& at) {
     MeshShape shape;
     ColliderMeshOptions options;
     const PlacedNode node = readPlacedNode(reader, at, {});
@@ -54,18 +56,20 @@ Collider::Shape readMesh(TomlReader& reader, const std::string& at) {
     reader.read(at + "cells", options.cells, {kLeastCells, kMostCells});
     options.up = node.part.up;
     try {
-        shape.mesh = makeColliderMesh(readModel(node.file, node.part.node).mesh, node.file, options);
+        const ImportedModel model = readModel(node.file, node.part.node);
+        shape.mesh = makeColliderMesh(model.mesh, node.file, options);
+        Collider collider = shape;
+        collider.colour = meanColour(model);
+        return collider;
     } catch (const InputFileError& error) {
         reader.fail(at + "model", std::string("is wrong: ") + error.what());
     }
-    return shape;
 }
 
-const std::map<std::string, Collider::Shape (*)(TomlReader&, const std::string&)> kReaders{
+const std::map<std::string, Collider (*)(TomlReader&, const std::string&)> kReaders{
     {"plane", readPlane},
-    {"box", [](TomlReader& reader, const std::string& at) -> Collider::Shape { return readBox(reader, at); }},
-    {"sphere",
-     [](TomlReader& reader, const std::string& at) -> Collider::Shape { return readSphere(reader, at); }},
+    {"box", [](TomlReader& reader, const std::string& at) -> Collider { return readBox(reader, at); }},
+    {"sphere", [](TomlReader& reader, const std::string& at) -> Collider { return readSphere(reader, at); }},
     {"capsule", readCapsule},
     {"mesh", readMesh}};
 
@@ -128,12 +132,16 @@ Collider readCollider(TomlReader& reader, const std::string& at) {
     std::vector<std::string> known;
     for (const auto& [name, read] : kReaders) known.push_back(name);
     if (!kReaders.contains(shape)) reader.fail(at + "shape", "must be one of " + listed(known));
-    Collider collider;
-    collider.shape = kReaders.at(shape)(reader, at);
+    Collider collider = kReaders.at(shape)(reader, at);
     if (reader.has(at + "friction"))
         reader.read(at + "friction", collider.friction.emplace(), kFrictionRange);
     if (reader.has(at + "restitution"))
         reader.read(at + "restitution", collider.restitution.emplace(), kRestitutionRange);
+    if (reader.has(at + "colour")) {
+        float rgb[3];
+        reader.readColour(at + "colour", rgb);
+        collider.colour = Float3{rgb[0], rgb[1], rgb[2]};
+    }
     return collider;
 }
 
@@ -157,10 +165,12 @@ std::vector<Collider> collidersOf(const Shot& shot) {
 
 std::vector<engine::ColliderDraw> drawnColliders(const Shot& shot, const SceneSight& sight) {
     std::vector<engine::ColliderDraw> list;
-    for (const Collider& collider : collidersOf(shot))
-        if (collider != Collider{Plane{}})
-            list.push_back(
-                std::visit([&](const auto& shape) { return drawn(shape, sight); }, collider.shape));
+    for (const Collider& collider : collidersOf(shot)) {
+        if (collider == Collider{Plane{}}) continue;
+        list.push_back(std::visit([&](const auto& shape) { return drawn(shape, sight); }, collider.shape));
+        if (collider.colour)
+            list.back().colour = glm::vec3(collider.colour->x, collider.colour->y, collider.colour->z);
+    }
     return list;
 }
 

@@ -11,17 +11,22 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLuint kBlock = 1;
-constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2, kStretch = 3;
+constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2, kStretch = 3, kColour = 4;
 constexpr GLsizei kBoxStrip = 14;
 constexpr size_t kCornerFloats = 6;
 
 /// std140, as shaders/common/colliders.glsl.
 struct Block {
     struct Collider {
-        glm::vec4 axis[3], centre;
+        glm::vec4 axis[3], centre, colour;
     } colliders[kMostColliders];
     uint32_t count, unused[3];
 };
+
+/// rgb; a: 1, or 0 where it is the floor's.
+glm::vec4 colourOf(const ColliderDraw& draw) {
+    return draw.colour ? glm::vec4(*draw.colour, 1) : glm::vec4(0);
+}
 
 }  // namespace
 
@@ -57,12 +62,13 @@ void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
         if (from.triangles != nullptr) {
             const glm::quat& q = from.rotation;
             placed.push_back({uploaded(from.triangles), glm::vec4(from.position, from.is_steel ? 1 : 0),
-                              glm::vec4(q.x, q.y, q.z, q.w), glm::vec4(from.half_size, 0)});
+                              glm::vec4(q.x, q.y, q.z, q.w), glm::vec4(from.half_size, 0), colourOf(from)});
         } else if (count_ < kMostColliders) {
             Block::Collider& to = block.colliders[count_++];
             const glm::mat3 axes = glm::mat3_cast(from.rotation);
             for (int k = 0; k < 3; ++k) to.axis[k] = glm::vec4(axes[k], from.half_size[k]);
             to.centre = glm::vec4(from.position, static_cast<float>(from.shape));
+            to.colour = colourOf(from);
         }
     }
     triangles_ = std::move(placed);
@@ -74,6 +80,7 @@ void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
 void ColliderPass::drawTriangles(gl::Program& program) {
     program.use();
     for (const Placed& placed : triangles_) {
+        if (&program == &triangle_materials_) program.set(kColour, placed.colour);
         program.set(kPlace, placed.place);
         program.set(kTurn, placed.turn);
         program.set(kStretch, placed.stretch);

@@ -35,7 +35,8 @@ class ColliderPass {
     };
     struct Placed {
         std::shared_ptr<const Triangles> triangles;
-        glm::vec4 place, turn, stretch;  ///< m, and 1 of steel; quaternion; how much larger along each axis
+        /// m, and 1 of steel; quaternion; how much larger along each axis; ColliderDraw::colour, and 1.
+        glm::vec4 place, turn, stretch, colour;
     };
     std::shared_ptr<const Triangles> uploaded(
         const std::shared_ptr<const ColliderTriangles>& triangles) const;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// A static solid on which bodies fall, as it is drawn: of the floor's material, with light and shadow.
+// A static solid on which bodies fall, as it is drawn: rendered walls of one colour, with light and shadow.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace demolish::engine {
@@ -27,7 +28,8 @@ struct ColliderDraw {
     glm::vec3 half_size{0.5f};       ///< m, along the axes of its own frame
     /// What is drawn in place of a shape, made half_size times as large along each axis; null: the shape.
     std::shared_ptr<const ColliderTriangles> triangles;
-    bool is_steel = false;  ///< of triangles: of iron, as projectiles are, in place of the floor's material
+    bool is_steel = false;              ///< of triangles: of iron, as projectiles are
+    std::optional<glm::vec3> colour{};  ///< linear; none: the floor's
     bool operator==(const ColliderDraw&) const = default;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colliders are of the floor's colour, without its tiles: rendered walls, with stains, the strokes of the trowel and a grain
-// that bends the light.
+// Colliders are rendered walls, of the floor's colour or their own, with stains, the strokes of the trowel and a grain that bends
+// the light.
 #include "common/colliders.glsl"
 #include "common/fine_grain.glsl"
 #include "common/stone.glsl"
@@ -10,8 +10,8 @@ vec4 wallNoise(vec3 position, vec3 size, float footprint) {
     return noiseOver(position / size, footprint / min(size.x, min(size.y, size.z)));
 }
 
-// `along`: m, from the eye along the view axis.
-Surface colliderSurface(vec3 position, vec3 normal, float along) {
+// `colour`: as Collider has it. `along`: m, from the eye along the view axis.
+Surface colliderSurface(vec3 position, vec3 normal, vec4 colour, float along) {
     float facing = max(abs(dot(normal, normalize(frame.eye.xyz - position))), 0.05);
     float footprint = 2.0 * frame.viewport.w * frame.depth_range.z * along / facing, size = frame.eye.w;
     float wide = wallNoise(position, vec3(1.9 * size), footprint).w;
@@ -28,7 +28,7 @@ Surface colliderSurface(vec3 position, vec3 normal, float along) {
         s.normal = normalize(normal - (slope - normal * dot(normal, slope)));
         tone *= 1.0 + 0.06 * grain.w;
     }
-    s.albedo = frame.floor_colour.rgb * tone;
+    s.albedo = min(mix(frame.floor_colour.rgb, colour.rgb, colour.a) * tone, 1.0);
     s.roughness = stoneRoughness(cloud.w);
     s.metalness = 0.0;
     return s;

@@ -3,6 +3,7 @@
 struct Collider {
     vec4 axis[3];  // xyz: unit; w: half the size along it, m
     vec4 centre;   // xyz: m; w: shape, engine::ColliderShape
+    vec4 colour;   // rgb: linear; a: 1, or 0 where it is the floor's
 };
 layout(std140, binding = 1) uniform Colliders {
     Collider colliders[8];
@@ -13,6 +14,7 @@ layout(std140, binding = 1) uniform Colliders {
 struct Crossing {
     float enter, leave;
     vec3 normal;  // unit, outward, where it enters
+    uint solid;   // number of the collider
 };
 
 const float kNoCollider = 1e30;
@@ -24,7 +26,7 @@ Crossing crossBox(vec3 from, vec3 ray, vec3 half_size) {
     vec3 first = middle - reach, last = middle + reach;
     float enter = max(first.x, max(first.y, first.z)), leave = min(last.x, min(last.y, last.z));
     vec3 face = first.x == enter ? vec3(1.0, 0.0, 0.0) : first.y == enter ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0);
-    return Crossing(enter, leave, -sign(per_length) * face);
+    return Crossing(enter, leave, -sign(per_length) * face, 0u);
 }
 
 // A ball about the origin, or, with z = 0 in both, a round rod along z.
@@ -32,7 +34,7 @@ Crossing crossRound(vec3 from, vec3 ray, float radius) {
     float squared = max(dot(ray, ray), 1e-24), middle = -dot(from, ray) / squared;
     vec3 nearest = from + middle * ray;
     float left = radius * radius - dot(nearest, nearest), half_way = sqrt(max(left, 0.0) / squared);
-    return Crossing(left < 0.0 ? kNoCollider : middle - half_way, left < 0.0 ? -kNoCollider : middle + half_way, vec3(0.0));
+    return Crossing(left < 0.0 ? kNoCollider : middle - half_way, left < 0.0 ? -kNoCollider : middle + half_way, vec3(0.0), 0u);
 }
 
 // The rod between its ends and the balls at them; `line`: m, from the middle to the centre of each ball.
@@ -41,7 +43,7 @@ Crossing crossCapsule(vec3 from, vec3 ray, float radius, float line) {
     float along = abs(ray.z) < 1e-12 ? 1e-12 : ray.z, middle = -from.z / along, reach = line / abs(along);
     rod.enter = max(rod.enter, middle - reach);
     rod.leave = min(rod.leave, middle + reach);
-    Crossing whole = Crossing(kNoCollider, -kNoCollider, vec3(0.0));
+    Crossing whole = Crossing(kNoCollider, -kNoCollider, vec3(0.0), 0u);
     for (int part = 0; part < 3; ++part) {
         Crossing own = rod;
         if (part > 0) own = crossRound(from - vec3(0.0, 0.0, part == 1 ? line : -line), ray, radius);
@@ -67,12 +69,12 @@ Crossing crossCollider(uint c, vec3 from, vec3 ray) {
         own = crossBox(own_from, own_ray, half_size);
         if (colliders[c].centre.w == kPlane && own.normal.z <= 0.0) own.leave = own.enter - 1.0;
     }
-    return Crossing(own.enter, own.leave, axes * own.normal);
+    return Crossing(own.enter, own.leave, axes * own.normal, c);
 }
 
 // The first that a ray from a point enters; beyond kNoCollider: none. A point inside a solid does not see it.
 Crossing firstCollider(vec3 from, vec3 ray) {
-    Crossing nearest = Crossing(kNoCollider, kNoCollider, vec3(0.0));
+    Crossing nearest = Crossing(kNoCollider, kNoCollider, vec3(0.0), 0u);
     for (uint c = 0u; c < collider_count; ++c) {
         Crossing found = crossCollider(c, from, ray);
         if (found.enter > 0.0 && found.enter <= found.leave && found.enter < nearest.enter) nearest = found;

@@ -57,14 +57,14 @@ void withoutGlow(inout Surface s) {
 // What a sample shows: all but kDrawn were not drawn, they follow from the ray.
 const int kSky = 0, kFloor = 1, kDrawn = 2, kCollider = 3;
 
-// `normal`: of a collider.
-int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec3 normal) {
+// `face`: of a collider, xyz its normal, w its number.
+int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec4 face) {
     along = floorAlong(ray);
-    normal = vec3(0.0);
+    face = vec4(0.0);
 #ifdef COLLIDERS
     Crossing solid = nearestCollider(ray);
     bool is_solid = solid.enter < along;
-    if (is_solid) normal = solid.normal;
+    if (is_solid) face = vec4(solid.normal, float(solid.solid));
     along = min(along, solid.enter);
 #else
     const bool is_solid = false;
@@ -79,8 +79,8 @@ int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec3 normal) {
 vec4 lit(ivec2 pixel, int i) {
     vec3 ray = rayOf(pixel, i);
     float along;
-    vec3 normal;
-    int kind = kindOf(pixel, i, ray, along, normal);
+    vec4 face;
+    int kind = kindOf(pixel, i, ray, along, face);
     if (kind == kSky) return nothingSeen(ray);
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
@@ -88,7 +88,7 @@ vec4 lit(ivec2 pixel, int i) {
         s = surfaceAt(pixel, i, position);
 #ifdef COLLIDERS
     } else if (kind == kCollider) {
-        s = colliderSurface(position, normal, along);
+        s = colliderSurface(position, face.xyz, colliders[uint(face.w)].colour, along);
         withoutGlow(s);
 #endif
     } else {
@@ -109,9 +109,9 @@ uint distinctSamples(ivec2 pixel) {
     bool alike = true;
     for (int i = 0; i < SAMPLES; ++i) {
         float along;
-        vec3 normal;
-        kinds[i] = kindOf(pixel, i, rayOf(pixel, i), along, normal);
-        faces[i] = packSnorm4x8(vec4(normal, 0.0));
+        vec4 face;
+        kinds[i] = kindOf(pixel, i, rayOf(pixel, i), along, face);
+        faces[i] = packSnorm4x8(vec4(face.xyz, face.w / 127.0));
         alike = alike && kinds[i] != kDrawn && kinds[i] == kinds[0] && faces[i] == faces[0];
     }
     uint counts = uint(SAMPLES);

@@ -108,6 +108,7 @@ struct Collider {
     Shape shape;
     /// Of whatever touches it, in place of what the scene and the material say: mu, 0..1.5; e, 0.05..1.
     std::optional<double> friction, restitution;
+    std::optional<Float3> colour;  ///< linear, for whoever draws it; none: the floor's
 
     constexpr Collider() = default;
     template <class Of>

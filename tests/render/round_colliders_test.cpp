@@ -130,6 +130,29 @@ TEST_F(RoundColliders, TrianglesAreStretchedAlongTheirAxesAndMayBeOfSteel) {
               seen / 2);
 }
 
+/// A shape, and triangles; nothing else changes.
+TEST_F(RoundColliders, AreOfTheirOwnColour) {
+    ColliderDraw box = rod();
+    box.shape = ColliderShape::kBox;
+    for (const bool of_triangles : {false, true}) {
+        if (of_triangles) box.triangles = unitCube();
+        ColliderDraw red = box;
+        red.colour = glm::vec3(0.6f, 0.02f, 0.02f);
+        const Image grey_picture = drawPicture(renderer(), sceneOf(box)),
+                    red_picture = drawPicture(renderer(), sceneOf(red));
+        const std::vector<uint32_t> ids = idsOf(sceneOf(box));
+        size_t seen = 0, reds = 0, others = 0;
+        for (size_t p = 0; p < ids.size(); ++p) {
+            const uint8_t *with = &red_picture.pixels[4 * p], *without = &grey_picture.pixels[4 * p];
+            seen += ids[p] == kColliderId;
+            reds += ids[p] == kColliderId && with[0] > 2 * with[1];
+            others += ids[p] == kBackgroundId && with[0] != without[0];
+        }
+        EXPECT_GT(reds, seen * 9 / 10);
+        EXPECT_EQ(others, 0u);
+    }
+}
+
 /// Floor that the solid hides from the sun is darker, the rest as it was; the side towards the sun shows no
 /// stripes of its own shadow.
 TEST_F(RoundColliders, ShadeTheFloorAndNotThemselves) {

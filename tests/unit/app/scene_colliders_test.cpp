@@ -81,6 +81,27 @@ TEST(SceneColliders, TurnsOfAColliderFollowEachOther) {
     EXPECT_NEAR(glm::length(turn * glm::dvec3(1, 0, 0) - glm::dvec3(0, 1, 0)), 0, 1e-12);
 }
 
+/// Of a mesh half of whose surface is red and half dark red, the mean of both.
+TEST(SceneColliders, HaveAColourOfTheirOwnThatOfTheirFileOrTheFloors) {
+    const TemporaryFolder folder;
+    folder.write("two.mtl", "newmtl bright\nKd 0.8 0 0\nnewmtl dark\nKd 0.4 0 0\n");
+    folder.write("two.obj",
+                 "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 1\nusemtl bright\n"
+                 "f 1 3 2\nf 1 2 4\nf 1 4 3\nusemtl dark\nf 2 3 5\nf 2 5 4\nf 3 4 5\n");
+    const std::string mesh = "[[collider]]\nshape = \"mesh\"\nmodel = \"two.obj\"\ncells = 8\n";
+    const Shot shot = loadSceneFile(folder.write(
+        "set.toml", kHead + mesh + mesh + "colour = [0.1, 0.2, 0.3]\n[[collider]]\nshape = \"sphere\"\n" +
+                        "radius_m = 0.1\nposition_m = [0, 3, 0]\n"));
+    const auto drawn = drawnColliders(shot, {{0, 0, 0}, 1});
+    ASSERT_EQ(drawn.size(), 3u);
+    const double bright = 1.5, dark = 1.5 * std::sqrt(3.0);  // areas, m^2
+    ASSERT_TRUE(drawn[0].colour && drawn[1].colour);
+    EXPECT_NEAR(drawn[0].colour->x, (0.8 * bright + 0.4 * dark) / (bright + dark), 1e-5);
+    EXPECT_EQ(drawn[0].colour->y, 0.0f);
+    EXPECT_EQ(*drawn[1].colour, glm::vec3(0.1f, 0.2f, 0.3f));
+    EXPECT_FALSE(drawn[2].colour);
+}
+
 TEST(SceneColliders, CollidersGrowWithTheBody) {
     const TemporaryFolder folder;
     Shot shot = loadSceneFile(folder.write(
