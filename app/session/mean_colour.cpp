@@ -2,6 +2,7 @@
 // Numbers, pictures and colours at the vertices are multiplied, as they are where bodies are drawn.
 #include "app/session/mean_colour.h"
 
+#include <array>
 #include <cmath>
 #include <glm/glm.hpp>
 #include <vector>
@@ -11,13 +12,19 @@
 namespace demolish {
 namespace {
 
-double linear(uint32_t byte) {
-    const double value = byte / 255.0;
-    return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+/// Linear light of each byte of sRGB: pictures have up to 268 million texels.
+std::array<double, 256> linearOfBytes() {
+    std::array<double, 256> light{};
+    for (size_t byte = 0; byte < light.size(); ++byte) {
+        const double value = static_cast<double>(byte) / 255;
+        light[byte] = value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    }
+    return light;
 }
 
 glm::dvec3 linear(const uint8_t* rgb) {
-    return {linear(rgb[0]), linear(rgb[1]), linear(rgb[2])};
+    static const std::array<double, 256> light = linearOfBytes();
+    return {light[rgb[0]], light[rgb[1]], light[rgb[2]]};
 }
 
 glm::dvec3 meanOf(const LookImage& image) {

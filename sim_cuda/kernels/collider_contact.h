@@ -123,27 +123,6 @@ DEM_FN void pressOnPlane(const OwnParticle<Real>& own, const SeenCell<Real>& cel
     if (sums.touches()) at.arm = rotate(cell.turned, sums.arm());
 }
 
-/// Corners on a mesh: off it no normal is looked for. `armOf(k)`: from the particle's centre, m.
-template <class Real, class ArmOf, class AddCorner, class Sums>
-DEM_FN void addOnMesh(const ColliderRows<Real>& rows, const Vec3<Real>& high, const Vec3<Real>& low,
-                      uint32_t count, const ArmOf& armOf, const AddCorner& addCorner, Sums& sums) {
-    for (uint32_t first = 0; first < count; first += kMeshPoints) {
-        Vec3<Real> arm[kMeshPoints];
-        MeshPoints<Real> points;
-        for (uint32_t k = 0; k < kMeshPoints; ++k) {
-            arm[k] = armOf(first + k < count ? first + k : first);
-            points.low[k] = low + arm[k];
-        }
-        const MeshDistances<Real> distances = distancesToMesh(rows, high, points);
-        for (uint32_t k = 0; k < kMeshPoints && first + k < count; ++k) {
-            if (distances.of[k] > Real(0))
-                sums.add(distances.of[k], arm[k]);
-            else
-                addCorner(arm[k]);
-        }
-    }
-}
-
 /// Corners on collider c of any shape, and a sphere within the cell, since edges of the collider reach
 /// between corners.
 template <bool kLedger, class Real, class Sums>
@@ -158,19 +137,20 @@ DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<R
         const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
         if constexpr (kLedger) addChange(at, distance, dot(velocity, out), cell.drift);
     };
-    const auto addCorner = [&](const Vec3<Real>& arm) {
+    // Off a mesh no normal is looked for.
+    const bool is_mesh = colliders.isMesh(c);
+    const auto isOff = [&](const Vec3<Real>& arm) {
+        if (kLedger || !is_mesh) return false;
+        const Real distance = distanceToMesh(colliders.collider[c], xyz(state.position), low + arm);
+        if (distance > Real(0)) sums.add(distance, arm);
+        return distance > Real(0);
+    };
+    forEachCorner<1>(cell.corners, [&](const Vec3<Real>& corner, bool) {
+        const Vec3<Real> arm = rotate(cell.turned, corner);
+        if (isOff(arm)) return;
         const TangentPlane<Real> below = colliders.tangent(c, xyz(state.position), low + arm);
         addPoint(arm, xyz(below.plane), below.distance);
-    };
-    const auto armOf = [&](uint32_t corner) {
-        return rotate(cell.turned, xyz(cell.corners.from_seed[corner]));
-    };
-    const auto count = static_cast<uint32_t>(cell.corners.from_seed.size());
-    if (kLedger || !colliders.isMesh(c)) {
-        for (uint32_t k = 0; k < count; ++k) addCorner(armOf(k));
-    } else {
-        addOnMesh(colliders.collider[c], xyz(state.position), low, count, armOf, addCorner, sums);
-    }
+    });
     const Vec3<Real> out = xyz(tangent.plane);
     addPoint(-tangent.distance * out, out, tangent.distance - cell.corners.inner_radius);
     at.normal = sums.touches() ? inverseSqrt(length2(normal)) * normal : out;
