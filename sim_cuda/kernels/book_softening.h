@@ -68,10 +68,11 @@ struct BookSoftening {
         const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
         forEachCollider(bonded.params.colliders, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
             if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost += bonded.colliderEnergy(before, c, bound,
-                                              TurnsAlone<Real>{cornersOf(bonded.arrays.corners, i)}) -
-                        rigid.colliderEnergy(after, c, bound,
-                                             TurnsFragment<Real>{work, cornersOf(rigid.arrays.corners, i)});
+                lost +=
+                    bonded.colliderEnergy(before, c, bound,
+                                          TurnsAlone<Real>{cornersOf(bonded.arrays.corners, i), {}}) -
+                    rigid.colliderEnergy(after, c, bound,
+                                         TurnsFragment<Real>{work, cornersOf(rigid.arrays.corners, i), {}});
         });
         return lost;
     }

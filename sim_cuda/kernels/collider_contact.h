@@ -7,183 +7,33 @@
 
 #include "sim_cuda/data/planes_only.h"
 #include "sim_cuda/kernels/landing.h"
+#include "sim_cuda/kernels/press_on_shape.h"
 #include "sim_cuda/kernels/touch_slots.h"
 
 namespace demolish {
 
-/// Stiffness of a corner over that of a contact: a cell that lies on a face of five corners is as stiff as a
-/// sphere.
-inline constexpr double kCornerShare = 0.2;
-/// Rolling resistance of a cell on its corners over that of a sphere: edges resist by themselves. With 1 a
-/// cube sleeps on its edge, with 0 nothing comes to rest.
-inline constexpr double kCornerRolling = 0.3;
 /// Steps ahead in which a contact is reckoned with that is still to come.
 inline constexpr double kStepsAhead = 1.5;
 
-/// m, farther than anything is.
-inline constexpr double kFarAway = 1e30;
-
-/// A particle's cell as a step sees it.
-template <class Real>
-struct SeenCell {
-    OwnCorners<Real> corners;
-    Quat<Real> turned;  ///< its orientation
-    Real drift{};       ///< s, way from the state before to this one
-};
-
-/// How a particle is pressed on a collider.
-template <class Real>
-struct Pressed {
-    Vec3<Real> normal;  ///< unit, out of the collider
-    Vec3<Real> arm;     ///< m, from the particle's centre to the centre of pressure
-    Real depth{};       ///< m, of the points, each by what it presses with; not above 0: none touches
-    Real springs{1};    ///< springs of this depth that press as hard
-    Real gap{};         ///< m, to the lowest point
-    Real rolling{1};    ///< share of the rolling resistance
-    OverlapChange<Real> change;  ///< for the ledger
-};
-
-/// Depths of points added up, each by what it presses with. kHertz: as StepParams::hertz.
-template <bool kHertz, class Real>
-class DepthSums {
-  public:
-    /// `distance`: m, above the surface. Gives the force, in units of the law's constant.
-    DEM_FN Real add(Real distance, const Vec3<Real>& arm) {
-        nearest_ = minOf(nearest_, distance);
-        const Real depth = -distance, force = depth > Real(0) ? forceOf(depth) : Real(0);
-        force_ = force_ + force;
-        energy_ = madd(force, depth, energy_);
-        arm_ = axpy(force, arm, arm_);
-        return force;
-    }
-    /// m, above the surface.
-    DEM_FN Real nearest() const { return nearest_; }
-    DEM_FN bool touches() const { return force_ > Real(0); }
-    DEM_FN Real depth() const { return energy_ / force_; }
-    DEM_FN Real springs() const { return Real(kCornerShare) * force_ / forceOf(depth()); }
-    /// m, in the frame of those that were added.
-    DEM_FN Vec3<Real> arm() const { return (Real(1) / force_) * arm_; }
-
-  private:
-    static DEM_FN Real forceOf(Real depth) { return kHertz ? depth * squareRoot(depth) : depth; }
-
-    Real force_{}, energy_{}, nearest_{Real(kFarAway)};
-    Vec3<Real> arm_;
-};
-
-/// `tangent`: of the collider from the particle's centre.
-template <class Real>
-DEM_FN Pressed<Real> pressedSphere(const OwnParticle<Real>& own, Real drift,
-                                   const TangentPlane<Real>& tangent) {
-    Pressed<Real> at;
-    at.normal = xyz(tangent.plane);
-    at.depth = own.constants.floor_radius - tangent.distance;
-    at.gap = -at.depth;
-    at.arm = -tangent.distance * at.normal;
-    const Real opening = dot(xyz(own.state.velocity), at.normal);
-    at.change = overlapChange(at.depth, overlapBefore(at.depth, opening, drift));
-    return at;
-}
-/// What a point of depth -distance leaves to the ledger; `opening`: m/s.
-template <class Real>
-DEM_FN void addChange(Pressed<Real>& at, Real distance, Real opening, Real dt) {
-    add(at.change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
-}
-
-/// Calls visit(corner, present) for each in turn; `kAtOnce` are read at once, since on a GPU the way to each
-/// is long. The last such group is filled up with corners that are not present: a branch costs more.
-template <uint32_t kAtOnce, class Real, class Visit>
-DEM_FN void forEachCorner(const OwnCorners<Real>& corners, const Visit& visit) {
-    const auto last = static_cast<uint32_t>(corners.from_seed.size());
-    for (uint32_t first = 0; first < last; first += kAtOnce) {
-        const uint32_t count = minOf(last - first, kAtOnce);
-        Vec3<Real> corner[kAtOnce];
-        for (uint32_t k = 0; k < kAtOnce; ++k)
-            corner[k] = xyz(corners.from_seed[k < count ? first + k : first]);
-        for (uint32_t k = 0; k < kAtOnce; ++k) visit(corner[k], k < count);
-    }
-}
-
-/// Corners on a plane, whose normal is turned into the cell's frame rather than its corners out of it: a
-/// fifth of the work.
-template <bool kLedger, class Real, class Sums>
-DEM_FN void pressOnPlane(const OwnParticle<Real>& own, const SeenCell<Real>& cell,
-                         const TangentPlane<Real>& tangent, Sums& sums, Pressed<Real>& at) {
-    const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(cell.turned), normal);
-    const Vec3<Real> rising = rotate(conjugate(cell.turned), cross(normal, xyz(own.state.spin)));
-    const Real opening = dot(xyz(own.state.velocity), normal);
-    forEachCorner<4>(cell.corners, [&](const Vec3<Real>& corner, bool present) {
-        const Real distance = tangent.distance + dot(up, corner);
-        sums.add(present ? distance : Real(kFarAway), corner);
-        if constexpr (kLedger)
-            if (present) addChange(at, distance, opening + dot(rising, corner), cell.drift);
-    });
-    at.normal = normal;
-    at.gap = sums.nearest();
-    if (sums.touches()) at.arm = rotate(cell.turned, sums.arm());
-}
-
-/// Corners on collider c of any shape, and a sphere within the cell, since edges of the collider reach
-/// between corners.
-template <bool kLedger, class Real, class Sums>
-DEM_FN void pressOnShape(const ColliderSet<Real>& colliders, const OwnParticle<Real>& own,
-                         const SeenCell<Real>& cell, uint32_t c, const TangentPlane<Real>& tangent,
-                         Sums& sums, Pressed<Real>& at) {
-    const LoadedState<Real>& state = own.state;
-    const Vec3<Real> low = lowPart(state.position, state.velocity, state.spin);
-    Vec3<Real> normal;
-    const auto addPoint = [&](const Vec3<Real>& arm, const Vec3<Real>& out, Real distance) {
-        normal = axpy(sums.add(distance, arm), out, normal);
-        const Vec3<Real> velocity = xyz(state.velocity) + cross(xyz(state.spin), arm);
-        if constexpr (kLedger) addChange(at, distance, dot(velocity, out), cell.drift);
-    };
-    // Off a mesh no normal is looked for.
-    const bool is_mesh = colliders.isMesh(c);
-    const auto isOff = [&](const Vec3<Real>& arm) {
-        if (kLedger || !is_mesh) return false;
-        const Real distance = distanceToMesh(colliders.collider[c], xyz(state.position), low + arm);
-        if (distance > Real(0)) sums.add(distance, arm);
-        return distance > Real(0);
-    };
-    forEachCorner<1>(cell.corners, [&](const Vec3<Real>& corner, bool) {
-        const Vec3<Real> arm = rotate(cell.turned, corner);
-        if (isOff(arm)) return;
-        const TangentPlane<Real> below = colliders.tangent(c, xyz(state.position), low + arm);
-        addPoint(arm, xyz(below.plane), below.distance);
-    });
-    const Vec3<Real> out = xyz(tangent.plane);
-    addPoint(-tangent.distance * out, out, tangent.distance - cell.corners.inner_radius);
-    at.normal = sums.touches() ? inverseSqrt(length2(normal)) * normal : out;
-    at.gap = sums.nearest();
-    if (sums.touches()) at.arm = sums.arm();
-}
-
 /// Colliders, here and below: ColliderSet or PlanesOnly.
-template <bool kLedger, bool kHertz, class Real, class Colliders>
+template <bool kLedger, bool kHertz, class Real, class Colliders, class Lanes>
 DEM_FN Pressed<Real> pressedAtCorners(const Colliders& colliders, const OwnParticle<Real>& own,
                                       const SeenCell<Real>& cell, uint32_t c,
-                                      const TangentPlane<Real>& tangent) {
-    Pressed<Real> at;
-    DepthSums<kHertz, Real> sums;
-    if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>)
-        pressOnPlane<kLedger>(own, cell, tangent, sums, at);
-    else if (colliders.isPlane(c))
-        pressOnPlane<kLedger>(own, cell, tangent, sums, at);
-    else
-        pressOnShape<kLedger>(colliders, own, cell, c, tangent, sums, at);
-    at.rolling = Real(kCornerRolling);
-    if (!sums.touches()) return at;
-    at.depth = sums.depth();
-    at.springs = sums.springs();
-    return at;
+                                      const TangentPlane<Real>& tangent, const Lanes& lanes) {
+    if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>) {
+        return pressedOnPlane<kLedger, kHertz>(own, cell, tangent);
+    } else {
+        if (colliders.isPlane(c)) return pressedOnPlane<kLedger, kHertz>(own, cell, tangent);
+        return pressedOnShape<kLedger, kHertz>(colliders.collider[c], own, cell, tangent, lanes);
+    }
 }
-template <bool kLedger, class Real, class Colliders>
+template <bool kLedger, class Real, class Colliders, class Lanes = LaneGroup<1>>
 DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& colliders,
                                const OwnParticle<Real>& own, const SeenCell<Real>& cell, uint32_t c,
-                               const TangentPlane<Real>& tangent) {
+                               const TangentPlane<Real>& tangent, const Lanes& lanes = {}) {
     if (cell.corners.from_seed.empty()) return pressedSphere(own, cell.drift, tangent);
-    return params.hertz != 0 ? pressedAtCorners<kLedger, true>(colliders, own, cell, c, tangent)
-                             : pressedAtCorners<kLedger, false>(colliders, own, cell, c, tangent);
+    return params.hertz != 0 ? pressedAtCorners<kLedger, true>(colliders, own, cell, c, tangent, lanes)
+                             : pressedAtCorners<kLedger, false>(colliders, own, cell, c, tangent, lanes);
 }
 
 /// What is set against a push on a collider.
@@ -199,10 +49,11 @@ struct Turning {
 };
 /// A particle that substeps move turns alone. It rolls away from what acts across, so that half of that is as
 /// good as all for the bound on the tangential damper.
-template <class Real>
+template <class Real, class Lanes = LaneGroup<1>>
 struct TurnsAlone {
     static constexpr StepKind kStep = StepKind::kSubstep;
     OwnCorners<Real> corners;
+    Lanes lanes{};  ///< threads that have the particle together
     DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
         return {corners, asQuat(own.state.rotation), params.drift};
     }
@@ -254,20 +105,6 @@ DEM_FN TangentPlane<Real> tangentFrom(const Colliders& colliders, uint32_t c, co
     return colliders.isMesh(c) ? colliders.tangent(c, xyz(state.position),
                                                    lowPart(state.position, state.velocity, state.spin))
                                : bound;
-}
-
-/// Of a mesh one number of its grid tells so of most that is near it.
-template <StepKind kStep, class Real, class Colliders>
-DEM_FN bool isClearOfMesh(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own, Real dt) {
-    if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>) {
-        return false;
-    } else {
-        if (!colliders.isMesh(c)) return false;
-        const LoadedState<Real>& state = own.state;
-        const Real least = leastDistanceToMesh(colliders.collider[c], xyz(state.position),
-                                               lowPart(state.position, state.velocity, state.spin));
-        return isClearOf<kStep>(own, sureDistance(least) - own.constants.floor_radius, dt);
-    }
 }
 
 /// All springs of a contact together never get stiffer than a share over dt^2, in terms of what answers at
@@ -333,14 +170,13 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
                                           const TurnedWith& turned_with) {
     constexpr StepKind kStep = TurnedWith::kStep;
     const Real radius = own.constants.floor_radius;
-    if (isClearOf<kStep>(own, bound.distance - radius, params.dt) ||
-        isClearOfMesh<kStep>(colliders, c, own, params.dt))
-        return {};
+    if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
     const TangentPlane<Real> tangent = tangentFrom(colliders, c, own, bound);
     if (colliders.isMesh(c) && isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
         return {};
-    const Pressed<Real> at =
-        pressedOn<kLedger>(params, colliders, own, turned_with.cell(params, own), c, tangent);
+    const Pressed<Real> at = pressedOn<kLedger>(params, colliders, own, turned_with.cell(params, own), c,
+                                                tangent, turned_with.lanes);
+    if (!turned_with.lanes.leads()) return {};
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
     const KeptTouch<Real> before{xyz(spring), softestOf(spring)};
     const Real down = -dot(at.arm, at.normal);

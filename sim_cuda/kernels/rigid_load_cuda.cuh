@@ -103,10 +103,14 @@ __device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gathe
     const uint32_t id = gather.work.active[place < count ? place : count - 1], lane = threadIdx.x % kFetching;
     const OwnCorners<Real> corners = fetched(cornersOf(gather.arrays.corners, id), lane);
     awaitPrevious();
-    if (place >= count || lane != 0) return;
+    constexpr bool kOnlyPlanes = std::is_same_v<Colliders, PlanesOnly<Real>>;
+    using Lanes = LaneGroup<kOnlyPlanes || kLedger ? 1 : kFetching>;
+    if (place >= count || lane >= Lanes::kCount) return;
+    const Lanes lanes{lane};
     const OwnParticle<Real> own = loadOwn(gather.arrays, id);
-    gather.loads[place].template keepColliders<kLedger>(
-        collidersLoad<kLedger>(gather.arrays, gather.params, colliders, gather.work, own, corners));
+    const RigidLoad<Real> load =
+        collidersLoad<kLedger>(gather.arrays, gather.params, colliders, gather.work, own, corners, lanes);
+    if (lanes.leads()) gather.loads[place].template keepColliders<kLedger>(load);
 }
 
 /// Both side by side: the first `collider_blocks` see to colliders, the others to rows. The first block waits

@@ -62,9 +62,16 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
 constexpr uint32_t substepThreads(bool moves_apart) {
     return kSubstepBlock + (moves_apart ? 32 : 0);
 }
-/// The thread that moves a particle, as far as it comes before the others have gathered.
-template <bool kLedger, Movable kMovable, class Real>
+/// Threads of that warp that look at the corners of a particle together. On planes corners are too little
+/// work to share, and the ledger's kernels need not be fast.
+constexpr uint32_t lanesOfCorners(uint32_t threads, bool moves_apart, bool only_planes, bool ledger) {
+    return moves_apart && !only_planes && !ledger ? 32 / (kSubstepBlock / threads) : 1;
+}
+/// The thread that moves a particle, as far as it comes before the others have gathered. Others of its group
+/// only look at corners for it.
+template <bool kLedger, Movable kMovable, class Real, class Lanes = LaneGroup<1>>
 struct MovingThread {
+    Lanes lanes;
     OwnParticle<Real> own;
     Wrench<Real> push;  ///< of colliders
     Tally<Real> tally;
@@ -75,7 +82,7 @@ struct MovingThread {
                                           const Colliders& colliders, uint32_t id) {
         own = loadOwn(arrays, id);
         near = isNearColliders<StepKind::kSubstep>(params, colliders, own);
-        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally);
+        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally, lanes);
     }
     /// From the rows: what they give, and what is booked with it.
     __device__ __forceinline__ void finish(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
@@ -212,12 +219,14 @@ __global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blo
         return;
     }
     const bool moves = threadIdx.x >= kSubstepBlock;
-    const uint32_t place = moves ? threadIdx.x - kSubstepBlock : threadIdx.x / T;
+    using Lanes = LaneGroup<lanesOfCorners(T, kMovesApart, kOnlyPlanes, kLedger)>;
+    const uint32_t mover_thread = threadIdx.x - kSubstepBlock;
+    const uint32_t place = moves ? mover_thread / Lanes::kCount : threadIdx.x / T;
     const uint32_t first = (block - kMaxProjectiles) * kParticles, k = first + place;
     const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = k < count && place < kParticles;
-    MovingThread<kLedger, Movable::kBodies, Real> mover;
+    MovingThread<kLedger, Movable::kBodies, Real, Lanes> mover{{moves ? mover_thread % Lanes::kCount : 0}};
     if constexpr (kMovesApart) {
         __shared__ alignas(16) unsigned char sums_memory[kParticles * sizeof(Wrench<Real>)];
         __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kParticles * sizeof(Tally<Real>) : 16];
@@ -234,7 +243,7 @@ __global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blo
                                        });
         }
         __syncthreads();
-        if (moves && present)
+        if (moves && present && mover.lanes.leads())
             mover.finish(arrays, params, sums[place], kLedger ? tallies[place] : Tally<Real>{});
     } else {
         gatherParticle<T, kLedger>(arrays, params, id, present,

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+// One collider in memory, and what it is from a point.
+#pragma once
+#include <cstdint>
+
+#include "sim_cuda/backend/span.h"
+#include "sim_cuda/data/vec4.h"
+
+namespace demolish {
+
+enum class ColliderShape : uint32_t;  // colliders.h
+
+/// A collider from a point: the plane that touches it where it is nearest to that point.
+template <class Real>
+struct TangentPlane {
+    Vec4<Real> plane;  ///< (unit outward normal, offset in m)
+    Real distance{};   ///< m, of the point to the surface; negative inside
+};
+
+/// The nearest way off a collider from a point, along the collider's own axes.
+template <class Real>
+struct Away {
+    Vec3<Real> out;   ///< unit
+    Real distance{};  ///< m, as in TangentPlane
+};
+
+/// How a point on its way comes towards a collider: no sooner than a plane at this distance that it nears at
+/// this speed.
+template <class Real>
+struct Approach {
+    Real distance{};  ///< m
+    Real speed{};     ///< m/s
+};
+
+/// One collider: its shape and four rows.
+template <class Real>
+struct ColliderRows {
+    ColliderShape shape{};
+    uint32_t counts = 0;      ///< of a mesh: packedCounts()
+    Real margin{};            ///< m, of a mesh: by which its grid reaches beyond the box of the rows
+    Span<const float> steps;  ///< of a mesh: DistanceNodes::steps
+    Vec4<Real> row[4];        ///< as ColliderShape says
+};
+
+/// m, of a box along an axis.
+template <class Real>
+DEM_FN Real halfEdgeOf(const Vec4<Real>& axis) {
+    return axis.w;
+}
+
+/// m, between nodes of a mesh's grid.
+template <class Real>
+DEM_FN Real stepOf(const Vec4<Real>& centre) {
+    return centre.w;
+}
+
+/// Of a box or a mesh: a vector along its axes, and one that is given along them.
+template <class Real>
+DEM_FN Vec3<Real> alongAxes(const Vec4<Real> (&row)[4], const Vec3<Real>& v) {
+    return {dot(xyz(row[0]), v), dot(xyz(row[1]), v), dot(xyz(row[2]), v)};
+}
+template <class Real>
+DEM_FN Vec3<Real> turnedOut(const Vec4<Real> (&row)[4], const Vec3<Real>& v) {
+    return axpy(v.x, xyz(row[0]), axpy(v.y, xyz(row[1]), v.z * xyz(row[2])));
+}
+
+/// `high` + `low`: the point (data/particles.h), m.
+template <class Real>
+DEM_FN TangentPlane<Real> tangentWith(const Vec3<Real>& normal, Real distance, const Vec3<Real>& high,
+                                      const Vec3<Real>& low) {
+    return {withW(normal, (dot(normal, high) - distance) + dot(normal, low)), distance};
+}
+
+}  // namespace demolish

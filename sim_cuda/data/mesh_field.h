@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+// A mesh as a collider: signed distances on a grid, between whose nodes they are trilinear. `high` + `low`:
+// the point (data/particles.h), m.
+#pragma once
+#include "sim_cuda/api/params.h"
+#include "sim_cuda/data/collider_rows.h"
+
+namespace demolish {
+
+/// Of a mesh, 10 bits each.
+DEM_FN uint32_t packedCounts(const NodeCounts& n) {
+    return n.x | n.y << 10 | n.z << 20;
+}
+
+/// Where a point lies along one axis of a grid of `nodes` nodes; `at`: in steps from the first.
+template <class Real>
+struct NodePlace {
+    uint32_t node = 0;  ///< the lower one
+    Real share{};       ///< 0..1, on the way to the next
+    Real beyond{};      ///< steps, outside the grid; 0 within
+};
+template <class Real>
+DEM_FN NodePlace<Real> nodePlace(Real at, uint32_t nodes) {
+    const Real inside = at > Real(0) ? minOf(at, Real(nodes - 1)) : Real(0);
+    const uint32_t node = minOf(static_cast<uint32_t>(inside), nodes - 2);
+    return {node, inside - Real(node), at - inside};
+}
+
+/// Trilinear in a cell of eight nodes: value and gradient, in steps.
+template <class Real>
+DEM_FN Vec4<Real> trilinear(const Span<const float>& steps, uint32_t first, uint32_t row, uint32_t layer,
+                            const Vec3<Real>& share) {
+    // Along x in each of the four rows, then along y in the two layers, then along z.
+    Real value[4], slope[4];
+    for (uint32_t k = 0; k < 4; ++k) {
+        const uint32_t at = first + (k & 1) * row + (k >> 1) * layer;
+        const Real low = Real(steps[at]);
+        slope[k] = Real(steps[at + 1]) - low;
+        value[k] = madd(share.x, slope[k], low);
+    }
+    Real across[2], slope_x[2], slope_y[2];
+    for (uint32_t k = 0; k < 2; ++k) {
+        slope_y[k] = value[2 * k + 1] - value[2 * k];
+        across[k] = madd(share.y, slope_y[k], value[2 * k]);
+        slope_x[k] = madd(share.y, slope[2 * k + 1] - slope[2 * k], slope[2 * k]);
+    }
+    const Real slope_z = across[1] - across[0];
+    return {madd(share.z, slope_x[1] - slope_x[0], slope_x[0]),
+            madd(share.z, slope_y[1] - slope_y[0], slope_y[0]), slope_z, madd(share.z, slope_z, across[0])};
+}
+
+/// The interpolated distance changes by at most the root of 3 times the way.
+template <class Real>
+DEM_FN Real sureDistance(Real distance) {
+    return distance > Real(0) ? Real(0.577) * distance : distance;
+}
+
+/// Where a point lies in a mesh's grid.
+template <class Real>
+struct GridPlace {
+    NodePlace<Real> x, y, z;
+    uint32_t row = 0, layer = 0;  ///< nodes from one row to the next, and from one layer
+    uint32_t first = 0;           ///< the lowest of the eight nodes round it
+};
+/// `at`: from the grid's first node along its axes, in steps.
+template <class Real>
+DEM_FN GridPlace<Real> gridPlace(const ColliderRows<Real>& rows, const Vec3<Real>& at) {
+    const uint32_t nx = rows.counts & 1023, ny = rows.counts >> 10 & 1023, nz = rows.counts >> 20;
+    GridPlace<Real> place{nodePlace(at.x, nx), nodePlace(at.y, ny), nodePlace(at.z, nz), nx, nx * ny, 0};
+    place.first = place.z.node * place.layer + place.y.node * nx + place.x.node;
+    return place;
+}
+
+/// Value and gradient, in steps.
+template <class Real>
+DEM_FN Vec4<Real> fieldAt(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
+    return trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
+}
+
+/// Steps by which the distance in a cell is less than at one of its nodes, at most: the diagonal, and what a
+/// grid is inexact by.
+inline constexpr double kNodeSlack = 2;
+
+/// m, so far is a point from a mesh at least, by one number of the grid in place of eight; beyond the grid 0.
+template <class Real>
+DEM_APART Real leastDistanceToMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+                                   Handed<Vec3<Real>> low) {
+    const GridPlace<Real> at = gridPlace(rows, high, low);
+    const Real steps = isWithin(at) ? Real(rows.steps[at.first]) - Real(kNodeSlack) : Real(0);
+    return stepOf(rows.row[3]) * maxOf(steps, Real(0));
+}
+
+/// Within the grid the interpolated distance and the way in which it grows; beyond it, from the surface point
+/// that is nearest as seen from the grid's rim.
+template <class Real>
+DEM_FN Away<Real> awayFromMesh(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
+    const Vec4<Real> field = fieldAt(rows, at);
+    const Real steep = inverseSqrt(length2(xyz(field)));
+    const Vec3<Real> uphill = steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)};
+    const Vec3<Real> beyond{at.x.beyond, at.y.beyond, at.z.beyond};
+    const Vec3<Real> away = axpy(field.w, uphill, beyond);
+    const Real squared = length2(away), inverse = inverseSqrt(squared);
+    const bool is_beyond = length2(beyond) > Real(0);
+    return {is_beyond ? inverse * away : uphill,
+            stepOf(rows.row[3]) * (is_beyond ? squared * inverse : field.w)};
+}
+/// m, that of awayFromMesh(), and 0 where that takes a closer look: at the grid's rim and beyond. Most points
+/// near a mesh do not touch it, and need no more. `at`: as for gridPlace().
+template <class Real>
+DEM_FN Real distanceWithinGrid(const ColliderRows<Real>& rows, const Vec3<Real>& at) {
+    const uint32_t nx = rows.counts & 1023, ny = rows.counts >> 10 & 1023, nz = rows.counts >> 20;
+    const bool within = at.x >= Real(0) && at.x < Real(nx - 1) && at.y >= Real(0) && at.y < Real(ny - 1) &&
+                        at.z >= Real(0) && at.z < Real(nz - 1);
+    // No branch: several points are asked for before any answer is waited for.
+    const Vec3<Real> inside = within ? at : Vec3<Real>{};
+    const auto x = static_cast<uint32_t>(inside.x), y = static_cast<uint32_t>(inside.y),
+               z = static_cast<uint32_t>(inside.z);
+    const Vec3<Real> share{inside.x - Real(x), inside.y - Real(y), inside.z - Real(z)};
+    const Real steps = trilinear(rows.steps, (z * ny + y) * nx + x, nx, nx * ny, share).w;
+    return within ? stepOf(rows.row[3]) * steps : Real(0);
+}
+
+/// Apart: only what is near a mesh pays for it, also in registers.
+template <class Real>
+DEM_APART TangentPlane<Real> tangentOfMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+                                           Handed<Vec3<Real>> low) {
+    const Real per_step = Real(1) / stepOf(rows.row[3]);
+    const Vec3<Real> at = alongAxes(rows.row, (high - xyz(rows.row[3])) + low);
+    const auto steps = [&](Real x, const Vec4<Real>& axis) {
+        return (x + (halfEdgeOf(axis) + rows.margin)) * per_step;
+    };
+    const Vec3<Real> place{steps(at.x, rows.row[0]), steps(at.y, rows.row[1]), steps(at.z, rows.row[2])};
+    const Away<Real> away = awayFromMesh(rows, gridPlace(rows, place));
+    return tangentWith(turnedOut(rows.row, away.out), away.distance, high, low);
+}
+
+}  // namespace demolish
