@@ -3,7 +3,9 @@
 // The light on the floor as later passes read it (common/glass_tint.glsl): times what is there without transparent bodies.
 layout(local_size_x = 8, local_size_y = 8) in;
 #include "common/caustics.glsl"
+#include "common/tile_levels.glsl"
 layout(rgba16f, binding = 0) writeonly uniform image2D result;
+layout(rgba16f, binding = 1) writeonly uniform image2D coarser;  // its next level
 
 vec3 coarseLight(ivec2 at) {
     return vec3(caustics[kCoarse + at.y * kCoarseTexels + at.x].rgb) / kStepsOfLight;
@@ -20,4 +22,6 @@ void main() {
         light += w.x * w.y * coarseLight(clamp(ivec2(low + corner), 0, kCoarseTexels - 1)) / (finer * finer);
     }
     imageStore(result, at, vec4(light, 1.0));
+    vec4 mean = halved(vec4(light, 1.0), 4u);
+    if (isInLevel(4u)) imageStore(coarser, placeInLevel(4u), mean);
 }

@@ -46,7 +46,7 @@ float burstAt(vec2 at) {
 
 void main() {
     vec3 ray = rayThrough(gl_FragCoord.xy);
-    if (1.0 / gl_FragCoord.w > 1.002 * solidAlong(ray)) discard;
+    if (1.0 / gl_FragCoord.w > 1.002 * solidAlong(gl_FragCoord.xy, ray)) discard;
     vec3 light = (streakAt(place) + burstAt(place - vec2(spark.streak.x, 0.0))) * spark.light;
 #ifdef RADIANCE
     colour = vec4(light, clamp(max(light.r, max(light.g, light.b)), 0.0, 1.0));  // before nothing it is seen as far as it is bright

@@ -6,15 +6,15 @@
 #include "common/grain.glsl"
 #include "common/spark.glsl"
 layout(location = 2) uniform vec4 opening;  // s beside the picture's moment, from and to; shares of the whole time there
+layout(location = 0) in uint number;       // of the grain
 noperspective out vec2 place;  // px along the streak from its tail, and across
 flat out Spark spark;
 
 void main() {
-    Grain g = grains[gl_InstanceID];
+    Grain g = grains[number];
     spark = Spark(vec4(0.0), vec2(0.0), vec3(0.0), 0u);
     place = vec2(0.0);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);  // outside the picture
-    if (g.position_size.w <= 0.0 || g.heat <= 0.0) return;
     vec2 rest = unpackHalf2x16(g.turn.y);  // velocity along z; age
     vec3 velocity = vec3(unpackHalf2x16(g.turn.x), rest.x);
     float from = max(opening.x, -rest.y), to = opening.y;  // before that it was not yet struck

@@ -24,6 +24,10 @@ void VertexArray::integerAttribute(GLuint location, GLint components, GLenum typ
     glVertexArrayAttribBinding(object_.id(), location, 0);
 }
 
+void VertexArray::advanceByInstance() {
+    glVertexArrayBindingDivisor(object_.id(), 0, 1);
+}
+
 void VertexArray::setVertices(const Buffer& buffer, GLsizei stride) {
     glVertexArrayVertexBuffer(object_.id(), 0, buffer.id(), 0, stride);
 }

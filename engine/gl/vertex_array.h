@@ -20,6 +20,8 @@ class VertexArray {
     void floatAttribute(GLuint location, GLint components, GLenum type, bool normalised, GLuint offset);
     /// Attribute read as integers.
     void integerAttribute(GLuint location, GLint components, GLenum type, GLuint offset);
+    /// What is read goes on with each instance, not with each vertex.
+    void advanceByInstance();
     void setVertices(const Buffer& buffer, GLsizei stride);
     void setIndices(const Buffer& buffer);
     void bind() const;

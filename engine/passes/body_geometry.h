@@ -34,11 +34,17 @@ enum class StorageBinding : GLuint {
     kGrains = 12,
     kEffectCommands = 13,
     kPuffs = 14,
-    kCount = 19,
+    kSeenPuffs = 19,
+    kPuffBoxes = 20,
+    kPuffLists = 21,
+    kCount = 22,
     kLooks = 15,  // of bodies that have them, beside the others: LookBuffers
     kNearCells = 16,
     kNearIndices = 17,
     kNearVertices = 18,
+    // Of the pass that draws sparks.
+    kSparkIds = 19,
+    kSparkCommands = 20,
     // Of the passes that make near faces.
     kCellSpheres = 4,
     kReliefSums = 8,

@@ -12,7 +12,7 @@ constexpr GLuint kEndsUnit = 3, kSumsUnit = 14;
 constexpr size_t kStepBytes = 16;
 constexpr int kCoarseTexels = 64;  // shaders/common/caustics.glsl
 constexpr GLuint kPlaces = CausticsPass::kTexels * CausticsPass::kTexels + kCoarseTexels * kCoarseTexels;
-constexpr int kLevels = 2;
+constexpr GLuint kLevels = 2;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ CausticsPass::CausticsPass(const std::filesystem::path& shaders)
       cast_(shaders, {"caustics_cast.comp"}),
       show_(shaders, {"caustics_show.comp"}),
       steps_(gl::Buffer::immutable(kStepBytes * kPlaces)),
-      light_(gl::Texture::make2d(GL_RGBA16F, kTexels, kTexels, kLevels)) {
+      light_(gl::Texture::make2d(GL_RGBA16F, kTexels, kTexels, static_cast<int>(kLevels))) {
     light_.setFilter(GL_LINEAR_MIPMAP_NEAREST, GL_LINEAR);
     light_.setWrap(GL_CLAMP_TO_EDGE);
 }
@@ -36,12 +36,13 @@ void CausticsPass::cast(const gl::Texture& sums, const gl::Texture& ends) {
     cast_.use();
     glDispatchCompute(gl::tilesAlong(kTexels), gl::tilesAlong(kTexels), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glBindImageTexture(0, light_.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    for (GLuint level = 0; level < kLevels; ++level)
+        glBindImageTexture(level, light_.id(), static_cast<GLint>(level), GL_FALSE, 0, GL_WRITE_ONLY,
+                           GL_RGBA16F);
     show_.use();
     glDispatchCompute(gl::tilesAlong(kTexels), gl::tilesAlong(kTexels), 1);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT |
                     GL_TEXTURE_UPDATE_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT);
-    glGenerateTextureMipmap(light_.id());
 }
 
 }  // namespace demolish::engine

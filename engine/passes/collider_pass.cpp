@@ -4,6 +4,7 @@
 #include "engine/passes/collider_pass.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/scene/frame_view.h"
 
@@ -14,6 +15,8 @@ constexpr GLuint kBlock = 1;
 constexpr GLint kRegion = 0, kId = 0, kPlace = 1, kTurn = 2, kStretch = 3, kColour = 4;
 constexpr GLsizei kBoxStrip = 14;
 constexpr size_t kCornerFloats = 6;
+/// Of a plane's normal, upwards.
+constexpr float kUpright = 0.05f;
 
 /// std140, as shaders/common/colliders.glsl.
 struct Block {
@@ -26,6 +29,21 @@ struct Block {
 /// rgb; a: 1, or 0 where it is the floor's.
 glm::vec4 colourOf(const ColliderDraw& draw) {
     return draw.colour ? glm::vec4(*draw.colour, 1) : glm::vec4(0);
+}
+
+/// A wall's shadow falls behind it, where it hides it itself: planes are seen from their free side only. One
+/// that leans shades the floor before its edge.
+bool castsShadow(const ColliderDraw& draw) {
+    return draw.shape != ColliderShape::kPlane || std::abs(glm::mat3_cast(draw.rotation)[2].y) > kUpright;
+}
+
+Block::Collider placed(const ColliderDraw& from) {
+    Block::Collider to;
+    const glm::mat3 axes = glm::mat3_cast(from.rotation);
+    for (int k = 0; k < 3; ++k) to.axis[k] = glm::vec4(axes[k], from.half_size[k]);
+    to.centre = glm::vec4(from.position, static_cast<float>(from.shape));
+    to.colour = colourOf(from);
+    return to;
 }
 
 }  // namespace
@@ -56,22 +74,25 @@ std::shared_ptr<const ColliderPass::Triangles> ColliderPass::uploaded(
 
 void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
     Block block{};
-    std::vector<Placed> placed;
+    std::vector<Placed> of_triangles;
     count_ = 0;
     for (const ColliderDraw& from : colliders) {
         if (from.triangles != nullptr) {
             const glm::quat& q = from.rotation;
-            placed.push_back({uploaded(from.triangles), glm::vec4(from.position, from.is_steel ? 1 : 0),
-                              glm::vec4(q.x, q.y, q.z, q.w), glm::vec4(from.half_size, 0), colourOf(from)});
-        } else if (count_ < kMostColliders) {
-            Block::Collider& to = block.colliders[count_++];
-            const glm::mat3 axes = glm::mat3_cast(from.rotation);
-            for (int k = 0; k < 3; ++k) to.axis[k] = glm::vec4(axes[k], from.half_size[k]);
-            to.centre = glm::vec4(from.position, static_cast<float>(from.shape));
-            to.colour = colourOf(from);
+            of_triangles.push_back({uploaded(from.triangles), glm::vec4(from.position, from.is_steel ? 1 : 0),
+                                    glm::vec4(q.x, q.y, q.z, q.w), glm::vec4(from.half_size, 0),
+                                    colourOf(from)});
         }
     }
-    triangles_ = std::move(placed);
+    const auto place = [&](bool casts) {
+        for (const ColliderDraw& from : colliders)
+            if (from.triangles == nullptr && castsShadow(from) == casts && count_ < kMostColliders)
+                block.colliders[count_++] = placed(from);
+    };
+    place(true);
+    casters_ = count_;
+    place(false);
+    triangles_ = std::move(of_triangles);
     block.count = static_cast<uint32_t>(count_);
     block_.upload(std::as_bytes(std::span(&block, 1)));
     glBindBufferBase(GL_UNIFORM_BUFFER, kBlock, block_.id());
@@ -93,24 +114,24 @@ void ColliderPass::drawMaterials() {
     drawTriangles(triangle_materials_);
 }
 
-void ColliderPass::draw(const gl::Program& program) {
-    if (count_ == 0) return;
+void ColliderPass::draw(const gl::Program& program, size_t count) {
+    if (count == 0) return;
     program.use();
     no_attributes_.bind();
     glDisable(GL_CULL_FACE);  // the eye may be inside the box
-    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, kBoxStrip, static_cast<GLsizei>(count_));
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, kBoxStrip, static_cast<GLsizei>(count));
     glEnable(GL_CULL_FACE);
 }
 
 void ColliderPass::drawShadows(int region) {
     shadows_.set(kRegion, region);
-    draw(shadows_);
+    draw(shadows_, casters_);
     triangle_shadows_.set(kRegion, region);
     drawTriangles(triangle_shadows_);
 }
 
 void ColliderPass::drawIds() {
-    draw(ids_);
+    draw(ids_, count_);
     drawTriangles(triangle_ids_);
 }
 

@@ -19,6 +19,8 @@ class ColliderPass {
     void setColliders(std::span<const ColliderDraw> colliders);
     /// Of shapes, without those of triangles.
     size_t count() const { return count_; }
+    /// So many of them, the first, cast shadows: all but upright planes.
+    size_t casters() const { return casters_; }
     bool hasTriangles() const { return !triangles_.empty(); }
     /// Those of triangles, into the bound material targets.
     void drawMaterials();
@@ -40,12 +42,12 @@ class ColliderPass {
     };
     std::shared_ptr<const Triangles> uploaded(
         const std::shared_ptr<const ColliderTriangles>& triangles) const;
-    void draw(const gl::Program& program);
+    void draw(const gl::Program& program, size_t count);
     void drawTriangles(gl::Program& program);
     gl::Program shadows_, ids_, triangle_shadows_, triangle_ids_, triangle_materials_;
     gl::VertexArray no_attributes_;
     gl::Buffer block_;
-    size_t count_ = 0;
+    size_t count_ = 0, casters_ = 0;
     std::vector<Placed> triangles_;
 };
 

@@ -115,10 +115,10 @@ void ComputedRaster::rasterise(Programs& programs, const Drawn& drawn, bool nami
 }
 
 void ComputedRaster::castColliderShadows(const ColliderPass& colliders, int shadow_texels) {
-    if (colliders.count() == 0) return;
+    if (colliders.casters() == 0) return;
     colliders_.set(kShadowTexels, shadow_texels);
     colliders_.use();
-    glDispatchCompute(kColliderGroups, static_cast<GLuint>(colliders.count()), kShadowRegions);
+    glDispatchCompute(kColliderGroups, static_cast<GLuint>(colliders.casters()), kShadowRegions);
 }
 
 void ComputedRaster::run(const FractureMesh& mesh, const NearFaces* near, const SpherePass& balls,

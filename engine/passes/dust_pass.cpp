@@ -9,13 +9,30 @@
 namespace demolish::engine {
 namespace {
 
-constexpr GLint kDust = 0, kPixels = 1;
+constexpr GLint kDust = 0, kPixels = 1, kSquares = 2;
 constexpr GLuint kSolidUnit = 4, kSumUnit = 12, kDustShadowUnit = 11;
 /// Of the picture's sides; half size is not told from full. As shaders/common/dust_over.glsl.
 constexpr int kFullPart = 2, kDraftPart = 4;
-constexpr int kShadowTexels = 512;
+constexpr int kShadowTexels = 256;
+/// px: sides of the sums' tiles, as shaders/dust_sum.comp, and of the squares that puffs are listed for: at
+/// least, and twice as long until they are so few.
+constexpr int kTile = 8, kLeastSquare = 64, kMostSquares = 256;
+constexpr size_t kGroup = 64;  ///< puffs, as shaders/dust_see.comp
+/// B, as shaders/common/puff.glsl, seen_puff.glsl and puff_boxes.glsl.
+constexpr size_t kPuffBytes = 32, kSeenPuffBytes = 80, kBoxBytes = 8;
 /// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
 constexpr float kLumpWaves = 22;
+
+struct Squares {
+    int side, columns, rows;
+    int count() const { return columns * rows; }
+};
+Squares squaresOf(int width, int height) {
+    for (int side = kLeastSquare;; side *= 2) {
+        const Squares squares{side, (width + side - 1) / side, (height + side - 1) / side};
+        if (squares.count() <= kMostSquares) return squares;
+    }
+}
 
 void beginSums() {
     glDisable(GL_DEPTH_TEST);
@@ -34,13 +51,26 @@ DustPass::DustPass(const std::filesystem::path& shaders)
     glClearTexImage(nothing_.id(), 0, GL_RG, GL_FLOAT, nothing);
 }
 
-gl::Program& DustPass::puffsFor(const RenderTargets& targets, bool full) {
-    PictureKind kind = kind_;
-    kind.samples = targets.samples;
-    gl::Program& program = puffs_[{full, kind}];
+void DustPass::prepare(const PictureKind& kind, const RenderTargets& targets, bool computes) {
+    kind_ = kind;
+    kind_.samples = targets.samples;
+    computes_ = false;
+    if (!computes) return;
+    Tiles& tiles = tiles_[kind_];
+    if (tiles.sum.id() == 0) {
+        const std::string text = defines(kind_) + "#define FULL\n";
+        tiles = {gl::Program(shaders_, {"dust_see.comp"}, text),
+                 gl::Program(shaders_, {"dust_list.comp"}, text),
+                 gl::Program(shaders_, {"dust_sum.comp"}, text)};
+    }
+    computes_ = true;
+}
+
+gl::Program& DustPass::puffsFor(bool full) {
+    gl::Program& program = puffs_[{full, kind_}];
     if (program.id() == 0)
-        program =
-            gl::Program(shaders_, {"dust.vert", "dust.frag"}, defines(kind) + (full ? "#define FULL\n" : ""));
+        program = gl::Program(shaders_, {"dust.vert", "dust.frag"},
+                              defines(kind_) + (full ? "#define FULL\n" : ""));
     return program;
 }
 
@@ -78,11 +108,45 @@ void DustPass::castShadows(const FractureMesh* mesh) {
     shadow_sums_->texture.bind(kDustShadowUnit);
 }
 
-void DustPass::addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Program& program, int part) {
+void DustPass::tell(gl::Program& program, const FrameView& view, int part) {
     const auto& colour = view.look.dust_colour;
     program.set(kDust, glm::vec4(colour[0], colour[1], colour[2], 1 / (kLumpWaves * view.look.noise_scale)));
     program.set(kPixels, static_cast<float>(part));
-    run(program, mesh, *sums_);
+}
+
+void DustPass::makeRoom(size_t puffs, size_t squares) {
+    if (seen_.size() != puffs * kSeenPuffBytes) {
+        seen_ = gl::Buffer::immutable(puffs * kSeenPuffBytes);
+        boxes_ = gl::Buffer::immutable(puffs * kBoxBytes);
+    }
+    const size_t lists = squares * (puffs + 1) * sizeof(GLuint);
+    if (lists_.size() != lists) lists_ = gl::Buffer::immutable(lists);
+}
+
+void DustPass::compute(const FractureMesh& mesh, const FrameView& view, Tiles& tiles) {
+    const gl::Buffer& puffs = mesh.stream(StreamId::kPuffs);
+    const gl::Texture& sums = sums_->texture;
+    const Squares squares = squaresOf(sums.width(), sums.height());
+    makeRoom(puffs.size() / kPuffBytes, static_cast<size_t>(squares.count()));
+    bindStorage(StorageBinding::kPuffs, puffs);
+    bindStorage(StorageBinding::kEffectCommands, mesh.stream(StreamId::kEffectCommands));
+    bindStorage(StorageBinding::kSeenPuffs, seen_);
+    bindStorage(StorageBinding::kPuffBoxes, boxes_);
+    bindStorage(StorageBinding::kPuffLists, lists_);
+    glBindImageTexture(0, sums.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+    tell(tiles.sum, view, kFullPart);
+    tiles.see.set(kPixels, static_cast<float>(kFullPart));
+    const auto run = [&](gl::Program& program, int columns, int rows, GLbitfield barrier) {
+        program.set(kSquares, glm::ivec4(sums.width(), sums.height(), squares.side, squares.columns));
+        program.use();
+        glDispatchCompute(static_cast<GLuint>(columns), static_cast<GLuint>(rows), 1);
+        glMemoryBarrier(barrier);
+    };
+    run(tiles.see, static_cast<int>((puffs.size() / kPuffBytes + kGroup - 1) / kGroup), 1,
+        GL_SHADER_STORAGE_BARRIER_BIT);
+    run(tiles.list, squares.count(), 1, GL_SHADER_STORAGE_BARRIER_BIT);
+    run(tiles.sum, (sums.width() + kTile - 1) / kTile, (sums.height() + kTile - 1) / kTile,
+        GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const RenderTargets& targets,
@@ -91,10 +155,16 @@ void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const Rend
     const bool full = nearest_depth != nullptr;
     const int part = full ? kFullPart : kDraftPart;
     fit((targets.width + part - 1) / part, (targets.height + part - 1) / part);
-    beginSums();
     (full ? *nearest_depth : targets.depth).bind(kSolidUnit);
-    addPuffs(*mesh, view, puffsFor(targets, full), part);
-    glDisable(GL_BLEND);
+    if (full && computes_) {
+        compute(*mesh, view, tiles_.at(kind_));
+    } else {
+        beginSums();
+        gl::Program& program = puffsFor(full);
+        tell(program, view, part);
+        run(program, *mesh, *sums_);
+        glDisable(GL_BLEND);
+    }
     sums_->texture.bind(kSumUnit);
 }
 

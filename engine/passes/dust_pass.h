@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/gl/buffer.h"
 #include "engine/gl/framebuffer.h"
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
@@ -20,8 +21,9 @@ namespace demolish::engine {
 class DustPass {
   public:
     explicit DustPass(const std::filesystem::path& shaders);
-    /// For the frames to come.
-    void prepare(const PictureKind& kind) { kind_ = kind; }
+    /// For the frames to come. `computes`: the sums of full pictures are computed rather than drawn. Throws
+    /// gl::GlError where the driver refuses to.
+    void prepare(const PictureKind& kind, const RenderTargets& targets, bool computes);
     /// What dust of this frame leaves of the sun, for all that asks the shadow map: of `mesh` (null: none, as
     /// in drafts). Binds unit 11, as shaders/common/dust_shadow.glsl has it.
     void castShadows(const FractureMesh* mesh);
@@ -36,9 +38,15 @@ class DustPass {
         gl::Texture texture;
         gl::Framebuffer framebuffer;
     };
+    /// Those that compute.
+    struct Tiles {
+        gl::Program see, list, sum;
+    };
     void fit(int width, int height);
-    gl::Program& puffsFor(const RenderTargets& targets, bool full);
-    void addPuffs(const FractureMesh& mesh, const FrameView& view, gl::Program& program, int part);
+    gl::Program& puffsFor(bool full);
+    static void tell(gl::Program& program, const FrameView& view, int part);
+    void makeRoom(size_t puffs, size_t squares);
+    void compute(const FractureMesh& mesh, const FrameView& view, Tiles& tiles);
     /// All puffs, into sums that are 0 before.
     void run(const gl::Program& program, const FractureMesh& mesh, const Sums& sums);
 
@@ -46,6 +54,9 @@ class DustPass {
     gl::Program shadows_;
     gl::Texture nothing_;
     std::map<std::pair<bool, PictureKind>, gl::Program> puffs_;  ///< by fullness; made when first needed
+    std::map<PictureKind, Tiles> tiles_;                         ///< likewise
+    gl::Buffer seen_, boxes_, lists_;                            ///< of the puffs of a frame, computed
+    bool computes_ = false;
     std::optional<Sums> sums_, shadow_sums_;
     PictureKind kind_;
     gl::VertexArray no_attributes_;

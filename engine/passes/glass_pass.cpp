@@ -14,7 +14,6 @@ namespace {
 constexpr GLint kNoise = 0, kFirst = 1, kFrost = 1, kWalkNoise = 20, kScattered = 0;
 constexpr GLuint kLayerUnit = 3, kOpaqueUnit = 7, kShadowUnit = 14, kSceneUnit = 15;
 constexpr GLuint kCausticsUnit = 20;
-constexpr int kShadowLevels = 5;
 constexpr float kNoEnd = -1000;  ///< shaders/common/glass_ends.glsl
 
 int acrossFor(const RenderTargets& targets) {
@@ -43,7 +42,8 @@ bool GlassPass::readyToFind(const FractureMesh& mesh, const RenderTargets& targe
 void GlassPass::makeShadowTargets(bool draft) {
     constexpr int kTexels = GlassRaster::kSumTexels;
     if (!shadow_sums_) {
-        shadow_sums_ = gl::Texture::make2d(GL_RG32F, kTexels, kTexels, kShadowLevels);
+        shadow_sums_ =
+            gl::Texture::make2d(GL_RG32F, kTexels, kTexels, static_cast<int>(GlassRaster::kSumLevels));
         shadow_sums_.setFilter(GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR);
         shadow_target_ = gl::Framebuffer({&shadow_sums_}, nullptr);
     }
@@ -70,7 +70,6 @@ void GlassPass::castShadow(BodyGeometry& body, const FractureMesh& mesh, const g
             raster_->castSums(mesh, hidden, scattered, shadow_sums_, shadow_ends_);
         else
             drawShadow(body, mesh, hidden, scattered, !draft);
-        glGenerateTextureMipmap(shadow_sums_.id());
         if (bent) caustics_->cast(shadow_sums_, shadow_ends_);
     }
     shadow_sums_.bind(kShadowUnit);
@@ -99,6 +98,7 @@ void GlassPass::drawShadow(BodyGeometry& body, const FractureMesh& mesh, uint32_
     body.drawInterior(mesh);
     glBlendEquationi(1, GL_FUNC_ADD);
     glDisable(GL_BLEND);
+    glGenerateTextureMipmap(shadow_sums_.id());
 }
 
 GLuint GlassPass::scene(const RenderTargets& targets) {

@@ -103,6 +103,9 @@ void GlassRaster::castSums(const FractureMesh& mesh, uint32_t hidden_looks, floa
     TriangleRaster::runLarge(casting_, false);
     glBindImageTexture(0, sums.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
     glBindImageTexture(1, ends.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RG32F);
+    for (GLuint level = 1; level < kSumLevels; ++level)
+        glBindImageTexture(1 + level, sums.id(), static_cast<GLint>(level), GL_FALSE, 0, GL_WRITE_ONLY,
+                           GL_RG32F);
     show_sums_.use();
     glDispatchCompute(gl::tilesAlong(kSumTexels), gl::tilesAlong(kSumTexels), 1);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT |

@@ -17,6 +17,7 @@ class GlassRaster {
     static constexpr int kKept = 5;
     /// Of the sun's view, along.
     static constexpr int kSumTexels = 1024;
+    static constexpr GLuint kSumLevels = 4;
 
     /// `task_room`: as TriangleRaster's. Throws GlError.
     GlassRaster(const std::filesystem::path& shaders, size_t task_room);
@@ -31,8 +32,8 @@ class GlassRaster {
     /// Faces before the depth of `targets`; `hidden_looks`: kHiddenLooks.
     void find(const FractureMesh& mesh, const RenderTargets& targets, int across, uint32_t hidden_looks);
     /// Adds up what these bodies take from the sun (shaders/common/glass_tint.glsl) into RG32F `sums`,
-    /// kSumTexels along, and the ends of its way (shaders/common/glass_ends.glsl) into `ends`, which is like
-    /// it. `scattered`: by a broken face, minus the logarithm of what is left.
+    /// kSumTexels along and kSumLevels deep, and the ends of its way (shaders/common/glass_ends.glsl) into
+    /// `ends`, which is like it. `scattered`: by a broken face, minus the logarithm of what is left.
     void castSums(const FractureMesh& mesh, uint32_t hidden_looks, float scattered, const gl::Texture& sums,
                   const gl::Texture& ends);
     /// For a pass that reads the faces. It leaves them empty (forgetFaces()).

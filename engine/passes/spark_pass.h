@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "engine/gl/buffer.h"
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
 #include "engine/passes/picture_kind.h"
@@ -15,7 +16,7 @@ namespace demolish::engine {
 
 class SparkPass {
   public:
-    explicit SparkPass(const std::filesystem::path& shaders) : shaders_(shaders) {}
+    explicit SparkPass(const std::filesystem::path& shaders);
     /// For the frames to come.
     void prepare(const PictureKind& kind, const Opening& opening) {
         kind_ = kind;
@@ -26,11 +27,15 @@ class SparkPass {
               GLuint framebuffer);
 
   private:
+    /// Finds the grains that glow. Returns of how many groups they are.
+    GLsizei list(const FractureMesh& mesh);
     std::filesystem::path shaders_;
+    gl::Program list_;
+    gl::Buffer ids_, commands_;
     std::map<std::pair<bool, PictureKind>, gl::Program> programs_;  ///< by fullness; made when first needed
     PictureKind kind_;
     Opening opening_;
-    gl::VertexArray no_attributes_;
+    gl::VertexArray layout_;
 };
 
 }  // namespace demolish::engine

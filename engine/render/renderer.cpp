@@ -24,17 +24,16 @@
 #include "engine/passes/sphere_pass.h"
 #include "engine/passes/surface_pass.h"
 #include "engine/platform/gl_context.h"
-#include "engine/render/cell_volume.h"
-#include "engine/render/noise_volume.h"
 #include "engine/render/render_targets.h"
 #include "engine/render/seen_mesh.h"
+#include "engine/render/shading_volumes.h"
 #include "engine/render/shadow_scene.h"
 #include "engine/render/shown.h"
 
 namespace demolish::engine {
 namespace {
 
-constexpr GLuint kFrameBlock = 0, kNoiseUnit = 2, kCellUnit = 13;
+constexpr GLuint kFrameBlock = 0;
 constexpr float kEmptyDepth = 0.0f;  // reversed
 
 int shadowMapSize(RenderQuality quality) {
@@ -64,18 +63,7 @@ struct Renderer::Passes {
           glass(shaders, task_count),
           glow(shaders),
           eraser(shaders, kEmptyDepth),
-          noise(makeNoiseVolume()),
-          frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {
-        draft_noise.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
-        draft_noise.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    }
-
-    /// Bound as shaders/common/solid_texture.glsl has it.
-    void bindSolid(SolidTexture texture) {
-        if (texture < SolidTexture::kCrystals) return;
-        if (!cells) cells = makeCellVolume();
-        cells.bind(kCellUnit);
-    }
+          frame_block(gl::Buffer::immutable(sizeof(FrameUniforms), nullptr, GL_DYNAMIC_STORAGE_BIT)) {}
 
     void uploadFrame(const FractureMesh* mesh, const FrameView& view) {
         frame = makeFrameUniforms(view, shadowMapSize(view.quality));
@@ -88,7 +76,6 @@ struct Renderer::Passes {
         with_looks = showsModelLooks(mesh, view);
         if (with_looks) mesh->looks()->bind();
         kind.glow = with_looks && mesh->looks()->glows();
-        dust.prepare(kind);
         sparks.prepare(kind, view.opening);
         PictureKind lit = kind;
         lit.radiance = lit.radiance || kind.glass;  // glass mixes light, and comes after
@@ -101,6 +88,7 @@ struct Renderer::Passes {
     bool computes(const FractureMesh* mesh, const FrameView& view);
     template <class Prepare>
     bool unlessRefused(Prepare prepare);
+    void prepareDust(const FractureMesh* mesh, const FrameView& view);
     ShadowScene shadowScene(const FractureMesh* mesh, const FrameView& view) const {
         return shadowSceneOf(mesh, view, near, sphere_draws, frame);
     }
@@ -142,8 +130,7 @@ struct Renderer::Passes {
     std::optional<ComputedRaster> computed;  ///< made when first needed
     std::string refusal;
     DepthEraser eraser;
-    gl::Texture noise, cells;  ///< the second: made when first needed
-    gl::Sampler draft_noise;   ///< half the texels: software renderers feel it in every pixel
+    ShadingVolumes volumes;
     gl::Buffer frame_block;
     FrameUniforms frame{};
     PictureKind kind;  ///< of the frame being drawn, as the next
@@ -183,6 +170,12 @@ bool Renderer::Passes::unlessRefused(Prepare prepare) {
         refusal = problem.what();
         return false;
     }
+}
+
+void Renderer::Passes::prepareDust(const FractureMesh* mesh, const FrameView& view) {
+    const auto ready = [&](bool computes) { return dust.prepare(kind, *targets, computes), true; };
+    const bool may = showsDust(mesh, view) && mayCompute(view, in_software);
+    if (!may || !unlessRefused([&] { return ready(true); })) ready(false);
 }
 
 void Renderer::Passes::drawShadowMap(const FractureMesh* mesh, const FrameView& view) {
@@ -348,11 +341,10 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.clock.begin();
     if (fitTargets(p.targets, view)) p.eraser.forget();
     p.uploadFrame(mesh, view);
+    p.prepareDust(mesh, view);
     p.sphere_draws = spheres;
     p.spheres.setSpheres(spheres);
-    p.noise.bind(kNoiseUnit);
-    for (const SurfaceLook& look : looksOf(view)) p.bindSolid(look.texture);
-    if (view.quality == RenderQuality::kDraft) p.draft_noise.bind(kNoiseUnit);
+    p.volumes.bind(view);
     p.clock.mark("uploads");
     p.near = p.relief.find(mesh, view, p.frame, p.in_software);
     p.clock.mark("relief");
@@ -363,7 +355,7 @@ void Renderer::draw(const FractureMesh* mesh, std::span<const SphereDraw> sphere
     p.sphere_draws = {};
     p.clock.end();
     glBindFramebuffer(GL_FRAMEBUFFER, target_framebuffer);
-    glBindSampler(kNoiseUnit, 0);
+    ShadingVolumes::unbind();
     glBindVertexArray(0);
     glUseProgram(0);
     gl::throwIfError("Drawing a frame");

@@ -15,12 +15,12 @@ layout(binding = 4) uniform sampler2D depth_buffer;
 #endif
 layout(location = 1) uniform float pixels;  // of the picture, along one of what is drawn into
 
-// m along the view axis to what a ray meets.
-float solidAlong(vec3 ray) {
+// m along the view axis to what a ray through `at` (px of the picture) meets.
+float solidAlong(vec2 at, vec3 ray) {
 #ifdef FULL
-    return texelFetch(nearest_depth, ivec2(gl_FragCoord.xy * pixels * 0.5), 0).r;
+    return texelFetch(nearest_depth, ivec2(at * 0.5), 0).r;
 #else
-    float depth = texelFetch(depth_buffer, ivec2(min(gl_FragCoord.xy * pixels, frame.viewport.xy - 1.0)), 0).r;
+    float depth = texelFetch(depth_buffer, ivec2(min(at, frame.viewport.xy - 1.0)), 0).r;
     float along = min(depth > 0.0 ? linearDepth(depth) : kNoFloor, floorAlong(ray));
 #ifdef COLLIDERS
     along = min(along, nearestCollider(ray).enter);

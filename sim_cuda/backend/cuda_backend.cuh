@@ -22,8 +22,10 @@ namespace demolish {
 
 inline constexpr unsigned kCudaBlock = 128;
 
+/// __grid_constant__, here and below: what takes an address of it finds it in place. A copy on the stack, of
+/// which some would need more than a kibibyte a thread, made every launch wait for memory.
 template <class Kernel>
-__global__ void __launch_bounds__(kCudaBlock) runForEach(uint32_t n, Kernel kernel) {
+__global__ void __launch_bounds__(kCudaBlock) runForEach(uint32_t n, const __grid_constant__ Kernel kernel) {
     letNextStart();
     awaitPrevious();
     const uint32_t i = blockIdx.x * kCudaBlock + threadIdx.x;
@@ -33,7 +35,7 @@ __global__ void __launch_bounds__(kCudaBlock) runForEach(uint32_t n, Kernel kern
 /// One block folds one chunk, in the order of reduction.h.
 template <class T, class Map, class Fold>
 __global__ void __launch_bounds__(kReductionChunk)
-    runReduce(uint32_t n, T zero, Map map, Fold fold, T* partial) {
+    runReduce(uint32_t n, T zero, const __grid_constant__ Map map, Fold fold, T* partial) {
     __shared__ alignas(T) unsigned char memory[kReductionChunk * sizeof(T)];
     letNextStart();
     awaitPrevious();

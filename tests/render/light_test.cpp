@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/passes/collider_pass.h"
 #include "engine/render/frame_uniforms.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
@@ -144,6 +145,18 @@ TEST_F(LightTest, APlaneCastsShadowFromItsLitSide) {
         EXPECT_GT(face, 1000u);
         EXPECT_EQ(jumps, 0u);
     }
+}
+
+/// So that the walls of a room cost no time in the shadow map; one that leans does, as above.
+TEST_F(LightTest, AnUprightPlaneCastsNone) {
+    ColliderDraw wall, box;
+    wall.shape = ColliderShape::kPlane;
+    ColliderDraw leaning = wall;
+    leaning.rotation = glm::angleAxis(-0.1f, glm::vec3(1, 0, 0));
+    ColliderPass pass(shaderFolder());
+    pass.setColliders(std::vector{wall, box, leaning});
+    EXPECT_EQ(pass.count(), 3u);
+    EXPECT_EQ(pass.casters(), 2u);
 }
 
 /// The block's shadow falls onto a step behind it as well.
