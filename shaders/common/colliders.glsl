@@ -56,7 +56,7 @@ Crossing crossCapsule(vec3 from, vec3 ray, float radius, float line) {
     return whole;
 }
 
-const float kPlane = 1.0, kSphere = 2.0;
+const float kBox = 0.0, kPlane = 1.0, kSphere = 2.0;
 
 Crossing crossCollider(uint c, vec3 from, vec3 ray) {
     mat3 axes = mat3(colliders[c].axis[0].xyz, colliders[c].axis[1].xyz, colliders[c].axis[2].xyz);

@@ -88,7 +88,7 @@ vec4 lit(ivec2 pixel, int i) {
         s = surfaceAt(pixel, i, position);
 #ifdef COLLIDERS
     } else if (kind == kCollider) {
-        s = colliderSurface(position, face.xyz, colliders[uint(face.w)].colour, along);
+        s = shapeSurface(position, face.xyz, uint(face.w), along);
         withoutGlow(s);
 #endif
     } else {

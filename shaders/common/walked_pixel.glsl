@@ -73,7 +73,7 @@ vec4 sceneSeen(vec3 from, vec3 way, float reach, vec2 pixel) {
     Crossing solid = firstCollider(from, way);
     if (solid.enter < kNoCollider && (!to_floor || solid.enter < -from.y / way.y)) {
         vec3 at = from + solid.enter * way;
-        Surface s = colliderSurface(at, solid.normal, colliders[solid.solid].colour, length(at - frame.eye.xyz));
+        Surface s = shapeSurface(at, solid.normal, solid.solid, length(at - frame.eye.xyz));
         return vec4(throughAir(shade(s, 1.0, pixel), at), 1.0);
     }
 #endif

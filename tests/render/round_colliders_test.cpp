@@ -57,6 +57,43 @@ Scene sceneOf(const ColliderDraw& solid) {
     return scene;
 }
 
+/// Means of the brightness of a face at y = `height`, near its sides and away from them; it is a square of
+/// half side `half` about the y axis.
+struct FaceLight {
+    double rim = 0, inside = 0;
+};
+FaceLight faceLight(const Scene& scene, const Image& picture, float height, float half) {
+    double rim = 0, inside = 0;
+    size_t rims = 0, insides = 0;
+    for (int y = 0; y < scene.view.height; ++y)
+        for (int x = 0; x < scene.view.width; ++x) {
+            const Ray ray = pixelRay(scene.view.camera, scene.view.width, scene.view.height,
+                                     static_cast<float>(x), static_cast<float>(y));
+            const glm::vec3 at = ray.origin + (height - ray.origin.y) / ray.direction.y * ray.direction;
+            const float from_side = half - std::max(std::abs(at.x), std::abs(at.z));
+            if (from_side < 0.004f) continue;
+            const uint8_t* p = picture.at(x, y);
+            const double light = (p[0] + p[1] + p[2]) / 3.0;
+            if (from_side < 0.012f) rim += light, ++rims;
+            if (from_side > 0.1f) inside += light, ++insides;
+        }
+    return {rim / static_cast<double>(rims), inside / static_cast<double>(insides)};
+}
+
+/// Where a box ends its stone is worn, so that it is no knife. The same places of a larger one lie within.
+TEST_F(RoundColliders, EdgesOfABoxAreWorn) {
+    ColliderDraw box;
+    box.half_size = {0.5f, 0.2f, 0.5f};
+    box.position = {0, 0.2f, 0};
+    const Scene small = sceneOf(box);
+    box.half_size = {0.6f, 0.2f, 0.6f};
+    const Scene large = sceneOf(box);
+    const FaceLight worn = faceLight(small, drawPicture(renderer(), small), 0.4f, 0.5f);
+    const FaceLight whole = faceLight(large, drawPicture(renderer(), large), 0.4f, 0.5f);
+    EXPECT_NEAR(worn.inside, whole.inside, 1);
+    EXPECT_GT(std::abs(worn.rim - whole.rim), 5) << worn.rim << ", " << whole.rim;
+}
+
 TEST_F(RoundColliders, FillTheirSilhouettesAndNothingElse) {
     for (const ColliderDraw& solid : {ball(), rod()}) {
         const Scene scene = sceneOf(solid);
