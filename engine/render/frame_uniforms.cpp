@@ -92,11 +92,11 @@ glm::vec4 shadowSizes(const ShadowRegion& region, int texels) {
     return {2 * region.radius / count, 1 / count, 2 * region.radius, region.depth};
 }
 
-/// Light of the sunlit floor seen from below, as a diffuse reflector that what stands on it shades.
+/// Light of the sunlit floor seen from below, as a diffuse reflector. Occlusion takes off what stands before
+/// it and what stands on it shades.
 glm::vec3 floorBounce(const Lighting& light, glm::vec3 to_sun) {
-    constexpr float kUnshaded = 0.8f;
     const glm::vec3 sky = evaluate(surroundingsOf(light).above, {0, 1, 0});
-    return kUnshaded * light.floor_colour * (light.sun_colour * std::max(to_sun.y, 0.0f) + sky);
+    return light.floor_colour * (light.sun_colour * std::max(to_sun.y, 0.0f) + sky);
 }
 
 void putLight(const FrameView& view, glm::vec3 to_sun, FrameUniforms& frame) {
