@@ -6,8 +6,8 @@ layout(local_size_x = 256) in;
 #define GRAIN_BINDING 2
 #include "common/grain.glsl"
 layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
-layout(std430, binding = 19) writeonly buffer SparkIds { uint spark_ids[]; };              // from the group's first place on
-layout(std430, binding = 20) writeonly buffer SparkCommands { uvec4 spark_commands[]; };   // of a group, as glDrawArraysIndirect
+layout(std430, binding = 8) writeonly buffer SparkIds { uint spark_ids[]; };              // from the group's first place on
+layout(std430, binding = 9) writeonly buffer SparkCommands { uvec4 spark_commands[]; };   // of a group, as glDrawArraysIndirect
 const uint kGroup = 2048u, kRounds = kGroup / gl_WorkGroupSize.x;  // as engine/passes/spark_pass.cpp
 shared uint glowing[kGroup / 32u];
 

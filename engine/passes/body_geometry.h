@@ -42,9 +42,9 @@ enum class StorageBinding : GLuint {
     kNearCells = 16,
     kNearIndices = 17,
     kNearVertices = 18,
-    // Of the pass that draws sparks.
-    kSparkIds = 19,
-    kSparkCommands = 20,
+    // Of the pass that draws sparks, the last.
+    kSparkIds = 8,
+    kSparkCommands = 9,
     // Of the passes that make near faces.
     kCellSpheres = 4,
     kReliefSums = 8,

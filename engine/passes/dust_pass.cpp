@@ -23,6 +23,12 @@ constexpr size_t kPuffBytes = 32, kSeenPuffBytes = 80, kBoxBytes = 8;
 /// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
 constexpr float kLumpWaves = 22;
 
+bool hasRoomToBind() {
+    GLint bindings = 0;
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+    return bindings >= static_cast<GLint>(StorageBinding::kCount);
+}
+
 struct Squares {
     int side, columns, rows;
     int count() const { return columns * rows; }
@@ -54,8 +60,8 @@ DustPass::DustPass(const std::filesystem::path& shaders)
 void DustPass::prepare(const PictureKind& kind, const RenderTargets& targets, bool computes) {
     kind_ = kind;
     kind_.samples = targets.samples;
-    computes_ = false;
-    if (!computes) return;
+    computes_ = computes && hasRoomToBind();
+    if (!computes_) return;
     Tiles& tiles = tiles_[kind_];
     if (tiles.sum.id() == 0) {
         const std::string text = defines(kind_) + "#define FULL\n";
@@ -63,7 +69,6 @@ void DustPass::prepare(const PictureKind& kind, const RenderTargets& targets, bo
                  gl::Program(shaders_, {"dust_list.comp"}, text),
                  gl::Program(shaders_, {"dust_sum.comp"}, text)};
     }
-    computes_ = true;
 }
 
 gl::Program& DustPass::puffsFor(bool full) {
