@@ -10,6 +10,12 @@ constexpr GLuint kNormalOffset = 12, kPlaceOffset = 16, kCellOffset = 20;
 
 }  // namespace
 
+bool hasAllBindings() {
+    GLint bindings = 0;
+    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+    return bindings >= static_cast<GLint>(StorageBinding::kCount);
+}
+
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer) {
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, static_cast<GLuint>(binding), buffer.id());
 }

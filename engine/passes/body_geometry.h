@@ -53,6 +53,8 @@ enum class StorageBinding : GLuint {
 /// Of these in one compute shader.
 inline constexpr GLint kMostStorageBlocks = 16;
 
+/// The driver has all of the places above.
+bool hasAllBindings();
 void bindStorage(StorageBinding binding, const gl::Buffer& buffer);
 void bindNear(const NearFaces& near);
 

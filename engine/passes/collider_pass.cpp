@@ -37,7 +37,7 @@ bool castsShadow(const ColliderDraw& draw) {
     return draw.shape != ColliderShape::kPlane || std::abs(glm::mat3_cast(draw.rotation)[2].y) > kUpright;
 }
 
-Block::Collider placed(const ColliderDraw& from) {
+Block::Collider packed(const ColliderDraw& from) {
     Block::Collider to;
     const glm::mat3 axes = glm::mat3_cast(from.rotation);
     for (int k = 0; k < 3; ++k) to.axis[k] = glm::vec4(axes[k], from.half_size[k]);
@@ -87,7 +87,7 @@ void ColliderPass::setColliders(std::span<const ColliderDraw> colliders) {
     const auto place = [&](bool casts) {
         for (const ColliderDraw& from : colliders)
             if (from.triangles == nullptr && castsShadow(from) == casts && count_ < kMostColliders)
-                block.colliders[count_++] = placed(from);
+                block.colliders[count_++] = packed(from);
     };
     place(true);
     casters_ = count_;

@@ -17,7 +17,6 @@ constexpr GLuint kShadowViews = 3;                 // the camera and two regions
 
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kCrackGroups = 4096, kBallGroups = 64, kGritGroups = 2048, kColliderGroups = 256;
-constexpr GLint kBindings = static_cast<GLint>(StorageBinding::kCount);
 
 /// Of 8 x 8 px, to be lit.
 size_t tilesOf(int width, int height) {
@@ -57,14 +56,13 @@ ComputedRaster::Programs& ComputedRaster::programsFor(const RenderTargets& targe
 }
 
 bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int samples) {
-    GLint bindings = 0, blocks = 0;
+    GLint blocks = 0;
     GLint64 bytes = 0;
-    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const size_t largest = std::max(16 * visibleFours(width, height, samples),
                                     TriangleRaster::foundBytes(mesh, tilesOf(width, height)));
-    return bindings >= kBindings && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
+    return hasAllBindings() && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
 }
 
 void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& targets, int shadow_texels) {

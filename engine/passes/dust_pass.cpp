@@ -23,12 +23,6 @@ constexpr size_t kPuffBytes = 32, kSeenPuffBytes = 80, kBoxBytes = 8;
 /// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
 constexpr float kLumpWaves = 22;
 
-bool hasRoomToBind() {
-    GLint bindings = 0;
-    glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
-    return bindings >= static_cast<GLint>(StorageBinding::kCount);
-}
-
 struct Squares {
     int side, columns, rows;
     int count() const { return columns * rows; }
@@ -60,7 +54,7 @@ DustPass::DustPass(const std::filesystem::path& shaders)
 void DustPass::prepare(const PictureKind& kind, const RenderTargets& targets, bool computes) {
     kind_ = kind;
     kind_.samples = targets.samples;
-    computes_ = computes && hasRoomToBind();
+    computes_ = computes && hasAllBindings();
     if (!computes_) return;
     Tiles& tiles = tiles_[kind_];
     if (tiles.sum.id() == 0) {

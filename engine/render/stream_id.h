@@ -27,8 +27,8 @@ enum class StreamId : uint32_t {
 /// Places of the commands in that stream.
 inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
 inline constexpr size_t kDrawCommandBytes = 20;
-/// The same of the effects.
-inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1, kSparkCommand = 2;
+/// The same of the effects. The third, of sparks, only says among how many grains they are listed.
+inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1;
 inline constexpr size_t kEffectCommandBytes = 16, kEffectCommandCount = 3;
 
 }  // namespace demolish::engine

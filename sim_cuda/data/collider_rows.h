@@ -8,7 +8,10 @@
 
 namespace demolish {
 
-enum class ColliderShape : uint32_t;  // colliders.h
+/// What the rows of a collider say. Plane: (unit normal; offsetOf). Box: three times (unit axis; halfEdgeOf),
+/// then (centre in m; 0). Round, a capsule: (one end in m; radiusOf), (to the other end in m; shareOf); a
+/// sphere is one without length. Mesh: a box about it; the last number is stepOf.
+enum class ColliderShape : uint32_t { kPlane, kBox, kRound, kMesh };
 
 /// A collider from a point: the plane that touches it where it is nearest to that point.
 template <class Real>
@@ -35,19 +38,34 @@ struct Approach {
 /// One collider: its shape and four rows.
 template <class Real>
 struct ColliderRows {
-    ColliderShape shape{};
+    ColliderShape shape = ColliderShape::kPlane;
     uint32_t counts = 0;      ///< of a mesh: packedCounts()
     Real margin{};            ///< m, of a mesh: by which its grid reaches beyond the box of the rows
     Span<const float> steps;  ///< of a mesh: DistanceNodes::steps
     Vec4<Real> row[4];        ///< as ColliderShape says
 };
 
+/// m, of a plane: dot(normal, x) of its points.
+template <class Real>
+DEM_FN Real offsetOf(const Vec4<Real>& plane) {
+    return plane.w;
+}
+/// m, of a sphere or a capsule.
+template <class Real>
+DEM_FN Real radiusOf(const Vec4<Real>& centre) {
+    return centre.w;
+}
+/// 1/m^2, of a capsule: 1 over the square of its line.
+template <class Real>
+DEM_FN Real shareOf(const Vec4<Real>& line) {
+    return line.w;
+}
+
 /// m, of a box along an axis.
 template <class Real>
 DEM_FN Real halfEdgeOf(const Vec4<Real>& axis) {
     return axis.w;
 }
-
 /// m, between nodes of a mesh's grid.
 template <class Real>
 DEM_FN Real stepOf(const Vec4<Real>& centre) {

@@ -12,27 +12,6 @@
 
 namespace demolish {
 
-/// What the rows of a collider say. Plane: (unit normal; offsetOf). Box: three times (unit axis; halfEdgeOf),
-/// then (centre in m; 0). Sphere: (centre in m; radiusOf). Capsule: (one end in m; radiusOf), (to the other
-/// end in m; shareOf). Mesh: a box about it; the last number is stepOf.
-enum class ColliderShape : uint32_t { kPlane, kBox, kRound, kMesh };
-
-/// m, of a plane: dot(normal, x) of its points.
-template <class Real>
-DEM_FN Real offsetOf(const Vec4<Real>& plane) {
-    return plane.w;
-}
-/// m, of a sphere or a capsule.
-template <class Real>
-DEM_FN Real radiusOf(const Vec4<Real>& centre) {
-    return centre.w;
-}
-/// 1/m^2, of a capsule: 1 over the square of its line.
-template <class Real>
-DEM_FN Real shareOf(const Vec4<Real>& line) {
-    return line.w;
-}
-
 /// `high` + `low`: the point (data/particles.h), m; likewise in what follows.
 template <class Real>
 DEM_FN TangentPlane<Real> tangentOfPlane(const Vec4<Real>& plane, const Vec3<Real>& high,

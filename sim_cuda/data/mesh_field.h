@@ -77,19 +77,6 @@ DEM_FN Vec4<Real> fieldAt(const ColliderRows<Real>& rows, const GridPlace<Real>&
     return trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
 }
 
-/// Steps by which the distance in a cell is less than at one of its nodes, at most: the diagonal, and what a
-/// grid is inexact by.
-inline constexpr double kNodeSlack = 2;
-
-/// m, so far is a point from a mesh at least, by one number of the grid in place of eight; beyond the grid 0.
-template <class Real>
-DEM_APART Real leastDistanceToMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
-                                   Handed<Vec3<Real>> low) {
-    const GridPlace<Real> at = gridPlace(rows, high, low);
-    const Real steps = isWithin(at) ? Real(rows.steps[at.first]) - Real(kNodeSlack) : Real(0);
-    return stepOf(rows.row[3]) * maxOf(steps, Real(0));
-}
-
 /// Within the grid the interpolated distance and the way in which it grows; beyond it, from the surface point
 /// that is nearest as seen from the grid's rim.
 template <class Real>
