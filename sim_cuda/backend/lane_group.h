@@ -18,25 +18,10 @@ struct LaneGroup {
     DEM_FN bool leads() const { return kLanes == 1 || lane == 0; }
 
 #if defined(__CUDA_ARCH__)
-    /// That of lane `other`.
+    /// That of the lane whose number differs in bit `bit`.
     template <class T>
-    __device__ __forceinline__ T from(uint32_t other, T value) const {
-        if constexpr (kLanes > 1) return __shfl_sync(mask(), value, static_cast<int>(other), kLanes);
-        return value;
-    }
-    /// Bits that are set in any.
-    __device__ __forceinline__ uint32_t united(uint32_t bits) const {
-        for (uint32_t step = kLanes / 2; step > 0; step /= 2)
-            bits |= __shfl_xor_sync(mask(), bits, static_cast<int>(step), kLanes);
-        return bits;
-    }
-    template <class T>
-    __device__ __forceinline__ T least(T value) const {
-        for (uint32_t step = kLanes / 2; step > 0; step /= 2) {
-            const T other = __shfl_xor_sync(mask(), value, static_cast<int>(step), kLanes);
-            value = other < value ? other : value;
-        }
-        return value;
+    __device__ __forceinline__ T across(uint32_t bit, T value) const {
+        return __shfl_xor_sync(mask(), value, static_cast<int>(bit), kLanes);
     }
 
   private:
@@ -45,14 +30,7 @@ struct LaneGroup {
     }
 #else
     template <class T>
-    T from(uint32_t, T value) const {
-        return value;
-    }
-    uint32_t united(uint32_t bits) const {
-        return bits;
-    }
-    template <class T>
-    T least(T value) const {
+    T across(uint32_t, T value) const {
         return value;
     }
 #endif

@@ -41,6 +41,7 @@ struct ColliderRows {
     ColliderShape shape = ColliderShape::kPlane;
     uint32_t counts = 0;      ///< of a mesh: packedCounts()
     Real margin{};            ///< m, of a mesh: by which its grid reaches beyond the box of the rows
+    Real per_step{};          ///< 1/m, likewise: 1 over stepOf
     Span<const float> steps;  ///< of a mesh: DistanceNodes::steps
     Vec4<Real> row[4];        ///< as ColliderShape says
 };

@@ -121,13 +121,14 @@ Vec4<Real> colliderRow(const Vec3<double>& a, double w) {
 template <class Real>
 ColliderRows<Real> rowsOf(const Plane& plane) {
     const Double3& n = plane.normal;
-    return {ColliderShape::kPlane, 0, 0, {}, {colliderRow<Real>({n.x, n.y, n.z}, plane.offset)}};
+    return {ColliderShape::kPlane, 0, 0, 0, {}, {colliderRow<Real>({n.x, n.y, n.z}, plane.offset)}};
 }
 template <class Real>
 ColliderRows<Real> rowsOf(const Box& box) {
     const auto q = normalized(Quat<double>{box.rotation.x, box.rotation.y, box.rotation.z, box.rotation.w});
     const Double3 &size = box.size, &at = box.position;
     return {ColliderShape::kBox,
+            0,
             0,
             0,
             {},
@@ -138,13 +139,14 @@ ColliderRows<Real> rowsOf(const Box& box) {
 template <class Real>
 ColliderRows<Real> rowsOf(const Sphere& ball) {
     const Double3& at = ball.position;
-    return {ColliderShape::kRound, 0, 0, {}, {colliderRow<Real>({at.x, at.y, at.z}, ball.radius)}};
+    return {ColliderShape::kRound, 0, 0, 0, {}, {colliderRow<Real>({at.x, at.y, at.z}, ball.radius)}};
 }
 template <class Real>
 ColliderRows<Real> rowsOf(const Capsule& rod) {
     const Vec3<double> from{rod.from.x, rod.from.y, rod.from.z}, to{rod.to.x, rod.to.y, rod.to.z};
     const Vec3<double> line = to - from;
     return {ColliderShape::kRound,
+            0,
             0,
             0,
             {},
@@ -170,6 +172,7 @@ ColliderRows<Real> rowsOf(const MeshShape& shape) {
     rows.row[3].w = static_cast<Real>(step);
     rows.counts = packedCounts(n);
     rows.margin = static_cast<Real>(margin);
+    rows.per_step = Real(1) / rows.row[3].w;
     rows.steps = {nodes.steps.data(), nodes.steps.size()};
     return rows;
 }

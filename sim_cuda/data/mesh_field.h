@@ -77,47 +77,46 @@ DEM_FN Vec4<Real> fieldAt(const ColliderRows<Real>& rows, const GridPlace<Real>&
     return trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
 }
 
-/// Within the grid the interpolated distance and the way in which it grows; beyond it, from the surface point
-/// that is nearest as seen from the grid's rim.
+/// At a place in the grid: the way in which the interpolated distance grows, and that, in steps.
 template <class Real>
-DEM_FN Away<Real> awayFromMesh(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
+DEM_FN Away<Real> uphillAt(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
     const Vec4<Real> field = fieldAt(rows, at);
     const Real steep = inverseSqrt(length2(xyz(field)));
-    const Vec3<Real> uphill = steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)};
+    return {steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)}, field.w};
+}
+/// Beyond the grid, from the surface point that is nearest as seen from its rim. `at_rim`: uphillAt(); in m.
+template <class Real>
+DEM_FN Away<Real> beyondRim(const ColliderRows<Real>& rows, const GridPlace<Real>& at,
+                            const Away<Real>& at_rim) {
     const Vec3<Real> beyond{at.x.beyond, at.y.beyond, at.z.beyond};
-    const Vec3<Real> away = axpy(field.w, uphill, beyond);
+    const Vec3<Real> away = axpy(at_rim.distance, at_rim.out, beyond);
     const Real squared = length2(away), inverse = inverseSqrt(squared);
     const bool is_beyond = length2(beyond) > Real(0);
-    return {is_beyond ? inverse * away : uphill,
-            stepOf(rows.row[3]) * (is_beyond ? squared * inverse : field.w)};
+    return {is_beyond ? inverse * away : at_rim.out,
+            stepOf(rows.row[3]) * (is_beyond ? squared * inverse : at_rim.distance)};
 }
-/// m, that of awayFromMesh(), and 0 where that takes a closer look: at the grid's rim and beyond. Most points
-/// near a mesh do not touch it, and need no more. `at`: as for gridPlace().
 template <class Real>
-DEM_FN Real distanceWithinGrid(const ColliderRows<Real>& rows, const Vec3<Real>& at) {
-    const uint32_t nx = rows.counts & 1023, ny = rows.counts >> 10 & 1023, nz = rows.counts >> 20;
-    const bool within = at.x >= Real(0) && at.x < Real(nx - 1) && at.y >= Real(0) && at.y < Real(ny - 1) &&
-                        at.z >= Real(0) && at.z < Real(nz - 1);
-    // No branch: several points are asked for before any answer is waited for.
-    const Vec3<Real> inside = within ? at : Vec3<Real>{};
-    const auto x = static_cast<uint32_t>(inside.x), y = static_cast<uint32_t>(inside.y),
-               z = static_cast<uint32_t>(inside.z);
-    const Vec3<Real> share{inside.x - Real(x), inside.y - Real(y), inside.z - Real(z)};
-    const Real steps = trilinear(rows.steps, (z * ny + y) * nx + x, nx, nx * ny, share).w;
-    return within ? stepOf(rows.row[3]) * steps : Real(0);
+DEM_FN Away<Real> awayFromMesh(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
+    return beyondRim(rows, at, uphillAt(rows, at));
+}
+
+/// From the grid's first node along its axes, in steps: a direction's axis and what is added to it.
+template <class Real>
+DEM_FN Vec3<Real> gridAxis(const ColliderRows<Real>& rows, uint32_t k) {
+    return rows.per_step * xyz(rows.row[k]);
+}
+template <class Real>
+DEM_FN Real gridShift(const ColliderRows<Real>& rows, uint32_t k) {
+    return rows.per_step * (halfEdgeOf(rows.row[k]) + rows.margin);
 }
 
 /// Apart: only what is near a mesh pays for it, also in registers.
 template <class Real>
-DEM_APART TangentPlane<Real> tangentOfMesh(Handed<ColliderRows<Real>> rows, Handed<Vec3<Real>> high,
+DEM_APART TangentPlane<Real> tangentOfMesh(const ColliderRows<Real>& rows, Handed<Vec3<Real>> high,
                                            Handed<Vec3<Real>> low) {
-    const Real per_step = Real(1) / stepOf(rows.row[3]);
-    const Vec3<Real> at = alongAxes(rows.row, (high - xyz(rows.row[3])) + low);
-    const auto steps = [&](Real x, const Vec4<Real>& axis) {
-        return (x + (halfEdgeOf(axis) + rows.margin)) * per_step;
-    };
-    const Vec3<Real> place{steps(at.x, rows.row[0]), steps(at.y, rows.row[1]), steps(at.z, rows.row[2])};
-    const Away<Real> away = awayFromMesh(rows, gridPlace(rows, place));
+    const Vec3<Real> from_begin = (high - xyz(rows.row[3])) + low;
+    const auto place = [&](uint32_t k) { return dot(gridAxis(rows, k), from_begin) + gridShift(rows, k); };
+    const Away<Real> away = awayFromMesh(rows, gridPlace(rows, {place(0), place(1), place(2)}));
     return tangentWith(turnedOut(rows.row, away.out), away.distance, high, low);
 }
 

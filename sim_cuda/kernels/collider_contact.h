@@ -15,25 +15,82 @@ namespace demolish {
 /// Steps ahead in which a contact is reckoned with that is still to come.
 inline constexpr double kStepsAhead = 1.5;
 
+/// Of collider c, from what bounds it.
+template <class Real, class Colliders>
+DEM_FN TangentPlane<Real> tangentFrom(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own,
+                                      const TangentPlane<Real>& bound) {
+    const LoadedState<Real>& state = own.state;
+    return colliders.isMesh(c) ? colliders.tangent(c, xyz(state.position),
+                                                   lowPart(state.position, state.velocity, state.spin))
+                               : bound;
+}
+
+/// Who looks at how a particle lies on a collider: its own thread, or several together.
+template <class Lanes = LaneGroup<1>>
+struct LooksItself {
+    Lanes lanes{};
+    DEM_FN bool leads() const { return lanes.leads(); }
+    template <class Real, class Colliders>
+    DEM_FN TangentPlane<Real> tangent(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own,
+                                      const TangentPlane<Real>& bound) const {
+        return tangentFrom(colliders, c, own, bound);
+    }
+    template <bool kLedger, bool kHertz, class Real>
+    DEM_FN PointsPressed<Real> points(const ColliderRows<Real>& rows, uint32_t, const OwnParticle<Real>& own,
+                                      const SeenCell<Real>& cell) const {
+        return cornersOnShape<kLedger, kHertz>(rows, poseOf(own, cell), lanes).points;
+    }
+};
+/// The same of a sphere, as projectiles are.
+struct LooksAtSphere : LooksItself<> {
+    template <bool kLedger, bool kHertz, class Real>
+    DEM_FN PointsPressed<Real> points(const ColliderRows<Real>&, uint32_t, const OwnParticle<Real>&,
+                                      const SeenCell<Real>&) const {
+        return {};
+    }
+};
+/// Others have looked, and left what they found.
+template <class Real>
+struct FoundOnShape {
+    PointsPressed<Real> points;
+    TangentPlane<Real> tangent;  ///< of a mesh
+};
+template <class Real>
+struct FoundByOthers {
+    const FoundOnShape<Real>* found;  ///< by collider
+    DEM_FN bool leads() const { return true; }
+    template <class Colliders>
+    DEM_FN TangentPlane<Real> tangent(const Colliders& colliders, uint32_t c, const OwnParticle<Real>&,
+                                      const TangentPlane<Real>& bound) const {
+        return colliders.isMesh(c) ? found[c].tangent : bound;
+    }
+    template <bool kLedger, bool kHertz>
+    DEM_FN PointsPressed<Real> points(const ColliderRows<Real>&, uint32_t c, const OwnParticle<Real>&,
+                                      const SeenCell<Real>&) const {
+        return found[c].points;
+    }
+};
+
 /// Colliders, here and below: ColliderSet or PlanesOnly.
-template <bool kLedger, bool kHertz, class Real, class Colliders, class Lanes>
+template <bool kLedger, bool kHertz, class Real, class Colliders, class Source>
 DEM_FN Pressed<Real> pressedAtCorners(const Colliders& colliders, const OwnParticle<Real>& own,
                                       const SeenCell<Real>& cell, uint32_t c,
-                                      const TangentPlane<Real>& tangent, const Lanes& lanes) {
+                                      const TangentPlane<Real>& tangent, const Source& source) {
     if constexpr (std::is_same_v<Colliders, PlanesOnly<Real>>) {
         return pressedOnPlane<kLedger, kHertz>(own, cell, tangent);
     } else {
         if (colliders.isPlane(c)) return pressedOnPlane<kLedger, kHertz>(own, cell, tangent);
-        return pressedOnShape<kLedger, kHertz>(colliders.collider[c], own, cell, tangent, lanes);
+        return pressedOnShape<kLedger, kHertz>(
+            source.template points<kLedger, kHertz>(colliders.collider[c], c, own, cell), own, cell, tangent);
     }
 }
-template <bool kLedger, class Real, class Colliders, class Lanes = LaneGroup<1>>
+template <bool kLedger, class Real, class Colliders, class Source = LooksItself<>>
 DEM_FN Pressed<Real> pressedOn(const StepParams<Real>& params, const Colliders& colliders,
                                const OwnParticle<Real>& own, const SeenCell<Real>& cell, uint32_t c,
-                               const TangentPlane<Real>& tangent, const Lanes& lanes = {}) {
+                               const TangentPlane<Real>& tangent, const Source& source = {}) {
     if (cell.corners.from_seed.empty()) return pressedSphere(own, cell.drift, tangent);
-    return params.hertz != 0 ? pressedAtCorners<kLedger, true>(colliders, own, cell, c, tangent, lanes)
-                             : pressedAtCorners<kLedger, false>(colliders, own, cell, c, tangent, lanes);
+    return params.hertz != 0 ? pressedAtCorners<kLedger, true>(colliders, own, cell, c, tangent, source)
+                             : pressedAtCorners<kLedger, false>(colliders, own, cell, c, tangent, source);
 }
 
 /// What is set against a push on a collider.
@@ -49,11 +106,11 @@ struct Turning {
 };
 /// A particle that substeps move turns alone. It rolls away from what acts across, so that half of that is as
 /// good as all for the bound on the tangential damper.
-template <class Real, class Lanes = LaneGroup<1>>
+template <class Real, class Source = LooksItself<>>
 struct TurnsAlone {
     static constexpr StepKind kStep = StepKind::kSubstep;
     OwnCorners<Real> corners;
-    Lanes lanes{};  ///< threads that have the particle together
+    Source source{};
     DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
         return {corners, asQuat(own.state.rotation), params.drift};
     }
@@ -95,16 +152,6 @@ DEM_FN bool isNearColliders(const StepParams<Real>& params, const Colliders& col
         near = near || !isClearOf<kStep>(own, bound.distance - own.constants.floor_radius, params.dt);
     });
     return near;
-}
-
-/// Of collider c, from what bounds it.
-template <class Real, class Colliders>
-DEM_FN TangentPlane<Real> tangentFrom(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own,
-                                      const TangentPlane<Real>& bound) {
-    const LoadedState<Real>& state = own.state;
-    return colliders.isMesh(c) ? colliders.tangent(c, xyz(state.position),
-                                                   lowPart(state.position, state.velocity, state.spin))
-                               : bound;
 }
 
 /// All springs of a contact together never get stiffer than a share over dt^2, in terms of what answers at
@@ -171,12 +218,12 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
     constexpr StepKind kStep = TurnedWith::kStep;
     const Real radius = own.constants.floor_radius;
     if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
-    const TangentPlane<Real> tangent = tangentFrom(colliders, c, own, bound);
+    const TangentPlane<Real> tangent = turned_with.source.tangent(colliders, c, own, bound);
     if (colliders.isMesh(c) && isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
         return {};
     const Pressed<Real> at = pressedOn<kLedger>(params, colliders, own, turned_with.cell(params, own), c,
-                                                tangent, turned_with.lanes);
-    if (!turned_with.lanes.leads()) return {};
+                                                tangent, turned_with.source);
+    if (!turned_with.source.leads()) return {};
     Vec4<Real>& spring = arrays.collider_spring[c * params.total + own.id];
     const KeptTouch<Real> before{xyz(spring), softestOf(spring)};
     const Real down = -dot(at.arm, at.normal);

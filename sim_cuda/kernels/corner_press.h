@@ -38,35 +38,39 @@ struct Pressed {
     OverlapChange<Real> change;  ///< for the ledger
 };
 
-/// Depths of points added up, each by what it presses with. kHertz: as StepParams::hertz.
+/// What presses, in units of the law's constant. kHertz: as StepParams::hertz.
 template <bool kHertz, class Real>
-class DepthSums {
-  public:
-    /// `distance`: m, above the surface. Gives the force, in units of the law's constant.
-    DEM_FN Real add(Real distance, const Vec3<Real>& arm) {
-        nearest_ = minOf(nearest_, distance);
-        const Real depth = -distance, force = depth > Real(0) ? forceOf(depth) : Real(0);
-        force_ = force_ + force;
-        energy_ = madd(force, depth, energy_);
-        arm_ = axpy(force, arm, arm_);
-        return force;
-    }
-    /// One that does not press.
-    DEM_FN void pass(Real distance) { nearest_ = minOf(nearest_, distance); }
-    /// m, above the surface.
-    DEM_FN Real nearest() const { return nearest_; }
-    DEM_FN bool touches() const { return force_ > Real(0); }
-    DEM_FN Real depth() const { return energy_ / force_; }
-    DEM_FN Real springs() const { return Real(kCornerShare) * force_ / forceOf(depth()); }
-    /// m, in the frame of those that were added.
-    DEM_FN Vec3<Real> arm() const { return (Real(1) / force_) * arm_; }
+DEM_FN Real pressOf(Real depth) {
+    return kHertz ? depth * squareRoot(depth) : depth;
+}
 
-  private:
-    static DEM_FN Real forceOf(Real depth) { return kHertz ? depth * squareRoot(depth) : depth; }
+/// Depths of points added up, each by what it presses with.
+template <class Real>
+struct DepthSums {
+    Real force{};                  ///< pressOf()
+    Real energy{};                 ///< of force times depth
+    Real nearest{Real(kFarAway)};  ///< m, above the surface
+    Vec3<Real> arm;                ///< m, each by its force; in the frame of those that were added
 
-    Real force_{}, energy_{}, nearest_{Real(kFarAway)};
-    Vec3<Real> arm_;
+    DEM_FN bool touches() const { return force > Real(0); }
+    DEM_FN Real depth() const { return energy / force; }
+    DEM_FN Vec3<Real> meanArm() const { return (Real(1) / force) * arm; }
 };
+/// `distance`: m, above the surface. Gives pressOf() it.
+template <bool kHertz, class Real>
+DEM_FN Real addDepth(DepthSums<Real>& sums, Real distance, const Vec3<Real>& arm) {
+    sums.nearest = minOf(sums.nearest, distance);
+    const Real depth = maxOf(-distance, Real(0)), force = pressOf<kHertz>(depth);
+    sums.force = sums.force + force;
+    sums.energy = madd(force, depth, sums.energy);
+    sums.arm = axpy(force, arm, sums.arm);
+    return force;
+}
+template <class Real>
+DEM_FN void add(DepthSums<Real>& sums, const DepthSums<Real>& more) {
+    sums = {sums.force + more.force, sums.energy + more.energy, minOf(sums.nearest, more.nearest),
+            sums.arm + more.arm};
+}
 
 /// `tangent`: of the collider from the particle's centre.
 template <class Real>
@@ -87,39 +91,36 @@ DEM_FN void addChange(OverlapChange<Real>& change, Real distance, Real opening, 
     add(change, Real(kCornerShare), overlapChange(-distance, overlapBefore(-distance, opening, dt)));
 }
 
-/// Calls visit(corner, number, present) for each of a lane's in turn, which are every kCount-th. Four are
-/// read at once, since on a GPU the way to each is long. The last four are filled up with corners that are
-/// not present: a branch costs more.
-template <class Real, class Lanes, class Visit>
-DEM_FN void forEachCorner(const OwnCorners<Real>& corners, const Lanes& lanes, const Visit& visit) {
-    constexpr uint32_t kAtOnce = 4;
-    const auto last = static_cast<uint32_t>(corners.from_seed.size());
-    for (uint32_t first = lanes.lane; first < last; first += kAtOnce * Lanes::kCount) {
+/// Calls visit(corner, number) for every kStride-th from `first` on, below `last`. kAtOnce are read together,
+/// since on a GPU the way to each is long. The last of them are filled up with numbers from `last` on, and
+/// with corners that are none: a branch costs more. So is what comes after the corners.
+template <uint32_t kStride, uint32_t kAtOnce, class Real, class Visit>
+DEM_FN void forEachCorner(const OwnCorners<Real>& corners, uint32_t first, uint32_t last,
+                          const Visit& visit) {
+    const auto count = static_cast<uint32_t>(corners.from_seed.size());
+    for (; first < last; first += kAtOnce * kStride) {
         Vec3<Real> corner[kAtOnce];
         for (uint32_t k = 0; k < kAtOnce; ++k) {
-            const uint32_t number = first + k * Lanes::kCount;
-            corner[k] = xyz(corners.from_seed[number < last ? number : first]);
+            const uint32_t number = first + k * kStride;
+            corner[k] = xyz(corners.from_seed[number < count ? number : 0]);
         }
-        for (uint32_t k = 0; k < kAtOnce; ++k) {
-            const uint32_t number = first + k * Lanes::kCount;
-            visit(corner[k], number, number < last);
-        }
+        for (uint32_t k = 0; k < kAtOnce; ++k) visit(corner[k], first + k * kStride);
     }
 }
 
 /// From the sums of a cell's corners, their arms seen from the cell.
 template <bool kHertz, class Real>
-DEM_FN Pressed<Real> pressedBy(const DepthSums<kHertz, Real>& sums, const Vec3<Real>& normal,
+DEM_FN Pressed<Real> pressedBy(const DepthSums<Real>& sums, const Vec3<Real>& normal,
                                const Quat<Real>& turned, const OverlapChange<Real>& change) {
     Pressed<Real> at;
     at.normal = normal;
-    at.gap = sums.nearest();
+    at.gap = sums.nearest;
     at.rolling = Real(kCornerRolling);
     at.change = change;
     if (!sums.touches()) return at;
-    at.arm = rotate(turned, sums.arm());
+    at.arm = rotate(turned, sums.meanArm());
     at.depth = sums.depth();
-    at.springs = sums.springs();
+    at.springs = Real(kCornerShare) * sums.force / pressOf<kHertz>(at.depth);
     return at;
 }
 
@@ -131,15 +132,16 @@ DEM_FN Pressed<Real> pressedOnPlane(const OwnParticle<Real>& own, const SeenCell
     const Vec3<Real> normal = xyz(tangent.plane), up = rotate(conjugate(cell.turned), normal);
     const Vec3<Real> rising = rotate(conjugate(cell.turned), cross(normal, xyz(own.state.spin)));
     const Real opening = dot(xyz(own.state.velocity), normal);
-    DepthSums<kHertz, Real> sums;
+    DepthSums<Real> sums;
     OverlapChange<Real> change;
-    forEachCorner(cell.corners, LaneGroup<1>{}, [&](const Vec3<Real>& corner, uint32_t, bool present) {
+    const auto count = static_cast<uint32_t>(cell.corners.from_seed.size());
+    forEachCorner<1, 4>(cell.corners, 0, count, [&](const Vec3<Real>& corner, uint32_t number) {
         const Real distance = tangent.distance + dot(up, corner);
-        sums.add(present ? distance : Real(kFarAway), corner);
+        addDepth<kHertz>(sums, number < count ? distance : Real(kFarAway), corner);
         if constexpr (kLedger)
-            if (present) addChange(change, distance, opening + dot(rising, corner), cell.drift);
+            if (number < count) addChange(change, distance, opening + dot(rising, corner), cell.drift);
     });
-    return pressedBy(sums, normal, cell.turned, change);
+    return pressedBy<kHertz>(sums, normal, cell.turned, change);
 }
 
 }  // namespace demolish

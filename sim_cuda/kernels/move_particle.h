@@ -8,12 +8,12 @@
 namespace demolish {
 
 /// N, N m, of all colliders that it isNearColliders() of; its own state alone says it.
-template <bool kLedger, class Real, class Colliders, class Lanes = LaneGroup<1>>
+template <bool kLedger, class Real, class Colliders, class Source = LooksItself<>>
 DEM_FN Wrench<Real> collidersPush(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                   const Colliders& colliders, const OwnParticle<Real>& own,
-                                  Tally<Real>& tally, const Lanes& lanes = {}) {
+                                  Tally<Real>& tally, const Source& source = {}) {
     Wrench<Real> load;
-    const TurnsAlone<Real, Lanes> alone{cornersOf(arrays.corners, own.id), lanes};
+    const TurnsAlone<Real, Source> alone{cornersOf(arrays.corners, own.id), source};
     forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         add(load, colliderContact<kLedger>(arrays, params, colliders, own, c, bound, tally, alone).wrench);
     });

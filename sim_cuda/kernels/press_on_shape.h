@@ -19,19 +19,40 @@ struct CellPose {
 };
 
 /// What the corners of a cell give together.
-template <bool kHertz, class Real>
+template <class Real>
 struct PointsPressed {
-    DepthSums<kHertz, Real> sums;  ///< arms in the cell's frame
-    Vec3<Real> normal;             ///< sum of normals, each by what it presses with
-    OverlapChange<Real> change;    ///< for the ledger
+    DepthSums<Real> sums;        ///< arms in the cell's frame
+    Vec3<Real> normal;           ///< sum of normals, each by what it presses with
+    OverlapChange<Real> change;  ///< for the ledger
 };
 
 /// One point more. `out`: unit; `opening`: m/s, for the ledger.
 template <bool kLedger, bool kHertz, class Real>
-DEM_FN void addPoint(PointsPressed<kHertz, Real>& at, const Away<Real>& away, const Vec3<Real>& arm,
-                     Real opening, Real drift) {
-    at.normal = axpy(at.sums.add(away.distance, arm), away.out, at.normal);
+DEM_FN void addPoint(PointsPressed<Real>& at, const Away<Real>& away, const Vec3<Real>& arm, Real opening,
+                     Real drift) {
+    at.normal = axpy(addDepth<kHertz>(at.sums, away.distance, arm), away.out, at.normal);
     if constexpr (kLedger) addChange(at.change, away.distance, opening, drift);
+}
+template <bool kLedger, class Real>
+DEM_FN void add(PointsPressed<Real>& at, const PointsPressed<Real>& more) {
+    add(at.sums, more.sums);
+    at.normal = at.normal + more.normal;
+    if constexpr (kLedger) add(at.change, Real(1), more.change);
+}
+/// Those of the lane whose number differs in bit `bit`.
+template <bool kLedger, class Real, class Lanes>
+DEM_FN PointsPressed<Real> across(const Lanes& lanes, uint32_t bit, const PointsPressed<Real>& own) {
+    const auto vector = [&](const Vec3<Real>& v) {
+        return Vec3<Real>{lanes.across(bit, v.x), lanes.across(bit, v.y), lanes.across(bit, v.z)};
+    };
+    const DepthSums<Real>& sums = own.sums;
+    PointsPressed<Real> other{{lanes.across(bit, sums.force), lanes.across(bit, sums.energy),
+                               lanes.across(bit, sums.nearest), vector(sums.arm)},
+                              vector(own.normal),
+                              {}};
+    if constexpr (kLedger)
+        other.change = {lanes.across(bit, own.change.crossed), lanes.across(bit, own.change.held)};
+    return other;
 }
 
 /// The axes of a collider as a cell sees them: where a corner lies along them is one matrix away.
@@ -75,6 +96,7 @@ struct CornersOnBox {
     DEM_FN Real shift(uint32_t) const { return Real(0); }
     DEM_FN Real unit() const { return Real(1); }
     DEM_FN Real firstLook(const Vec3<Real>& at) const { return away(at).distance; }
+    DEM_FN Away<Real> fromCentre(const Vec3<Real>&, const Away<Real>& away) const { return away; }
     DEM_FN Away<Real> away(const Vec3<Real>& at) const { return awayFromBox(rows.row, at); }
 };
 template <class Real>
@@ -87,94 +109,153 @@ struct CornersOnRound {
     DEM_FN Real shift(uint32_t) const { return Real(0); }
     DEM_FN Real unit() const { return Real(1); }
     DEM_FN Real firstLook(const Vec3<Real>& at) const { return away(at).distance; }
+    DEM_FN Away<Real> fromCentre(const Vec3<Real>&, const Away<Real>& away) const { return away; }
     DEM_FN Away<Real> away(const Vec3<Real>& at) const { return awayFromRound(rows.row, at); }
 };
 /// In steps of its grid, from its first node.
 template <class Real>
 struct CornersOnMesh {
     const ColliderRows<Real>& rows;
-    const Real per_step = Real(1) / stepOf(rows.row[3]);
     DEM_FN Vec3<Real> begin() const { return xyz(rows.row[3]); }
-    DEM_FN Vec3<Real> axis(uint32_t k) const { return per_step * xyz(rows.row[k]); }
-    DEM_FN Real shift(uint32_t k) const { return per_step * (halfEdgeOf(rows.row[k]) + rows.margin); }
+    DEM_FN Vec3<Real> axis(uint32_t k) const { return gridAxis(rows, k); }
+    DEM_FN Real shift(uint32_t k) const { return gridShift(rows, k); }
     DEM_FN Real unit() const { return stepOf(rows.row[3]); }
-    DEM_FN Real firstLook(const Vec3<Real>& at) const { return distanceWithinGrid(rows, at); }
-    DEM_FN Away<Real> away(const Vec3<Real>& at) const { return awayFromMesh(rows, gridPlace(rows, at)); }
-};
-
-/// Bit k: corner k may touch. What surely does not is only passed. Lanes share the corners.
-template <bool kHertz, class Real, class Shape, class Lanes>
-DEM_FN uint32_t cornersThatMayTouch(const OwnCorners<Real>& corners, const AxesInCell<Real>& axes,
-                                    const Shape& shape, const Lanes& lanes, DepthSums<kHertz, Real>& sums) {
-    static_assert(kMostCorners <= 32);
-    uint32_t touching = 0;
-    Real nearest = Real(kFarAway);
-    forEachCorner(corners, lanes, [&](const Vec3<Real>& corner, uint32_t number, bool present) {
-        const Real distance = shape.firstLook(axes.along(corner));
-        const bool off = distance > Real(0);
-        nearest = minOf(nearest, present && off ? distance : Real(kFarAway));
-        touching |= present && !off ? 1u << number : 0;
-    });
-    sums.pass(lanes.least(nearest));
-    return lanes.united(touching);
-}
-
-/// The bits that are left without the `count` lowest.
-DEM_FN uint32_t withoutLowest(uint32_t bits, uint32_t count) {
-    for (uint32_t k = 0; k < count; ++k) bits &= bits - 1;
-    return bits;
-}
-
-/// A corner that may touch, as its lane has found it.
-template <class Real>
-struct FoundCorner {
-    Away<Real> away{{}, Real(kFarAway)};
-    Vec3<Real> arm;
-    Real opening{};  ///< m/s, for the ledger
-
-    template <class Lanes>
-    DEM_FN FoundCorner from(const Lanes& lanes, uint32_t lane) const {
-        const auto same = [&](const Vec3<Real>& v) {
-            return Vec3<Real>{lanes.from(lane, v.x), lanes.from(lane, v.y), lanes.from(lane, v.z)};
-        };
-        return {{same(away.out), lanes.from(lane, away.distance)}, same(arm), lanes.from(lane, opening)};
+    DEM_FN Real firstLook(const Vec3<Real>& at) const { return fieldAt(rows, gridPlace(rows, at)).w; }
+    /// Beyond the grid no corner touches, so that the distance at its rim is as good.
+    DEM_FN Away<Real> away(const Vec3<Real>& at) const { return uphillAt(rows, gridPlace(rows, at)); }
+    DEM_FN Away<Real> fromCentre(const Vec3<Real>& at, const Away<Real>& away) const {
+        return beyondRim(rows, gridPlace(rows, at), away);
     }
 };
 
-/// Each lane looks at a corner of its own; all of them add all, in the order of corners.
-template <bool kLedger, bool kHertz, class Real, class Shape, class Lanes>
-DEM_FN PointsPressed<kHertz, Real> cornersOn(const Shape& shape, const CellPose<Real>& cell,
-                                             const Lanes& lanes) {
-    PointsPressed<kHertz, Real> at;
-    const OwnCorners<Real>& corners = cell.seen.corners;
-    const Quat<Real>&turned = cell.seen.turned, back = conjugate(turned);
-    const AxesInCell<Real> axes = axesInCell(shape, cell);
-    const Vec3<Real> velocity = kLedger ? rotate(back, cell.velocity) : Vec3<Real>{},
-                     spin = kLedger ? rotate(back, cell.spin) : Vec3<Real>{};
-    // The ledger wants to know of corners that have come off as well.
-    uint32_t left = kLedger ? lowBits(static_cast<uint32_t>(corners.from_seed.size()))
-                            : cornersThatMayTouch(corners, axes, shape, lanes, at.sums);
-    for (; left != 0; left = withoutLowest(left, Lanes::kCount)) {
-        const uint32_t own = withoutLowest(left, lanes.lane);
-        FoundCorner<Real> found;
-        found.arm = xyz(corners.from_seed[own != 0 ? lowestBit(own) : 0]);
-        const Away<Real> away = shape.away(axes.along(found.arm));
-        found.away = {away.out, own != 0 ? away.distance : Real(kFarAway)};
-        if constexpr (kLedger) found.opening = dot(velocity + cross(spin, found.arm), axes.inCell(away.out));
-        for (uint32_t lane = 0; lane < Lanes::kCount; ++lane) {
-            const FoundCorner<Real> next = found.from(lanes, lane);
-            addPoint<kLedger>(at, next.away, next.arm, next.opening, cell.seen.drift);
+/// Corners are added up in so many parts, corner k in part k mod kCornerParts, and the parts by halves: the
+/// second half to the first, and so on. As many threads may share them, or fewer, with the same bits.
+inline constexpr uint32_t kCornerParts = 16;
+
+/// Bit k: corner k, one of this lane's, may touch. What surely does not is only passed.
+template <class Real, class Shape, class Lanes>
+DEM_FN uint32_t cornersThatMayTouch(const OwnCorners<Real>& corners, const AxesInCell<Real>& axes,
+                                    const Shape& shape, const Lanes& lanes, Real& nearest) {
+    static_assert(kMostCorners <= 32);
+    const auto count = static_cast<uint32_t>(corners.from_seed.size());
+    uint32_t touching = 0;
+    forEachCorner<Lanes::kCount, 4>(
+        corners, lanes.lane, count, [&](const Vec3<Real>& corner, uint32_t number) {
+            const Real distance = shape.unit() * shape.firstLook(axes.along(corner));
+            const bool present = number<count, off = distance> Real(0);
+            nearest = minOf(nearest, present && off ? distance : Real(kFarAway));
+            touching |= present && !off ? 1u << number : 0;
+        });
+    return touching;
+}
+
+/// What several threads have found of a cell on a shape.
+template <class Real>
+struct ShapeFound {
+    PointsPressed<Real> points;
+    Away<Real> centre{{}, Real(kFarAway)};  ///< of the particle, along the collider's axes
+    bool has_centre = false;                ///< it is this thread that has looked at it
+};
+
+/// Looks at single corners and adds them up.
+template <bool kLedger, bool kHertz, class Real, class Shape>
+class CornerLook {
+  public:
+    DEM_FN CornerLook(const Shape& shape, const CellPose<Real>& cell)
+        : shape_(shape), cell_(cell), axes_(axesInCell(shape, cell)) {
+        const Quat<Real> back = conjugate(cell.seen.turned);
+        if constexpr (kLedger) {
+            velocity_ = rotate(back, cell.velocity);
+            spin_ = rotate(back, cell.spin);
         }
     }
-    at.normal = rotate(turned, axes.inCell(at.normal));
-    return at;
+    DEM_FN const AxesInCell<Real>& axes() const { return axes_; }
+    /// `corner`: in the cell's frame; one that is not present adds nothing. Gives what the shape says of it.
+    DEM_FN Away<Real> press(PointsPressed<Real>& part, const Vec3<Real>& corner, bool present) const {
+        const Away<Real> away = shape_.away(axes_.along(corner));
+        Real opening{};
+        if constexpr (kLedger) opening = dot(velocity_ + cross(spin_, corner), axes_.inCell(away.out));
+        const Real distance = present ? shape_.unit() * away.distance : Real(kFarAway);
+        addPoint<kLedger, kHertz>(part, {away.out, distance}, corner, opening, cell_.seen.drift);
+        return away;
+    }
+    DEM_FN Away<Real> centre(const Away<Real>& away) const {
+        return shape_.fromCentre(axes_.along(Vec3<Real>{}), away);
+    }
+
+  private:
+    const Shape& shape_;
+    const CellPose<Real>& cell_;
+    AxesInCell<Real> axes_;
+    Vec3<Real> velocity_, spin_;  ///< for the ledger, in the cell's frame
+};
+
+/// A thread for each part: all its corners closely, which takes as long as a few do, and the particle's
+/// centre as if it were a corner more.
+template <class Look, class Real>
+DEM_FN ShapeFound<Real> lookOnce(const Look& look, const OwnCorners<Real>& corners, uint32_t part) {
+    ShapeFound<Real> found;
+    const auto count = static_cast<uint32_t>(corners.from_seed.size());
+    forEachCorner<kCornerParts, 2>(corners, part, count + 1, [&](const Vec3<Real>& corner, uint32_t number) {
+        const bool present = number < count;
+        const Away<Real> away = look.press(found.points, present ? corner : Vec3<Real>{}, present);
+        if (number != count) return;
+        found.centre = look.centre(away);
+        found.has_centre = true;
+    });
+    return found;
+}
+/// Fewer threads: those corners closely that `touching` has.
+template <bool kLedger, class Look, class Real, class Lanes>
+DEM_FN PointsPressed<Real> lookTwice(const Look& look, const OwnCorners<Real>& corners, const Lanes&,
+                                     uint32_t touching) {
+    constexpr uint32_t kParts = kCornerParts / Lanes::kCount;
+    PointsPressed<Real> parts[kParts];
+    uint32_t used = 0;
+    for (; touching != 0; touching &= touching - 1) {
+        const uint32_t number = lowestBit(touching), k = number / Lanes::kCount % kParts;
+        PointsPressed<Real> part;
+        if ((used >> k & 1) != 0) part = parts[k];
+        look.press(part, xyz(corners.from_seed[number]), true);
+        parts[k] = part;
+        used |= 1u << k;
+    }
+    for (uint32_t half = kParts / 2; half > 0; half /= 2)
+        for (uint32_t k = 0; k < half; ++k)
+            if ((used >> (k + half) & 1) != 0) {
+                add<kLedger>(parts[k], parts[k + half]);
+                used |= 1u << k;
+            }
+    return parts[0];
+}
+
+template <bool kLedger, bool kHertz, class Real, class Shape, class Lanes>
+DEM_FN ShapeFound<Real> cornersOn(const Shape& shape, const CellPose<Real>& cell, const Lanes& lanes) {
+    const OwnCorners<Real>& corners = cell.seen.corners;
+    const CornerLook<kLedger, kHertz, Real, Shape> look(shape, cell);
+    ShapeFound<Real> found;
+    if constexpr (Lanes::kCount == kCornerParts) {
+        found = lookOnce(look, corners, lanes.lane);
+    } else {
+        Real nearest = Real(kFarAway);
+        // The ledger wants to know of corners that have come off as well.
+        static_assert(!kLedger || Lanes::kCount == 1);
+        const uint32_t touching = kLedger ? lowBits(static_cast<uint32_t>(corners.from_seed.size()))
+                                          : cornersThatMayTouch(corners, look.axes(), shape, lanes, nearest);
+        found.points = lookTwice<kLedger>(look, corners, lanes, touching);
+        found.points.sums.nearest = minOf(found.points.sums.nearest, nearest);
+    }
+    for (uint32_t half = Lanes::kCount / 2; half > 0; half /= 2)
+        add<kLedger>(found.points, across<kLedger>(lanes, half, found.points));
+    found.points.normal = rotate(cell.seen.turned, look.axes().inCell(found.points.normal));
+    return found;
 }
 
 /// `rows`: by their address on a GPU too, where kernels hold them as __grid_constant__. Apart: only what is
 /// near such a collider pays for it, also in registers.
 template <bool kLedger, bool kHertz, class Real, class Lanes>
-DEM_APART PointsPressed<kHertz, Real> cornersOnShape(const ColliderRows<Real>& rows,
-                                                     Handed<CellPose<Real>> cell, Lanes lanes) {
+DEM_APART ShapeFound<Real> cornersOnShape(const ColliderRows<Real>& rows, Handed<CellPose<Real>> cell,
+                                          Lanes lanes) {
     if (rows.shape == ColliderShape::kMesh)
         return cornersOn<kLedger, kHertz>(CornersOnMesh<Real>{rows}, cell, lanes);
     if (rows.shape == ColliderShape::kRound)
@@ -182,20 +263,23 @@ DEM_APART PointsPressed<kHertz, Real> cornersOnShape(const ColliderRows<Real>& r
     return cornersOn<kLedger, kHertz>(CornersOnBox<Real>{rows}, cell, lanes);
 }
 
-/// `tangent`: from the particle's centre.
-template <bool kLedger, bool kHertz, class Real, class Lanes>
-DEM_FN Pressed<Real> pressedOnShape(const ColliderRows<Real>& rows, const OwnParticle<Real>& own,
-                                    const SeenCell<Real>& cell, const TangentPlane<Real>& tangent,
-                                    const Lanes& lanes) {
+/// From its own state.
+template <class Real>
+DEM_FN CellPose<Real> poseOf(const OwnParticle<Real>& own, const SeenCell<Real>& cell) {
     const LoadedState<Real>& state = own.state;
-    const CellPose<Real> pose{xyz(state.position), lowPart(state.position, state.velocity, state.spin), cell,
-                              xyz(state.velocity), xyz(state.spin)};
-    PointsPressed<kHertz, Real> points = cornersOnShape<kLedger, kHertz>(rows, pose, lanes);
+    return {xyz(state.position), lowPart(state.position, state.velocity, state.spin), cell,
+            xyz(state.velocity), xyz(state.spin)};
+}
+
+/// `points`: of the cell's corners; `tangent`: from the particle's centre.
+template <bool kLedger, bool kHertz, class Real>
+DEM_FN Pressed<Real> pressedOnShape(PointsPressed<Real> points, const OwnParticle<Real>& own,
+                                    const SeenCell<Real>& cell, const TangentPlane<Real>& tangent) {
     const Vec3<Real> out = xyz(tangent.plane), down = rotate(conjugate(cell.turned), -out);
-    addPoint<kLedger>(points, {out, tangent.distance - cell.corners.inner_radius}, tangent.distance * down,
-                      dot(xyz(state.velocity), out), cell.drift);
-    return pressedBy(points.sums, points.sums.touches() ? normalized(points.normal) : out, cell.turned,
-                     points.change);
+    addPoint<kLedger, kHertz>(points, {out, tangent.distance - cell.corners.inner_radius},
+                              tangent.distance * down, dot(xyz(own.state.velocity), out), cell.drift);
+    return pressedBy<kHertz>(points.sums, points.sums.touches() ? normalized(points.normal) : out,
+                             cell.turned, points.change);
 }
 
 }  // namespace demolish

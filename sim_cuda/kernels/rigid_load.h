@@ -145,12 +145,12 @@ DEM_FN double standShare(const RigidBody& body) {
 /// A rigid fragment's contact with a collider: its share of what the whole sets against a push there, over
 /// all contacts, so that it gives back what its restitution says however many touch; and its share of the
 /// turning, whichever way the fragment rolls, over those of the step before and one more.
-template <class Real, class Lanes = LaneGroup<1>>
+template <class Real, class Source = LooksItself<>>
 struct TurnsFragment {
     static constexpr StepKind kStep = StepKind::kContact;
     RigidWork work;
     OwnCorners<Real> corners;
-    Lanes lanes{};  ///< threads that have the particle together
+    Source source{};
     /// What is softened in the first contact step of a body has got its overlap in a substep.
     DEM_FN SeenCell<Real> cell(const StepParams<Real>& params, const OwnParticle<Real>& own) const {
         const RigidBody& body = work.body[work.label[own.id]];
@@ -183,17 +183,17 @@ struct TurnsFragment {
     }
 };
 
-template <bool kLedger, class Real, class Colliders, class Lanes = LaneGroup<1>>
+template <bool kLedger, class Real, class Colliders, class Source = LooksItself<>>
 DEM_FN RigidLoad<Real> collidersLoad(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                      const Colliders& colliders, const RigidWork& work,
                                      const OwnParticle<Real>& own, const OwnCorners<Real>& corners,
-                                     const Lanes& lanes = {}) {
+                                     const Source& source = {}) {
     RigidLoad<Real> load;
     if (!isNearColliders<StepKind::kContact>(params, colliders, own)) return load;
     forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
         const ColliderLoad<Real> at =
             colliderContact<kLedger>(arrays, params, colliders, own, c, bound, load.tally,
-                                     TurnsFragment<Real, Lanes>{work, corners, lanes});
+                                     TurnsFragment<Real, Source>{work, corners, source});
         add(load.push.wrench, counted(at.wrench, load.push.touching));
         load.push.coming += at.comes ? 1 : 0;
     });

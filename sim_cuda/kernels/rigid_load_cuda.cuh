@@ -108,8 +108,8 @@ __device__ __forceinline__ void gatherCollidersOf(const RigidGather<Real>& gathe
     if (place >= count || lane >= Lanes::kCount) return;
     const Lanes lanes{lane};
     const OwnParticle<Real> own = loadOwn(gather.arrays, id);
-    const RigidLoad<Real> load =
-        collidersLoad<kLedger>(gather.arrays, gather.params, colliders, gather.work, own, corners, lanes);
+    const RigidLoad<Real> load = collidersLoad<kLedger>(gather.arrays, gather.params, colliders, gather.work,
+                                                        own, corners, LooksItself<Lanes>{lanes});
     if (lanes.leads()) gather.loads[place].template keepColliders<kLedger>(load);
 }
 

@@ -62,27 +62,35 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
 constexpr uint32_t substepThreads(bool moves_apart) {
     return kSubstepBlock + (moves_apart ? 32 : 0);
 }
-/// Threads of that warp that look at the corners of a particle together. On planes corners are too little
-/// work to share, and the ledger's kernels need not be fast.
-constexpr uint32_t lanesOfCorners(uint32_t threads, bool moves_apart, bool only_planes, bool ledger) {
-    return moves_apart && !only_planes && !ledger ? 32 / (kSubstepBlock / threads) : 1;
+/// All threads of a particle look at its corners together, once they have gathered. On planes corners are
+/// too little work to share, and the ledger's kernels need not be fast. Where fewer threads gather, that
+/// takes so long that the other warp is done before.
+constexpr bool looksTogether(uint32_t threads, bool only_planes, bool ledger) {
+    return threads == kCornerParts && !only_planes && !ledger;
 }
-/// The thread that moves a particle, as far as it comes before the others have gathered. Others of its group
-/// only look at corners for it.
-template <bool kLedger, Movable kMovable, class Real, class Lanes = LaneGroup<1>>
+/// Else threads of the other warp that look at the corners of a particle.
+constexpr uint32_t lanesOfCorners(uint32_t threads, bool only_planes, bool ledger) {
+    return threads < kCornerParts && !only_planes && !ledger ? 32 / (kSubstepBlock / threads) : 1;
+}
+/// The thread that moves a particle, as far as it comes before the others have gathered.
+template <bool kLedger, Movable kMovable, class Real>
 struct MovingThread {
-    Lanes lanes;
     OwnParticle<Real> own;
     Wrench<Real> push;  ///< of colliders
     Tally<Real> tally;
     bool near = false;
 
     template <class Colliders>
-    __device__ __forceinline__ void start(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
-                                          const Colliders& colliders, uint32_t id) {
+    __device__ __forceinline__ void load(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                         const Colliders& colliders, uint32_t id) {
         own = loadOwn(arrays, id);
         near = isNearColliders<StepKind::kSubstep>(params, colliders, own);
-        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally, lanes);
+    }
+    template <class Colliders, class Source>
+    __device__ __forceinline__ void meetColliders(const SubstepArrays<Real>& arrays,
+                                                  const StepParams<Real>& params, const Colliders& colliders,
+                                                  const Source& source) {
+        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally, source);
     }
     /// From the rows: what they give, and what is booked with it.
     __device__ __forceinline__ void finish(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
@@ -93,6 +101,41 @@ struct MovingThread {
         moveParticle<kLedger, kMovable>(arrays, params, own, load, tally);
     }
 };
+
+/// Bit c: collider c is no plane, and the particle may touch it.
+template <class Real>
+__device__ __forceinline__ uint32_t shapesNear(const StepParams<Real>& params,
+                                               const ColliderSet<Real>& colliders,
+                                               const OwnParticle<Real>& own) {
+    uint32_t shapes = 0;
+    forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+        const bool clear =
+            isClearOf<StepKind::kSubstep>(own, bound.distance - own.constants.floor_radius, params.dt);
+        shapes |= clear || colliders.isPlane(c) ? 0 : 1u << c;
+    });
+    return shapes;
+}
+/// Its T threads look at the corners of particle `id` on each of `shapes`; `found`: by collider.
+template <uint32_t T, class Real>
+__device__ __forceinline__ void lookAtShapes(const SubstepArrays<Real>& arrays,
+                                             const StepParams<Real>& params,
+                                             const ColliderSet<Real>& colliders, uint32_t id, uint32_t shapes,
+                                             FoundOnShape<Real>* found) {
+    const OwnParticle<Real> own = loadOwn(arrays, id);
+    const TurnsAlone<Real> alone{cornersOf(arrays.corners, id)};
+    const CellPose<Real> pose = poseOf(own, alone.cell(params, own));
+    const LaneGroup<T> lanes{threadIdx.x % T};
+    for (; shapes != 0; shapes &= shapes - 1) {
+        const uint32_t c = lowestBit(shapes);
+        const ColliderRows<Real>& rows = colliders.collider[c];
+        const ShapeFound<Real> at = params.hertz != 0 ? cornersOnShape<false, true>(rows, pose, lanes)
+                                                      : cornersOnShape<false, false>(rows, pose, lanes);
+        if (lanes.leads()) found[c].points = at.points;
+        if (at.has_centre && colliders.isMesh(c))
+            found[c].tangent =
+                tangentWith(turnedOut(rows.row, at.centre.out), at.centre.distance, pose.high, pose.low);
+    }
+}
 
 /// What one of kLongPartials threads gathers of a long row.
 template <bool kLedger, class Real>
@@ -139,15 +182,19 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
     const uint32_t lane = threadIdx.x;
     constexpr uint32_t kMover = kMovesApart ? kSubstepBlock : 0;
     MovingThread<kLedger, Movable::kAll, Real> mover;
+    const auto meet = [&] {
+        mover.load(arrays, params, colliders, i);
+        mover.meetColliders(arrays, params, colliders, LooksAtSphere{});
+    };
     if (lane < kSubstepBlock) {
         Tally<Real> tally;
         sums[lane] = longRowPart<kLedger>(arrays, params, loadOwn(arrays, i), lane, tally);
         if constexpr (kLedger) tallies[lane] = tally;
     } else if (lane == kMover) {
-        mover.start(arrays, params, colliders, i);
+        meet();
     }
     if constexpr (!kMovesApart)
-        if (lane == kMover) mover.start(arrays, params, colliders, i);
+        if (lane == kMover) meet();
     foldSums<kLedger>(sums, tallies);
     if (lane == kMover) mover.finish(arrays, params, sums[0], kLedger ? tallies[0] : Tally<Real>{});
 }
@@ -199,6 +246,79 @@ __device__ __forceinline__ void gatherParticle(const SubstepArrays<Real>& arrays
     if (lane == 0) leave(load, tally);
 }
 
+/// What the threads of a block leave each other.
+template <uint32_t kParticles, bool kLedger, bool kTogether, class Real>
+struct BlockMemory {
+    Wrench<Real> sums[kParticles];
+    Tally<Real> tallies[kLedger ? kParticles : 1];
+    uint32_t shapes[kTogether ? kParticles : 1];  ///< shapesNear()
+    FoundOnShape<Real> found[kTogether ? kParticles : 1][kMaxColliders];
+};
+
+/// The particles of a block from place `first` of the work list on, moved by a warp of their own.
+template <uint32_t T, bool kLedger, bool kOnlyPlanes, class Real, class Colliders>
+__device__ __forceinline__ void stepApart(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                          const Colliders& colliders, uint32_t first) {
+    constexpr uint32_t kParticles = kSubstepBlock / T;
+    constexpr bool kTogether = looksTogether(T, kOnlyPlanes, kLedger);
+    using Memory = BlockMemory<kParticles, kLedger, kTogether, Real>;
+    using Lanes = LaneGroup<lanesOfCorners(T, kOnlyPlanes, kLedger)>;
+    __shared__ alignas(16) unsigned char memory[sizeof(Memory)];
+    auto& shared = *reinterpret_cast<Memory*>(memory);
+    const bool moves = threadIdx.x >= kSubstepBlock;
+    const uint32_t mover_thread = threadIdx.x - kSubstepBlock;
+    const uint32_t place = moves ? mover_thread / Lanes::kCount : threadIdx.x / T;
+    const Lanes lanes{moves ? mover_thread % Lanes::kCount : 0};
+    const uint32_t id = workAt(arrays, params, first + place), count = workCount(arrays, params);
+    if (first >= count) return;
+    const bool present = first + place < count && place < kParticles;
+    MovingThread<kLedger, Movable::kBodies, Real> mover;
+    uint32_t shapes = 0;
+    if (moves) {
+        awaitPrevious();
+        if (present) {
+            mover.load(arrays, params, colliders, id);
+            if constexpr (kTogether)
+                shared.shapes[place] = shapes = mover.near ? shapesNear(params, colliders, mover.own) : 0;
+            else
+                mover.meetColliders(arrays, params, colliders, LooksItself<Lanes>{lanes});
+        }
+    } else {
+        gatherParticle<T, kLedger>(arrays, params, id, present,
+                                   [&](const Wrench<Real>& load, const Tally<Real>& tally) {
+                                       shared.sums[place] = load;
+                                       if constexpr (kLedger) shared.tallies[place] = tally;
+                                   });
+    }
+    if constexpr (!kTogether) {
+        __syncthreads();
+    } else if (__syncthreads_or(shapes != 0)) {
+        if (!moves && present)
+            lookAtShapes<T>(arrays, params, colliders, id, shared.shapes[place], shared.found[place]);
+        __syncthreads();
+    }
+    if (!moves || !present || !lanes.leads()) return;
+    if constexpr (kTogether)
+        mover.meetColliders(arrays, params, colliders, FoundByOthers<Real>{shared.found[place]});
+    mover.finish(arrays, params, shared.sums[place], kLedger ? shared.tallies[place] : Tally<Real>{});
+}
+/// The same, each moved by the first of its threads.
+template <uint32_t T, bool kLedger, class Real, class Colliders>
+__device__ __forceinline__ void stepAlone(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                          const Colliders& colliders, uint32_t first) {
+    const uint32_t k = first + threadIdx.x / T;
+    const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
+    if (first >= count) return;
+    gatherParticle<T, kLedger>(arrays, params, id, k < count,
+                               [&](const Wrench<Real>& load, const Tally<Real>& tally) {
+                                   if (k >= count) return;
+                                   MovingThread<kLedger, Movable::kBodies, Real> mover;
+                                   mover.load(arrays, params, colliders, id);
+                                   mover.meetColliders(arrays, params, colliders, LooksItself<>{});
+                                   mover.finish(arrays, params, load, tally);
+                               });
+}
+
 /// The first kMaxProjectiles blocks do one projectile each, since their rows are the longest, the others the
 /// bodies' particles: all, or those of the work list. Started while the substep before still runs:
 /// what no substep changes is read before its end is waited for. kOnlyPlanes: as PlanesOnly.
@@ -210,7 +330,6 @@ __global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blo
     const uint32_t block = blockIdx.x;
     letNextStart();
     const auto& colliders = seenColliders<kOnlyPlanes>(params.colliders);
-    constexpr uint32_t kParticles = kSubstepBlock / T;
     if (block < kMaxProjectiles) {
         awaitPrevious();
         const uint32_t shot = params.in_bodies + block;
@@ -218,41 +337,11 @@ __global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blo
             stepProjectile<kMovesApart, kLedger>(arrays, params, colliders, shot);
         return;
     }
-    const bool moves = threadIdx.x >= kSubstepBlock;
-    using Lanes = LaneGroup<lanesOfCorners(T, kMovesApart, kOnlyPlanes, kLedger)>;
-    const uint32_t mover_thread = threadIdx.x - kSubstepBlock;
-    const uint32_t place = moves ? mover_thread / Lanes::kCount : threadIdx.x / T;
-    const uint32_t first = (block - kMaxProjectiles) * kParticles, k = first + place;
-    const uint32_t id = workAt(arrays, params, k), count = workCount(arrays, params);
-    if (first >= count) return;
-    const bool present = k < count && place < kParticles;
-    MovingThread<kLedger, Movable::kBodies, Real, Lanes> mover{{moves ? mover_thread % Lanes::kCount : 0}};
-    if constexpr (kMovesApart) {
-        __shared__ alignas(16) unsigned char sums_memory[kParticles * sizeof(Wrench<Real>)];
-        __shared__ alignas(16) unsigned char tallies_memory[kLedger ? kParticles * sizeof(Tally<Real>) : 16];
-        auto* sums = reinterpret_cast<Wrench<Real>*>(sums_memory);
-        auto* tallies = reinterpret_cast<Tally<Real>*>(tallies_memory);
-        if (moves) {
-            awaitPrevious();
-            if (present) mover.start(arrays, params, colliders, id);
-        } else {
-            gatherParticle<T, kLedger>(arrays, params, id, present,
-                                       [&](const Wrench<Real>& load, const Tally<Real>& tally) {
-                                           sums[place] = load;
-                                           if constexpr (kLedger) tallies[place] = tally;
-                                       });
-        }
-        __syncthreads();
-        if (moves && present && mover.lanes.leads())
-            mover.finish(arrays, params, sums[place], kLedger ? tallies[place] : Tally<Real>{});
-    } else {
-        gatherParticle<T, kLedger>(arrays, params, id, present,
-                                   [&](const Wrench<Real>& load, const Tally<Real>& tally) {
-                                       if (!present) return;
-                                       mover.start(arrays, params, colliders, id);
-                                       mover.finish(arrays, params, load, tally);
-                                   });
-    }
+    const uint32_t first = (block - kMaxProjectiles) * (kSubstepBlock / T);
+    if constexpr (kMovesApart)
+        stepApart<T, kLedger, kOnlyPlanes>(arrays, params, colliders, first);
+    else
+        stepAlone<T, kLedger>(arrays, params, colliders, first);
 }
 
 }  // namespace demolish

@@ -8,6 +8,7 @@
 
 #include "sim_cuda/api/errors.h"
 #include "sim_cuda/data/colliders.h"
+#include "sim_cuda/kernels/press_on_shape.h"
 #include "tests/unit/meshes/mesh_makers.h"
 
 namespace demolish::tests {
@@ -85,15 +86,22 @@ void expectSameDistances(const MeshShape& ring) {
         const auto along = [](double x, uint32_t nodes) { return Real(0.5 * (1.2 * x + 1) * nodes); };
         const Vec3<Real> at{along(p.x, rows.counts & 1023), along(p.y, rows.counts >> 10 & 1023),
                             along(p.z, rows.counts >> 20)};
-        const Real first = distanceWithinGrid(rows, at);
-        if (first == Real(0)) continue;
-        ++told;
-        ASSERT_EQ(first, awayFromMesh(rows, gridPlace(rows, at)).distance);
+        const CornersOnMesh<Real> corners{rows};
+        const GridPlace<Real> place = gridPlace(rows, at);
+        const Real first = corners.unit() * corners.firstLook(at),
+                   distance = awayFromMesh(rows, place).distance;
+        ASSERT_EQ(first, corners.unit() * corners.away(at).distance);
+        const bool beyond = length2(Vec3<Real>{place.x.beyond, place.y.beyond, place.z.beyond}) > Real(0);
+        if (beyond)
+            ASSERT_TRUE(first > Real(0) && first < Real(1.1) * distance) << first << " of " << distance;
+        else
+            ASSERT_EQ(first, distance);
+        told += beyond ? 0 : 1;
     }
     EXPECT_GT(told, 5000);
     EXPECT_LT(told, 19000) << "none lies beyond the grid";
 }
-TEST(MeshCollider, TheFirstLookTellsTheDistanceToTheLastBitOrNothing) {
+TEST(MeshCollider, TheFirstLookTellsTheDistanceToTheLastBitAndBeyondTheGridNoMore) {
     const MeshShape ring{
         gridOf(test::makeTorus(0.5, 0.1, 32, 16)), 1, {0.1, 0, 0}, {0.1, 0.2, 0.3, 0.92736185}};
     expectSameDistances<double>(ring);
