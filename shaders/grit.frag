@@ -9,9 +9,9 @@
 #include "common/body_material.glsl"
 #define GRAIN_BINDING 2
 #include "common/grain.glsl"
-in vec3 world_position;
+centroid in vec3 world_position;
 flat in vec3 world_normal;
-flat in uint seed;
+flat in int number;
 flat in int face;
 layout(location = 0) out vec4 material_out;
 layout(location = 1) out vec4 normals_out;
@@ -22,7 +22,7 @@ void main() {
     s.geometric_normal = world_normal;
     s.normal = world_normal;
     s.metalness = 0.0;
-    grainMaterial(s, seed, face);
+    grainMaterial(s, grains[number], face);
     material_out = packMaterial(s);
     normals_out = packNormals(s);
 }

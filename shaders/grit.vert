@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
-// A grain as eight faces.
+// A grain as twelve faces.
 #include "common/frame.glsl"
 #define GRAIN_BINDING 2
 #include "common/grain.glsl"
-out vec3 world_position;
+centroid out vec3 world_position;
 flat out vec3 world_normal;
-flat out uint seed;
+flat out int number;
 flat out int face;
 
 void main() {
     Grain g = grains[gl_InstanceID];
     float grow = grainGrowth(g);
     face = gl_VertexID / 3;
-    seed = g.seed;
+    number = gl_InstanceID;
     GrainFace f = grainFace(g, face);
     world_position = g.position_size.xyz + grow * g.position_size.w * f.corner[gl_VertexID % 3];
     world_normal = f.normal;

@@ -60,10 +60,11 @@ void seeFromSun(Grain g, GrainFace face, int region) {
 void main() {
     uint faces = kGrainFaces * effect_commands[0].y, lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     for (uint k = gl_GlobalInvocationID.x; k < faces; k += lanes) {
-        Grain g = grains[k / kGrainFaces];
+        uint slot = k / kGrainFaces, own = k % kGrainFaces;
+        Grain g = grains[slot];
         if (g.position_size.w <= 0.0 || g.heat > 0.0) continue;
-        GrainFace face = grainFace(g, int(k % kGrainFaces));
-        seeFromCamera(g, face, kGrainBits | k);
+        GrainFace face = grainFace(g, int(own));
+        seeFromCamera(g, face, kGrainBits | slot * kGrainNames | own);
         for (int region = 0; region < 2 && naming == 0 && shadow_texels > 0; ++region) seeFromSun(g, face, region);
     }
 }

@@ -92,13 +92,13 @@ void makeBall(ivec2 pixel, uint name, inout Surface s) {
 }
 
 void makeGrain(uint name, inout Surface s) {
-    uint slot = (name & ~kGrainBits) / kGrainFaces;
-    int face = int(name % kGrainFaces);
+    uint slot = (name & ~kGrainBits) / kGrainNames;
+    int face = int(name % kGrainNames);
     GrainFace f = grainFace(grains[slot], face);
     s.geometric_normal = f.normal;
     s.normal = f.normal;
     s.metalness = 0.0;
-    grainMaterial(s, grains[slot].seed, face);
+    grainMaterial(s, grains[slot], face);
 }
 
 // `position`: of the sample, m.

@@ -92,7 +92,7 @@ class SubstepRunner<CudaBackend, Real> {
     }
 
     static SubstepWidth widthFor(const BondedWork& work, const StepParams<Real>& params) {
-        return substepWidth(work.all() ? params.in_bodies : work.at_most);
+        return substepWidth(work.all() ? params.in_bodies : work.at_most, params.colliders.hasMesh());
     }
 
     template <bool kLedger, bool kOnlyPlanes>

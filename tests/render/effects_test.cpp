@@ -192,6 +192,29 @@ TEST_P(EffectsPicture, APuffHasNeitherARimNorAPlateau) {
     EXPECT_GT(most, least + 20);
 }
 
+/// From near a grain is a bit of stone, whose faces are rough; flat ones are of one colour each.
+TEST_P(EffectsPicture, NearGrainsAreRough) {
+    Scene with = scene();
+    const Image none = picture(with);
+    writeEffects(*with.mesh, {{towardsBlock(with, 0.3f), 0.25f, {0, 0x7fff0000u}, 5}}, {});
+    const Image one = picture(with);
+    const auto sumAt = [](const Image& image, int x, int y) {
+        const uint8_t* pixel = image.at(x, y);
+        return pixel[0] + pixel[1] + pixel[2];
+    };
+    size_t pairs = 0, steps = 0;
+    for (int y = 0; y < one.height; ++y)
+        for (int x = 0; x + 1 < one.width; ++x) {
+            if (std::abs(sumAt(one, x, y) - sumAt(none, x, y)) < 15 ||
+                std::abs(sumAt(one, x + 1, y) - sumAt(none, x + 1, y)) < 15)
+                continue;
+            ++pairs;
+            steps += std::abs(sumAt(one, x, y) - sumAt(one, x + 1, y)) >= 4 ? 1 : 0;
+        }
+    ASSERT_GT(pairs, 1000u);
+    EXPECT_GT(static_cast<double>(steps) / static_cast<double>(pairs), 0.4);
+}
+
 INSTANTIATE_TEST_SUITE_P(Qualities, EffectsPicture,
                          testing::Values(RenderQuality::kFull, RenderQuality::kDraft), [](const auto& param) {
                              return param.param == RenderQuality::kFull ? "Full" : "Draft";
