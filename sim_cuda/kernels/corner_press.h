@@ -93,7 +93,8 @@ DEM_FN void addChange(OverlapChange<Real>& change, Real distance, Real opening, 
 
 /// Calls visit(corner, number) for every kStride-th from `first` on, below `last`. kAtOnce are read together,
 /// since on a GPU the way to each is long. The last of them are filled up with numbers from `last` on, and
-/// with corners that are none: a branch costs more. So is what comes after the corners.
+/// with corners that are none: a branch costs more. So is what comes after the corners, of which there must
+/// be one.
 template <uint32_t kStride, uint32_t kAtOnce, class Real, class Visit>
 DEM_FN void forEachCorner(const OwnCorners<Real>& corners, uint32_t first, uint32_t last,
                           const Visit& visit) {

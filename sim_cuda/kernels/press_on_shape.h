@@ -142,7 +142,8 @@ DEM_FN uint32_t cornersThatMayTouch(const OwnCorners<Real>& corners, const AxesI
     forEachCorner<Lanes::kCount, 4>(
         corners, lanes.lane, count, [&](const Vec3<Real>& corner, uint32_t number) {
             const Real distance = shape.unit() * shape.firstLook(axes.along(corner));
-            const bool present = number<count, off = distance> Real(0);
+            const bool present = number < count;
+            const bool off = distance > Real(0);
             nearest = minOf(nearest, present && off ? distance : Real(kFarAway));
             touching |= present && !off ? 1u << number : 0;
         });

@@ -128,6 +128,10 @@ __device__ __forceinline__ void lookAtShapes(const SubstepArrays<Real>& arrays,
     for (; shapes != 0; shapes &= shapes - 1) {
         const uint32_t c = lowestBit(shapes);
         const ColliderRows<Real>& rows = colliders.collider[c];
+        if (pose.seen.corners.from_seed.empty()) {  // a sphere
+            if (lanes.leads()) found[c].tangent = colliders.tangent(c, pose.high, pose.low);
+            continue;
+        }
         const ShapeFound<Real> at = params.hertz != 0 ? cornersOnShape<false, true>(rows, pose, lanes)
                                                       : cornersOnShape<false, false>(rows, pose, lanes);
         if (lanes.leads()) found[c].points = at.points;
