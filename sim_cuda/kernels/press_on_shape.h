@@ -2,7 +2,8 @@
 // The corners of a cell on a collider that is no plane, and a sphere within the cell, since edges of the
 // collider reach between corners. Most corners do not touch: a first look tells which do not, by their
 // distance alone, and only the others ask for a normal. On a GPU threads whose cells lie beside each other
-// then take as long as the one with most corners that touch, not as all corners together.
+// then take as long as the one with most corners that touch, not as all corners together. Where there is a
+// thread for one or two corners, each looks once and closely.
 #pragma once
 #include "sim_cuda/api/breakable_body.h"
 #include "sim_cuda/backend/bit_count.h"
