@@ -83,11 +83,6 @@ struct ColliderSet {
             if (!isPlane(c)) return false;
         return true;
     }
-    bool hasMesh() const {
-        for (uint32_t c = 0; c < count; ++c)
-            if (isMesh(c)) return true;
-        return false;
-    }
     DEM_FN TangentPlane<Real> tangent(uint32_t c, const Vec3<Real>& high, const Vec3<Real>& low = {}) const {
         return isMesh(c) ? tangentOfMesh(collider[c], high, low) : bound(c, high, low);
     }

@@ -110,13 +110,30 @@ DEM_FN Real gridShift(const ColliderRows<Real>& rows, uint32_t k) {
     return rows.per_step * (halfEdgeOf(rows.row[k]) + rows.margin);
 }
 
+/// A point in a mesh's grid, from its first node along its axes, in steps.
+template <class Real>
+DEM_FN Vec3<Real> inGrid(const ColliderRows<Real>& rows, const Vec3<Real>& high, const Vec3<Real>& low) {
+    const Vec3<Real> from_begin = (high - xyz(rows.row[3])) + low;
+    const auto along = [&](uint32_t k) { return dot(gridAxis(rows, k), from_begin) + gridShift(rows, k); };
+    return {along(0), along(1), along(2)};
+}
+
+/// Steps by which the nodes round a place differ at most: the diagonal of a cell, and what distances are off.
+inline constexpr double kNodesDiffer = 2;
+/// m, no more than the interpolated distance, from a single node; beyond the grid 0.
+template <class Real>
+DEM_APART Real leastDistance(const ColliderRows<Real>& rows, Handed<Vec3<Real>> high,
+                             Handed<Vec3<Real>> low) {
+    const GridPlace<Real> at = gridPlace(rows, inGrid(rows, high, low));
+    const bool within = at.x.beyond == Real(0) && at.y.beyond == Real(0) && at.z.beyond == Real(0);
+    return within ? stepOf(rows.row[3]) * (Real(rows.steps[at.first]) - Real(kNodesDiffer)) : Real(0);
+}
+
 /// Apart: only what is near a mesh pays for it, also in registers.
 template <class Real>
 DEM_APART TangentPlane<Real> tangentOfMesh(const ColliderRows<Real>& rows, Handed<Vec3<Real>> high,
                                            Handed<Vec3<Real>> low) {
-    const Vec3<Real> from_begin = (high - xyz(rows.row[3])) + low;
-    const auto place = [&](uint32_t k) { return dot(gridAxis(rows, k), from_begin) + gridShift(rows, k); };
-    const Away<Real> away = awayFromMesh(rows, gridPlace(rows, {place(0), place(1), place(2)}));
+    const Away<Real> away = awayFromMesh(rows, gridPlace(rows, inGrid(rows, high, low)));
     return tangentWith(turnedOut(rows.row, away.out), away.distance, high, low);
 }
 

@@ -25,11 +25,25 @@ DEM_FN TangentPlane<Real> tangentFrom(const Colliders& colliders, uint32_t c, co
                                : bound;
 }
 
+/// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
+/// the two.
+template <StepKind kStep, class Real>
+DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
+    constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
+    const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
+    return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
+}
+
 /// Who looks at how a particle lies on a collider: its own thread, or several together.
 template <class Lanes = LaneGroup<1>>
 struct LooksItself {
     Lanes lanes{};
     DEM_FN bool leads() const { return lanes.leads(); }
+    /// `gap`: m, between the particle and what bounds collider c.
+    template <StepKind kStep, class Real>
+    DEM_FN bool isClear(const OwnParticle<Real>& own, uint32_t, Real gap, Real dt) const {
+        return isClearOf<kStep>(own, gap, dt);
+    }
     template <class Real, class Colliders>
     DEM_FN TangentPlane<Real> tangent(const Colliders& colliders, uint32_t c, const OwnParticle<Real>& own,
                                       const TangentPlane<Real>& bound) const {
@@ -58,7 +72,12 @@ struct FoundOnShape {
 template <class Real>
 struct FoundByOthers {
     const FoundOnShape<Real>* found;  ///< by collider
+    uint32_t near;                    ///< bit c: collider c is not too far away
     DEM_FN bool leads() const { return true; }
+    template <StepKind kStep>
+    DEM_FN bool isClear(const OwnParticle<Real>&, uint32_t c, Real, Real) const {
+        return (near >> c & 1) == 0;
+    }
     template <class Colliders>
     DEM_FN TangentPlane<Real> tangent(const Colliders& colliders, uint32_t c, const OwnParticle<Real>&,
                                       const TangentPlane<Real>& bound) const {
@@ -131,15 +150,6 @@ DEM_FN void forEachCollider(const Colliders& colliders, const OwnParticle<Real>&
     const LoadedState<Real>& state = own.state;
     forEachCollider(colliders, xyz(state.position), lowPart(state.position, state.velocity, state.spin),
                     visit);
-}
-
-/// Too far from a collider to touch it, now and in the step before, however long that was; `gap`: m, between
-/// the two.
-template <StepKind kStep, class Real>
-DEM_FN bool isClearOf(const OwnParticle<Real>& own, Real gap, Real dt) {
-    constexpr Real kSteps = kStep == StepKind::kSubstep ? kRigidStride : 2;
-    const Real near = Real(kRoughReach - 1) * own.constants.floor_radius, way = kSteps * dt;
-    return gap > near && (gap - near) * (gap - near) > way * way * length2(xyz(own.state.velocity));
 }
 
 /// One may touch it in this step, as far as bounds say.
@@ -217,7 +227,7 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
                                           const TurnedWith& turned_with) {
     constexpr StepKind kStep = TurnedWith::kStep;
     const Real radius = own.constants.floor_radius;
-    if (isClearOf<kStep>(own, bound.distance - radius, params.dt)) return {};
+    if (turned_with.source.template isClear<kStep>(own, c, bound.distance - radius, params.dt)) return {};
     const TangentPlane<Real> tangent = turned_with.source.tangent(colliders, c, own, bound);
     if (colliders.isMesh(c) && isClearOf<kStep>(own, sureDistance(tangent.distance) - radius, params.dt))
         return {};

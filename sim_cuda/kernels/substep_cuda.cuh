@@ -7,10 +7,9 @@
 #include "sim_cuda/backend/cuda_chained_launch.cuh"
 #include "sim_cuda/kernels/gather_rows_cuda.cuh"
 #include "sim_cuda/kernels/move_particle.h"
+#include "sim_cuda/kernels/near_shapes_cuda.cuh"
 
 namespace demolish {
-
-inline constexpr uint32_t kSubstepBlock = 128;
 
 /// Breaks it when its time has come.
 template <bool kLedger, class Real>
@@ -62,15 +61,10 @@ __device__ __forceinline__ Wrench<Real> bondSlot(const SubstepArrays<Real>& arra
 constexpr uint32_t substepThreads(bool moves_apart) {
     return kSubstepBlock + (moves_apart ? 32 : 0);
 }
-/// All threads of a particle look at its corners together, once they have gathered. On planes corners are
-/// too little work to share, and the ledger's kernels need not be fast. Where fewer threads gather, that
-/// takes so long that the other warp is done before.
-constexpr bool looksTogether(uint32_t threads, bool only_planes, bool ledger) {
-    return threads == kCornerParts && !only_planes && !ledger;
-}
-/// Else threads of the other warp that look at the corners of a particle.
-constexpr uint32_t lanesOfCorners(uint32_t threads, bool only_planes, bool ledger) {
-    return threads < kCornerParts && !only_planes && !ledger ? 32 / (kSubstepBlock / threads) : 1;
+/// Corners on shapes are shared (NearShapes). On planes they are too little work for that, and the ledger's
+/// kernels need not be fast: there the thread that moves a particle looks at them by itself.
+constexpr bool looksTogether(bool only_planes, bool ledger) {
+    return !only_planes && !ledger;
 }
 /// The thread that moves a particle, as far as it comes before the others have gathered.
 template <bool kLedger, Movable kMovable, class Real>
@@ -78,68 +72,36 @@ struct MovingThread {
     OwnParticle<Real> own;
     Wrench<Real> push;  ///< of colliders
     Tally<Real> tally;
-    bool near = false;
+    uint32_t near =
+        0;  ///< bits of colliders that it may touch; some bit, if they are not asked for one by one
 
     template <class Colliders>
     __device__ __forceinline__ void load(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                          const Colliders& colliders, uint32_t id) {
         own = loadOwn(arrays, id);
-        near = isNearColliders<StepKind::kSubstep>(params, colliders, own);
+        near = isNearColliders<StepKind::kSubstep>(params, colliders, own) ? 1 : 0;
+    }
+    __device__ __forceinline__ void loadForList(const SubstepArrays<Real>& arrays,
+                                                const StepParams<Real>& params,
+                                                const ColliderSet<Real>& colliders, uint32_t id) {
+        own = loadOwn(arrays, id);
+        near = collidersNear(params, colliders, own);
     }
     template <class Colliders, class Source>
     __device__ __forceinline__ void meetColliders(const SubstepArrays<Real>& arrays,
                                                   const StepParams<Real>& params, const Colliders& colliders,
                                                   const Source& source) {
-        if (near) push = collidersPush<kLedger>(arrays, params, colliders, own, tally, source);
+        if (near != 0) push = collidersPush<kLedger>(arrays, params, colliders, own, tally, source);
     }
     /// From the rows: what they give, and what is booked with it.
     __device__ __forceinline__ void finish(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                            const Wrench<Real>& gathered, const Tally<Real>& booked) {
         Wrench<Real> load = gathered;
         tally += booked;
-        if (near) add(load, push);
+        if (near != 0) add(load, push);
         moveParticle<kLedger, kMovable>(arrays, params, own, load, tally);
     }
 };
-
-/// Bit c: collider c is no plane, and the particle may touch it.
-template <class Real>
-__device__ __forceinline__ uint32_t shapesNear(const StepParams<Real>& params,
-                                               const ColliderSet<Real>& colliders,
-                                               const OwnParticle<Real>& own) {
-    uint32_t shapes = 0;
-    forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-        const bool clear =
-            isClearOf<StepKind::kSubstep>(own, bound.distance - own.constants.floor_radius, params.dt);
-        shapes |= clear || colliders.isPlane(c) ? 0 : 1u << c;
-    });
-    return shapes;
-}
-/// Its T threads look at the corners of particle `id` on each of `shapes`; `found`: by collider.
-template <uint32_t T, class Real>
-__device__ __forceinline__ void lookAtShapes(const SubstepArrays<Real>& arrays,
-                                             const StepParams<Real>& params,
-                                             const ColliderSet<Real>& colliders, uint32_t id, uint32_t shapes,
-                                             FoundOnShape<Real>* found) {
-    const OwnParticle<Real> own = loadOwn(arrays, id);
-    const TurnsAlone<Real> alone{cornersOf(arrays.corners, id)};
-    const CellPose<Real> pose = poseOf(own, alone.cell(params, own));
-    const LaneGroup<T> lanes{threadIdx.x % T};
-    for (; shapes != 0; shapes &= shapes - 1) {
-        const uint32_t c = lowestBit(shapes);
-        const ColliderRows<Real>& rows = colliders.collider[c];
-        if (pose.seen.corners.from_seed.empty()) {  // a sphere
-            if (lanes.leads()) found[c].tangent = colliders.tangent(c, pose.high, pose.low);
-            continue;
-        }
-        const ShapeFound<Real> at = params.hertz != 0 ? cornersOnShape<false, true>(rows, pose, lanes)
-                                                      : cornersOnShape<false, false>(rows, pose, lanes);
-        if (lanes.leads()) found[c].points = at.points;
-        if (at.has_centre && colliders.isMesh(c))
-            found[c].tangent =
-                tangentWith(turnedOut(rows.row, at.centre.out), at.centre.distance, pose.high, pose.low);
-    }
-}
 
 /// What one of kLongPartials threads gathers of a long row.
 template <bool kLedger, class Real>
@@ -204,9 +166,10 @@ __device__ void stepProjectile(const SubstepArrays<Real>& arrays, const StepPara
 }
 
 /// Blocks that a multiprocessor shall hold: where many threads share a particle there are few particles, and
-/// registers are worth more than blocks.
-constexpr int blocksAtOnce(uint32_t threads, bool moves_apart) {
-    return threads >= 16 ? 3 : moves_apart ? 4 : 6;
+/// registers are worth more than blocks; so they are where corners on shapes are shared.
+constexpr int blocksAtOnce(uint32_t threads, bool moves_apart, bool only_planes) {
+    if (!moves_apart) return 6;
+    return threads >= 16 || !only_planes ? 3 : 4;
 }
 
 /// Places of the work list.
@@ -255,8 +218,7 @@ template <uint32_t kParticles, bool kLedger, bool kTogether, class Real>
 struct BlockMemory {
     Wrench<Real> sums[kParticles];
     Tally<Real> tallies[kLedger ? kParticles : 1];
-    uint32_t shapes[kTogether ? kParticles : 1];  ///< shapesNear()
-    FoundOnShape<Real> found[kTogether ? kParticles : 1][kMaxColliders];
+    NearShapes<kTogether ? kParticles : 1, Real> near;
 };
 
 /// The particles of a block from place `first` of the work list on, moved by a warp of their own.
@@ -264,28 +226,28 @@ template <uint32_t T, bool kLedger, bool kOnlyPlanes, class Real, class Collider
 __device__ __forceinline__ void stepApart(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                           const Colliders& colliders, uint32_t first) {
     constexpr uint32_t kParticles = kSubstepBlock / T;
-    constexpr bool kTogether = looksTogether(T, kOnlyPlanes, kLedger);
+    constexpr bool kTogether = looksTogether(kOnlyPlanes, kLedger);
+    constexpr uint32_t kMeanwhile = lookedAtMeanwhile(T);
     using Memory = BlockMemory<kParticles, kLedger, kTogether, Real>;
-    using Lanes = LaneGroup<lanesOfCorners(T, kOnlyPlanes, kLedger)>;
     __shared__ alignas(16) unsigned char memory[sizeof(Memory)];
     auto& shared = *reinterpret_cast<Memory*>(memory);
     const bool moves = threadIdx.x >= kSubstepBlock;
     const uint32_t mover_thread = threadIdx.x - kSubstepBlock;
-    const uint32_t place = moves ? mover_thread / Lanes::kCount : threadIdx.x / T;
-    const Lanes lanes{moves ? mover_thread % Lanes::kCount : 0};
+    const uint32_t place = moves ? mover_thread : threadIdx.x / T;
     const uint32_t id = workAt(arrays, params, first + place), count = workCount(arrays, params);
     if (first >= count) return;
     const bool present = first + place < count && place < kParticles;
     MovingThread<kLedger, Movable::kBodies, Real> mover;
-    uint32_t shapes = 0;
     if (moves) {
         awaitPrevious();
-        if (present) {
+        if constexpr (kTogether) {
+            if (present) mover.loadForList(arrays, params, colliders, id);
+            shared.near.list(id, place, withoutPlanes(colliders, mover.near));
+            if (shared.near.count <= kMeanwhile)
+                shared.near.look(arrays, params, colliders, {mover_thread / kCornerParts, 2});
+        } else if (present) {
             mover.load(arrays, params, colliders, id);
-            if constexpr (kTogether)
-                shared.shapes[place] = shapes = mover.near ? shapesNear(params, colliders, mover.own) : 0;
-            else
-                mover.meetColliders(arrays, params, colliders, LooksItself<Lanes>{lanes});
+            mover.meetColliders(arrays, params, colliders, LooksItself<>{});
         }
     } else {
         gatherParticle<T, kLedger>(arrays, params, id, present,
@@ -294,16 +256,18 @@ __device__ __forceinline__ void stepApart(const SubstepArrays<Real>& arrays, con
                                        if constexpr (kLedger) shared.tallies[place] = tally;
                                    });
     }
-    if constexpr (!kTogether) {
-        __syncthreads();
-    } else if (__syncthreads_or(shapes != 0)) {
-        if (!moves && present)
-            lookAtShapes<T>(arrays, params, colliders, id, shared.shapes[place], shared.found[place]);
-        __syncthreads();
+    __syncthreads();
+    if constexpr (kTogether) {
+        if (shared.near.count > kMeanwhile) {
+            constexpr uint32_t kGroups = substepThreads(true) / kCornerParts;
+            shared.near.look(arrays, params, colliders, {threadIdx.x / kCornerParts, kGroups});
+            __syncthreads();
+        }
     }
-    if (!moves || !present || !lanes.leads()) return;
+    if (!moves || !present) return;
     if constexpr (kTogether)
-        mover.meetColliders(arrays, params, colliders, FoundByOthers<Real>{shared.found[place]});
+        mover.meetColliders(arrays, params, colliders,
+                            FoundByOthers<Real>{shared.near.found[place], mover.near});
     mover.finish(arrays, params, shared.sums[place], kLedger ? shared.tallies[place] : Tally<Real>{});
 }
 /// The same, each moved by the first of its threads.
@@ -328,7 +292,8 @@ __device__ __forceinline__ void stepAlone(const SubstepArrays<Real>& arrays, con
 /// what no substep changes is read before its end is waited for. kOnlyPlanes: as PlanesOnly.
 /// __grid_constant__: what lands hard is told the arrays by their address.
 template <uint32_t T, bool kMovesApart, bool kLedger, bool kOnlyPlanes, class Real>
-__global__ void __launch_bounds__(substepThreads(kMovesApart), kLedger ? 2 : blocksAtOnce(T, kMovesApart))
+__global__ void __launch_bounds__(substepThreads(kMovesApart),
+                                  kLedger ? 2 : blocksAtOnce(T, kMovesApart, kOnlyPlanes))
     substepKernel(const __grid_constant__ SubstepArrays<Real> arrays,
                   const __grid_constant__ StepParams<Real> params) {
     const uint32_t block = blockIdx.x;

@@ -92,7 +92,7 @@ class SubstepRunner<CudaBackend, Real> {
     }
 
     static SubstepWidth widthFor(const BondedWork& work, const StepParams<Real>& params) {
-        return substepWidth(work.all() ? params.in_bodies : work.at_most, params.colliders.hasMesh());
+        return substepWidth(work.all() ? params.in_bodies : work.at_most);
     }
 
     template <bool kLedger, bool kOnlyPlanes>

@@ -16,28 +16,25 @@ struct SubstepWidth {
 inline constexpr struct {
     std::string_view name;
     SubstepWidth width;
-    uint32_t from;          ///< particles; measured on an H200 and an H100 from 2k to 1000k
-    uint32_t from_by_mesh;  ///< the same where a collider is a mesh: sixteen threads look at corners together
-} kSubstepWidths[] = {{"16", {16}, 0, 0},
-                      {"8", {8}, 4'000, 8'000},
-                      {"4", {4}, 16'000, 16'000},
-                      {"4-alone", {4, false}, 90'000, 90'000}};
+    uint32_t from;  ///< particles; measured on an H200 and an H100 from 2k to 1000k
+} kSubstepWidths[] = {
+    {"16", {16}, 0}, {"8", {8}, 4'000}, {"4", {4}, 16'000}, {"4-alone", {4, false}, 90'000}};
 
 /// DEMOLISH_THREADS_PER_PARTICLE (a name) overrides it, for measurements; every choice gives the same bits.
-inline SubstepWidth substepWidth(uint32_t particles, bool has_mesh = false) {
+inline SubstepWidth substepWidth(uint32_t particles) {
     const char* wish = std::getenv("DEMOLISH_THREADS_PER_PARTICLE");
     SubstepWidth last;
-    for (const auto& [name, width, from, from_by_mesh] : kSubstepWidths) {
+    for (const auto& [name, width, from] : kSubstepWidths) {
         if (wish != nullptr && name == wish) return width;
-        if ((has_mesh ? from_by_mesh : from) <= particles) last = width;
+        if (from <= particles) last = width;
     }
     return last;
 }
-/// visit(width) for all that are chosen for up to so many particles, with a mesh or without.
+/// visit(width) for all that are chosen for up to so many particles.
 template <class Visit>
 void forEachWidth(uint32_t particles, const Visit& visit) {
     SubstepWidth last;
-    for (const auto& [name, width, from, from_by_mesh] : kSubstepWidths)
+    for (const auto& [name, width, from] : kSubstepWidths)
         if (const SubstepWidth chosen = substepWidth(from); from <= particles && !(chosen == last))
             visit(last = chosen);
 }

@@ -108,6 +108,26 @@ TEST(MeshCollider, TheFirstLookTellsTheDistanceToTheLastBitAndBeyondTheGridNoMor
     expectSameDistances<float>(ring);
 }
 
+/// What is far from the surface need not be looked at any closer, and no touch may be missed by that.
+TEST(MeshCollider, OneNodeNeverTellsMoreThanTheDistance) {
+    const MeshShape ring{
+        gridOf(test::makeTorus(0.5, 0.1, 32, 16)), 1, {0.1, 0, 0}, {0.1, 0.2, 0.3, 0.92736185}};
+    const auto set = makeColliderSet<float>({ring});
+    const ColliderRows<float>& rows = set.collider[0];
+    Points points(0.7);
+    int told = 0;
+    for (int k = 0; k < 20000; ++k) {
+        const Vec3<double> p = points.next();
+        const Vec3<float> high{float(p.x), float(p.y), float(p.z)}, low{};
+        const float distance = set.tangent(0, high).distance, least = leastDistance<float>(rows, high, low);
+        ASSERT_LE(least, std::max(distance, 0.0f));
+        if (set.bound(0, high).distance > rows.margin / 2) continue;
+        ASSERT_GT(least, distance - (kNodesDiffer + 2) * stepOf(rows.row[3]));
+        told += least > 0.05f;
+    }
+    EXPECT_GT(told, 500);
+}
+
 /// Distances of its faces are linear, and interpolation keeps them; its edges are rounded by less than a
 /// cell.
 TEST(MeshCollider, ABoxOfTrianglesIsTheBox) {

@@ -18,8 +18,6 @@ TEST(SubstepWidths, TheFewerParticlesTheMoreThreadsShareOne) {
     EXPECT_EQ(substepWidth(0), (SubstepWidth{16, true}));
     EXPECT_EQ(substepWidth(3'999), (SubstepWidth{16, true}));
     EXPECT_EQ(substepWidth(4'000), (SubstepWidth{8, true}));
-    EXPECT_EQ(substepWidth(7'999, true), (SubstepWidth{16, true}));
-    EXPECT_EQ(substepWidth(8'000, true), (SubstepWidth{8, true}));
     EXPECT_EQ(substepWidth(80'000), (SubstepWidth{4, true}));
     EXPECT_EQ(substepWidth(1'000'000), (SubstepWidth{4, false}));
 }

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+// Corners on shapes, shared by the threads of a block. The warp that moves particles lists which of them are
+// near shapes. It looks at a few while the others gather; of more all threads take their share once they have
+// gathered. Sixteen threads look at a particle together, and who looks at which changes no bit.
+#pragma once
+#include "sim_cuda/kernels/collider_contact.h"
+
+namespace demolish {
+
+/// Threads of a block that gather; those that move particles apart come on top.
+inline constexpr uint32_t kSubstepBlock = 128;
+
+/// Of collider c the particle is too far away to touch it in this step; `bound`: of it. Of a mesh one node of
+/// its grid tells most of what is far from the surface though within the box about it.
+template <class Real, class Colliders>
+__device__ __forceinline__ bool isClearOf(const StepParams<Real>& params, const Colliders& colliders,
+                                          const OwnParticle<Real>& own, uint32_t c,
+                                          const TangentPlane<Real>& bound) {
+    const Real radius = own.constants.floor_radius;
+    if (isClearOf<StepKind::kSubstep>(own, bound.distance - radius, params.dt)) return true;
+    if (!colliders.isMesh(c)) return false;
+    const LoadedState<Real>& state = own.state;
+    const Real least = leastDistance(colliders.collider[c], xyz(state.position),
+                                     lowPart(state.position, state.velocity, state.spin));
+    return isClearOf<StepKind::kSubstep>(own, sureDistance(least) - radius, params.dt);
+}
+/// Bit c: the particle may touch collider c in this step.
+template <class Real>
+__device__ __forceinline__ uint32_t collidersNear(const StepParams<Real>& params,
+                                                  const ColliderSet<Real>& colliders,
+                                                  const OwnParticle<Real>& own) {
+    if (own.constants.isHeld() || !own.constants.isMovedHere()) return 0;
+    uint32_t near = 0;
+    forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
+        if (!isClearOf(params, colliders, own, c, bound)) near |= 1u << c;
+    });
+    return near;
+}
+template <class Real>
+__device__ __forceinline__ uint32_t withoutPlanes(const ColliderSet<Real>& colliders, uint32_t near) {
+    uint32_t shapes = 0;
+    for (; near != 0; near &= near - 1)
+        if (const uint32_t c = lowestBit(near); !colliders.isPlane(c)) shapes |= 1u << c;
+    return shapes;
+}
+
+/// kCornerParts threads look at the corners of particle `id` on each of `shapes`; `found`: by collider.
+template <class Real>
+__device__ __forceinline__ void lookAtShapes(const SubstepArrays<Real>& arrays,
+                                             const StepParams<Real>& params,
+                                             const ColliderSet<Real>& colliders, uint32_t id, uint32_t shapes,
+                                             FoundOnShape<Real>* found) {
+    const OwnParticle<Real> own = loadOwn(arrays, id);
+    const TurnsAlone<Real> alone{cornersOf(arrays.corners, id)};
+    const CellPose<Real> pose = poseOf(own, alone.cell(params, own));
+    const LaneGroup<kCornerParts> lanes{threadIdx.x % kCornerParts};
+    for (; shapes != 0; shapes &= shapes - 1) {
+        const uint32_t c = lowestBit(shapes);
+        const ColliderRows<Real>& rows = colliders.collider[c];
+        if (pose.seen.corners.from_seed.empty()) {  // a sphere
+            if (lanes.leads()) found[c].tangent = colliders.tangent(c, pose.high, pose.low);
+            continue;
+        }
+        const ShapeFound<Real> at = params.hertz != 0 ? cornersOnShape<false, true>(rows, pose, lanes)
+                                                      : cornersOnShape<false, false>(rows, pose, lanes);
+        if (lanes.leads()) found[c].points = at.points;
+        if (at.has_centre && colliders.isMesh(c))
+            found[c].tangent =
+                tangentWith(turnedOut(rows.row, at.centre.out), at.centre.distance, pose.high, pose.low);
+    }
+}
+
+/// Groups of threads that share work, and the number of this thread's.
+struct ThreadGroups {
+    uint32_t own, all;
+};
+
+/// As many particles near shapes as this the warp that moves looks at while four threads gather for each. Of
+/// more it would be done later than all together, and where more threads gather they are done so soon that it
+/// would be so at once.
+constexpr uint32_t lookedAtMeanwhile(uint32_t threads) {
+    return threads > 4 ? 0 : 6;
+}
+
+/// Particles of a block that are near shapes, and what has been found of them there; in shared memory.
+template <uint32_t kParticles, class Real>
+struct NearShapes {
+    uint32_t count;
+    uint32_t id[kParticles];                              ///< of the first `count`
+    uint32_t place[kParticles];                           ///< likewise, in the block
+    uint32_t shapes[kParticles];                          ///< likewise, bit c: collider c
+    FoundOnShape<Real> found[kParticles][kMaxColliders];  ///< by place in the block
+
+    /// All threads of the warp that moves particles, each with its own.
+    __device__ __forceinline__ void list(uint32_t own_id, uint32_t own_place, uint32_t own_shapes) {
+        const uint32_t lane = threadIdx.x % 32, all = __ballot_sync(0xffffffffu, own_shapes != 0);
+        const auto rank = static_cast<uint32_t>(__popc(all & lowBits(lane)));
+        if (own_shapes != 0) {
+            id[rank] = own_id;
+            place[rank] = own_place;
+            shapes[rank] = own_shapes;
+        }
+        if (lane == 0) count = static_cast<uint32_t>(__popc(all));
+        __syncwarp();
+    }
+    /// Groups of kCornerParts threads share the list.
+    __device__ __forceinline__ void look(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                                         const ColliderSet<Real>& colliders, const ThreadGroups& groups) {
+        for (uint32_t k = groups.own; k < count; k += groups.all)
+            lookAtShapes(arrays, params, colliders, id[k], shapes[k], found[place[k]]);
+    }
+};
+
+}  // namespace demolish
