@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "sim_cuda/api/model_file.h"
+#include "sim_cuda/authoring/binary_ply.h"
 #include "sim_cuda/authoring/model_refusal.h"
 #include "sim_cuda/authoring/rest_pose.h"
 
@@ -37,6 +38,13 @@ std::string lowerEnding(const std::filesystem::path& file) {
     return ending;
 }
 
+const aiScene* read(Assimp::Importer& importer, const std::filesystem::path& file) {
+    constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale;
+    if (const auto bytes = plyWithOneMore(file))
+        return importer.ReadFileFromMemory(bytes->data(), bytes->size(), kSteps, "ply");
+    return importer.ReadFile(file.string(), kSteps);
+}
+
 }  // namespace
 
 /// Those that assimp knows; aiProcess_GlobalScale then makes metres of it.
@@ -52,8 +60,7 @@ bool isGltf(const std::filesystem::path& file) {
 
 const aiScene& readScene(Assimp::Importer& importer, const std::filesystem::path& file) {
     requirePlainFile(file);
-    const aiScene* scene = importer.ReadFile(
-        file.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_GlobalScale);
+    const aiScene* scene = read(importer, file);
     if (!scene || !scene->mRootNode)
         refuseModel(file, "could not be read (" + reasonOf(importer) +
                               "); use a format such as OBJ, PLY, STL, glTF or FBX");

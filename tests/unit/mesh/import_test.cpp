@@ -2,6 +2,7 @@
 // Good files: what comes in is the same solid, whatever the format and the scene around it.
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 
 #include "sim_cuda/api/errors.h"
@@ -121,6 +122,34 @@ TEST_F(FileTest, StlAndPlyInTextAndBinary) {
         EXPECT_EQ(mesh.triangles.size(), sphere.triangles.size());
         EXPECT_EQ(openEdgeCount(mesh), 0u);
         EXPECT_NEAR(enclosedVolume(mesh) / (24 * test::signedVolume(sphere)), 1, 1e-4);
+    }
+}
+
+/// The importer takes a line's end there for the rest of the header's.
+TEST_F(FileTest, BinaryPlyWhoseNumbersBeginWithALinesEnd) {
+    const TriangleMesh cube = test::makeCube(2);
+    for (const std::string line : {"\n", "\r\n"}) {
+        std::string text =
+            "ply" + line + "format binary_little_endian 1.0" + line + "element vertex 8" + line;
+        for (const char* axis : {"x", "y", "z"}) text += std::string("property float ") + axis + line;
+        text +=
+            "element face 12" + line + "property list uchar int vertex_indices" + line + "end_header" + line;
+        const auto put = [&](auto value) {
+            text.append(reinterpret_cast<const char*>(&value), sizeof value);
+        };
+        for (const Double3& p : cube.positions)
+            for (const double x : {p.x, p.y, p.z}) {
+                const auto bits = std::bit_cast<uint32_t>(static_cast<float>(x));
+                put((bits & 0xffffff00) | 0x0a);
+            }
+        for (const auto& triangle : cube.triangles) {
+            put(uint8_t(3));
+            for (const uint32_t v : triangle) put(v);
+        }
+        const TriangleMesh mesh = importTriangles(write("cube.ply", text));
+        ASSERT_EQ(mesh.positions.size(), 8u);
+        ASSERT_EQ(mesh.triangles.size(), 12u);
+        EXPECT_NEAR(enclosedVolume(mesh), 8, 1e-3);
     }
 }
 
