@@ -19,11 +19,34 @@ Double3 middleOf(const std::array<Double3, 3>& t) {
     return (t[0] + t[1] + t[2]) * (1.0 / 3);
 }
 
-double solidAngle(const std::array<Double3, 3>& triangle, const Double3& p) {
+/// A sum of angles between -pi and pi, each of which a vector in the plane has: the angle of the vectors'
+/// product as complex numbers, and its turns. One arc tangent serves all.
+class AngleSum {
+  public:
+    void add(double x, double y) {
+        const double real = real_ * x - imaginary_ * y, imaginary = real_ * y + imaginary_ * x;
+        const double size = std::abs(real) + std::abs(imaginary);
+        if (!(size > 0)) return;  // it has none
+        // Two angles of one sign have gone half round when their product lies on the other side.
+        turns_ += int(imaginary_ >= 0) & int(y >= 0) & int(imaginary < 0);
+        turns_ -= int(imaginary_ < 0) & int(y < 0) & int(imaginary >= 0);
+        const double scale = size > kLeast && size < 1 / kLeast ? 1 : 1 / size;
+        real_ = real * scale;
+        imaginary_ = imaginary * scale;
+    }
+    double sum() const { return std::atan2(imaginary_, real_) + 2 * std::numbers::pi * turns_; }
+
+  private:
+    static constexpr double kLeast = 1e-100;
+    double real_ = 1, imaginary_ = 0;  // of any length between
+    int turns_ = 0;
+};
+
+/// Half of what the triangle takes of the view from p.
+void addHalfSolidAngle(AngleSum& sum, const std::array<Double3, 3>& triangle, const Double3& p) {
     const Double3 a = triangle[0] - p, b = triangle[1] - p, c = triangle[2] - p;
     const double la = length(a), lb = length(b), lc = length(c);
-    return 2 *
-           std::atan2(dot(a, cross(b, c)), la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+    sum.add(la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb, dot(a, cross(b, c)));
 }
 
 }  // namespace
@@ -96,6 +119,7 @@ double WindingNumber::at(const Double3& point) const {
     size_t size = 0;
     stack[size++] = 0;
     double angle = 0;
+    AngleSum halves;
     while (size > 0) {
         const uint32_t id = stack[--size];
         const Node& node = nodes_[id];
@@ -106,12 +130,12 @@ double WindingNumber::at(const Double3& point) const {
             continue;
         }
         for (uint32_t i = node.first; i < node.first + node.count; ++i)
-            angle += solidAngle(triangles_[i], point);
+            addHalfSolidAngle(halves, triangles_[i], point);
         if (node.count > 0) continue;
         stack[size++] = node.right;
         stack[size++] = id + 1;
     }
-    return angle / (4 * std::numbers::pi);
+    return (angle + 2 * halves.sum()) / (4 * std::numbers::pi);
 }
 
 }  // namespace demolish

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "sim_cuda/authoring/bounds.h"
 #include "sim_cuda/authoring/double3.h"
@@ -35,6 +36,37 @@ TEST(WindingNumber, OneInsideNoneOutsideAndTheSolidAngleOverHoles) {
     flags[0] = flags[1] = 0;
     EXPECT_NEAR(WindingNumber(cube, flags).at({}), 5.0 / 6, 1e-9);
     EXPECT_EQ(WindingNumber(TriangleMesh{}).at({}), 0);
+}
+
+/// Of triangles so large that none is far: each taken on its own, by the formula of Van Oosterom and
+/// Strackee.
+TEST(WindingNumber, APileOfTrianglesIsTheSumOfTheirSolidAngles) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> place(-1, 1);
+    const auto anywhere = [&] { return Double3{place(random), place(random), place(random)}; };
+    TriangleMesh pile = makeCube(2);
+    const size_t shell = pile.triangles.size();
+    for (uint32_t copies = 1; copies < 30; ++copies)  // wound thirty times
+        for (size_t t = 0; t < shell; ++t) pile.triangles.push_back(pile.triangles[t]);
+    for (int k = 0; k < 400; ++k) {
+        const auto first = uint32_t(pile.positions.size());
+        for (int corner = 0; corner < 3; ++corner) pile.positions.push_back(anywhere());
+        pile.triangles.push_back({first, first + 1, first + 2});
+    }
+    const WindingNumber winding(pile);
+    for (int k = 0; k < 200; ++k) {
+        const Double3 p = anywhere() * 0.2;
+        double halves = 0;
+        for (const auto& t : pile.triangles) {
+            const Double3 a = pile.positions[t[0]] - p, b = pile.positions[t[1]] - p,
+                          c = pile.positions[t[2]] - p;
+            const double la = length(a), lb = length(b), lc = length(c);
+            halves += std::atan2(dot(a, cross(b, c)),
+                                 la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
+        }
+        EXPECT_NEAR(winding.at(p), halves / (2 * std::numbers::pi), 1e-9);
+        EXPECT_GT(winding.at(p), 20);
+    }
 }
 
 /// Farthest vertex of the surface from the original, m.
