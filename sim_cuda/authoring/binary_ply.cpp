@@ -3,33 +3,31 @@
 
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 namespace demolish {
 namespace {
 
 constexpr size_t kMostHeader = 1 << 20;  ///< bytes
 
-/// Where the numbers of a binary file begin; nothing, if there is no such place.
-std::optional<size_t> beginOfNumbers(std::istream& in) {
-    bool binary = false;
-    size_t begin = 0;
-    for (std::string line; begin < kMostHeader && std::getline(in, line); line.clear()) {
-        if (begin == 0 && line != "ply") return {};
-        begin += line.size() + 1;
-        binary = binary || line.starts_with("format binary");
-        if (line == "end_header") return binary ? std::optional(begin) : std::nullopt;
-    }
-    return {};
+/// Of a binary file whose header's lines end with one character; nothing, if `head` is not the begin of such.
+std::optional<size_t> beginOfNumbers(std::string_view head) {
+    constexpr std::string_view kEnd = "\nend_header\n";
+    const size_t end = head.find(kEnd);
+    if (!head.starts_with("ply\n") || end == head.npos || head.find("\nformat binary") > end) return {};
+    return end + kEnd.size();
 }
 
 }  // namespace
 
 std::optional<std::string> plyWithOneMore(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
-    const std::optional<size_t> begin = beginOfNumbers(in);
-    if (!begin || in.peek() != '\n') return {};
-    in.seekg(0);
-    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::string bytes(kMostHeader, '\0');
+    in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    bytes.resize(static_cast<size_t>(in.gcount()));
+    const std::optional<size_t> begin = beginOfNumbers(bytes);
+    if (!begin || *begin == bytes.size() || bytes[*begin] != '\n') return {};
+    bytes.append(std::istreambuf_iterator<char>(in), {});
     bytes.insert(*begin, 1, '\n');
     return bytes;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Corners on shapes, shared by the threads of a block. The warp that moves particles lists which of them are
-// near shapes. It looks at a few while the others gather; of more all threads take their share once they have
-// gathered. Sixteen threads look at a particle together, and who looks at which changes no bit.
+// near shapes. A short list it may do by itself while the others gather; else all threads take their share
+// once they have gathered. Sixteen threads look at a particle together, and who looks at which changes no
+// bit.
 #pragma once
 #include "sim_cuda/kernels/collider_contact.h"
 
@@ -75,9 +76,9 @@ struct ThreadGroups {
     uint32_t own, all;
 };
 
-/// As many particles near shapes as this the warp that moves looks at while four threads gather for each. Of
-/// more it would be done later than all together, and where more threads gather they are done so soon that it
-/// would be so at once.
+/// The warp that moves looks at a list of up to so many particles by itself, while four threads gather for
+/// each. With a longer list all together are done sooner. So they are with any list where more threads
+/// gather, since those have done so early.
 constexpr uint32_t lookedAtMeanwhile(uint32_t threads) {
     return threads > 4 ? 0 : 6;
 }

@@ -72,8 +72,7 @@ struct MovingThread {
     OwnParticle<Real> own;
     Wrench<Real> push;  ///< of colliders
     Tally<Real> tally;
-    uint32_t near =
-        0;  ///< bits of colliders that it may touch; some bit, if they are not asked for one by one
+    uint32_t near = 0;  ///< bit c: it may touch collider c; or 1: it may touch any
 
     template <class Colliders>
     __device__ __forceinline__ void load(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
