@@ -76,11 +76,10 @@ struct ThreadGroups {
     uint32_t own, all;
 };
 
-/// The warp that moves looks at a list of up to so many particles by itself, while four threads gather for
-/// each. With a longer list all together are done sooner. So they are with any list where more threads
-/// gather, since those have done so early.
+/// The warp that moves looks at a list of up to so many particles by itself while the others gather: two at a
+/// time, and four threads take long to gather. With a longer list all together are done sooner.
 constexpr uint32_t lookedAtMeanwhile(uint32_t threads) {
-    return threads > 4 ? 0 : 6;
+    return threads > 4 ? 2 : 6;
 }
 
 /// Particles of a block that are near shapes, and what has been found of them there; in shared memory.
