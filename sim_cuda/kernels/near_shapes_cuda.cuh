@@ -11,21 +11,7 @@ namespace demolish {
 /// Threads of a block that gather; those that move particles apart come on top.
 inline constexpr uint32_t kSubstepBlock = 128;
 
-/// Of collider c the particle is too far away to touch it in this step; `bound`: of it. Of a mesh one node of
-/// its grid tells most of what is far from the surface though within the box about it.
-template <class Real, class Colliders>
-__device__ __forceinline__ bool isClearOf(const StepParams<Real>& params, const Colliders& colliders,
-                                          const OwnParticle<Real>& own, uint32_t c,
-                                          const TangentPlane<Real>& bound) {
-    const Real radius = own.constants.floor_radius;
-    if (isClearOf<StepKind::kSubstep>(own, bound.distance - radius, params.dt)) return true;
-    if (!colliders.isMesh(c)) return false;
-    const LoadedState<Real>& state = own.state;
-    const Real least = leastDistance(colliders.collider[c], xyz(state.position),
-                                     lowPart(state.position, state.velocity, state.spin));
-    return isClearOf<StepKind::kSubstep>(own, sureDistance(least) - radius, params.dt);
-}
-/// Bit c: the particle may touch collider c in this step.
+/// Bit c: the particle may touch collider c in this step, as far as bounds say.
 template <class Real>
 __device__ __forceinline__ uint32_t collidersNear(const StepParams<Real>& params,
                                                   const ColliderSet<Real>& colliders,
@@ -33,8 +19,26 @@ __device__ __forceinline__ uint32_t collidersNear(const StepParams<Real>& params
     if (own.constants.isHeld() || !own.constants.isMovedHere()) return 0;
     uint32_t near = 0;
     forEachCollider(colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
-        if (!isClearOf(params, colliders, own, c, bound)) near |= 1u << c;
+        if (!isClearOf<StepKind::kSubstep>(own, bound.distance - own.constants.floor_radius, params.dt))
+            near |= 1u << c;
     });
+    return near;
+}
+/// Without meshes that are too far away to be touched in this step: one node of a grid tells most of what is
+/// far from the surface though within the box about it.
+template <class Real>
+__device__ __forceinline__ uint32_t withoutFarMeshes(const StepParams<Real>& params,
+                                                     const ColliderSet<Real>& colliders,
+                                                     const OwnParticle<Real>& own, uint32_t near) {
+    const LoadedState<Real>& state = own.state;
+    for (uint32_t left = near; left != 0; left &= left - 1) {
+        const uint32_t c = lowestBit(left);
+        if (!colliders.isMesh(c)) continue;
+        const Real least = leastDistance(colliders.collider[c], xyz(state.position),
+                                         lowPart(state.position, state.velocity, state.spin));
+        const Real gap = sureDistance(least) - own.constants.floor_radius;
+        if (isClearOf<StepKind::kSubstep>(own, gap, params.dt)) near &= ~(1u << c);
+    }
     return near;
 }
 template <class Real>
@@ -76,10 +80,12 @@ struct ThreadGroups {
     uint32_t own, all;
 };
 
-/// The warp that moves looks at a list of up to so many particles by itself while the others gather: two at a
-/// time, and four threads take long to gather. With a longer list all together are done sooner.
+/// The warp that moves looks at a list of up to so many particles by itself while the others gather, two at a
+/// time: the fewer threads share a particle, the longer they gather. With a longer list all together are done
+/// sooner.
 constexpr uint32_t lookedAtMeanwhile(uint32_t threads) {
-    return threads > 4 ? 2 : 6;
+    if (threads >= 16) return 2;
+    return threads >= 8 ? 4 : 6;
 }
 
 /// Particles of a block that are near shapes, and what has been found of them there; in shared memory.

@@ -80,11 +80,19 @@ struct MovingThread {
         own = loadOwn(arrays, id);
         near = isNearColliders<StepKind::kSubstep>(params, colliders, own) ? 1 : 0;
     }
+    /// All threads of the warp that moves. Meshes that bounds call near are looked at at once where they are
+    /// few enough for that; asking a node of their grids first comes before everything else there.
     __device__ __forceinline__ void loadForList(const SubstepArrays<Real>& arrays,
                                                 const StepParams<Real>& params,
-                                                const ColliderSet<Real>& colliders, uint32_t id) {
-        own = loadOwn(arrays, id);
-        near = collidersNear(params, colliders, own);
+                                                const ColliderSet<Real>& colliders, uint32_t id, bool present,
+                                                uint32_t few) {
+        if (present) {
+            own = loadOwn(arrays, id);
+            near = collidersNear(params, colliders, own);
+        }
+        const uint32_t on_shapes = __ballot_sync(0xffffffffu, withoutPlanes(colliders, near) != 0);
+        if (static_cast<uint32_t>(__popc(on_shapes)) > few)
+            near = withoutFarMeshes(params, colliders, own, near);
     }
     template <class Colliders, class Source>
     __device__ __forceinline__ void meetColliders(const SubstepArrays<Real>& arrays,
@@ -240,7 +248,7 @@ __device__ __forceinline__ void stepApart(const SubstepArrays<Real>& arrays, con
     if (moves) {
         awaitPrevious();
         if constexpr (kTogether) {
-            if (present) mover.loadForList(arrays, params, colliders, id);
+            mover.loadForList(arrays, params, colliders, id, present, kMeanwhile);
             shared.near.list(id, place, withoutPlanes(colliders, mover.near));
             if (shared.near.count <= kMeanwhile)
                 shared.near.look(arrays, params, colliders, {mover_thread / kCornerParts, 2});
