@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
-// The lit picture in the tiles that show something (light_empty.comp). Leaves what it has read empty for the next frame.
-layout(local_size_x = 8, local_size_y = 8) in;
+// The lit picture in the pixels that show something (light_empty.comp). Leaves what it has read empty for the next frame.
+layout(local_size_x = 64) in;
 #define COMPUTED
 #include "common/lit_pixel.glsl"
-#include "common/light_tiles.glsl"
+#include "common/light_pixels.glsl"
 
 void forget(ivec2 pixel) {
     for (int i = 0; i < SAMPLES; ++i) {
@@ -15,9 +15,9 @@ void forget(ivec2 pixel) {
 }
 
 void main() {
-    for (uint k = gl_WorkGroupID.x; k < tile_count; k += gl_NumWorkGroups.x) {
-        ivec2 pixel = 8 * ivec2(tiles[k] & 0xffffu, tiles[k] >> 16) + ivec2(gl_LocalInvocationID.xy);
-        if (any(greaterThanEqual(pixel, imageSize(result)))) continue;
+    uint lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    for (uint k = gl_GlobalInvocationID.x; k < pixel_count; k += lanes) {
+        ivec2 pixel = ivec2(pixels_found[k] & 0xffffu, pixels_found[k] >> 16);
         imageStore(result, pixel, pixelColour(pixel));
         forget(pixel);
     }

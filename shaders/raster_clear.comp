@@ -3,7 +3,7 @@
 // Empties what the raster passes write.
 layout(local_size_x = 256) in;
 layout(std430, binding = 7) writeonly buffer Visible { uvec4 visible[]; };
-layout(std430, binding = 8) writeonly buffer Found { uint found_count, large_count, task_count, tile_count; };
+layout(std430, binding = 8) writeonly buffer Found { uint found_count, large_count, task_count, pixel_count; };
 layout(binding = 0, r32ui) uniform writeonly uimage2D shadow_map;
 layout(location = 0) uniform uint fours;         // of words in `visible`
 layout(location = 7) uniform int shadow_texels;  // along a region; 0: the map stays
@@ -14,7 +14,7 @@ void main() {
         found_count = 0u;
         large_count = 0u;
         task_count = 0u;
-        tile_count = 0u;
+        pixel_count = 0u;
     }
     for (uint k = lane; k < fours; k += lanes) visible[k] = uvec4(0u);
     int width = 2 * shadow_texels;

@@ -34,8 +34,7 @@ void fillFarShadow(Flat f, int region) {
     }
 }
 
-void seeFromCamera(Grain g, GrainFace face, uint name) {
-    float grow = grainGrowth(g);
+void seeFromCamera(Grain g, float grow, GrainFace face, uint name) {
     if (grow == 0.0) return;
     vec4 clip[3];
     for (int k = 0; k < 3; ++k)
@@ -47,8 +46,11 @@ void seeFromCamera(Grain g, GrainFace face, uint name) {
     else fillFar(f, name);
 }
 
+bool casts(Grain g, int region) {
+    return naming == 0 && shadow_texels > 0 && g.position_size.w >= kLeastTexels * frame.shadow[region].x;
+}
+
 void seeFromSun(Grain g, GrainFace face, int region) {
-    if (g.position_size.w < kLeastTexels * frame.shadow[region].x) return;
     vec3 p[3];
     for (int k = 0; k < 3; ++k) p[k] = g.position_size.xyz + g.position_size.w * face.corner[k];
     Flat f = shadowFlat(p, region);
@@ -63,8 +65,12 @@ void main() {
         uint slot = k / kGrainFaces, own = k % kGrainFaces;
         Grain g = grains[slot];
         if (g.position_size.w <= 0.0 || g.heat > 0.0) continue;
+        float grow = grainGrowth(g);
+        if (grow == 0.0 && !casts(g, 0) && !casts(g, 1)) continue;
         GrainFace face = grainFace(g, int(own));
-        seeFromCamera(g, face, kGrainBits | slot * kGrainNames | own);
-        for (int region = 0; region < 2 && naming == 0 && shadow_texels > 0; ++region) seeFromSun(g, face, region);
+        seeFromCamera(g, grow, face, kGrainBits | slot * kGrainNames | own);
+        for (int region = 0; region < 2; ++region) {
+            if (casts(g, region)) seeFromSun(g, face, region);
+        }
     }
 }

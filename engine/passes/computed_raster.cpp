@@ -18,15 +18,13 @@ constexpr GLuint kShadowViews = 3;                 // the camera and two regions
 /// Lanes go on to further work, so that these only have to fill any GPU.
 constexpr GLuint kCrackGroups = 4096, kBallGroups = 64, kGritGroups = 2048, kColliderGroups = 256;
 
-/// Of 8 x 8 px, to be lit.
-size_t tilesOf(int width, int height) {
-    return static_cast<size_t>((width + 7) / 8) * static_cast<size_t>((height + 7) / 8);
+size_t pixelsOf(int width, int height) {
+    return static_cast<size_t>(width) * static_cast<size_t>(height);
 }
 
 /// Depth and name a sample, cracks in two words a pixel, in whole groups of four.
 size_t visibleFours(int width, int height, int samples) {
-    const size_t pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
-    return (pixels * (2 * static_cast<size_t>(samples) + 2) + 3) / 4;
+    return (pixelsOf(width, height) * (2 * static_cast<size_t>(samples) + 2) + 3) / 4;
 }
 
 }  // namespace
@@ -61,7 +59,7 @@ bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int 
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const size_t largest = std::max(16 * visibleFours(width, height, samples),
-                                    TriangleRaster::foundBytes(mesh, tilesOf(width, height)));
+                                    TriangleRaster::foundBytes(mesh, pixelsOf(width, height)));
     return hasAllBindings() && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
 }
 
@@ -72,7 +70,7 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
         visible_ = gl::Buffer::immutable(visible);
         visible_is_empty_ = false;
     }
-    triangles_.makeRoom(mesh, tilesOf(targets.width, targets.height));
+    triangles_.makeRoom(mesh, pixelsOf(targets.width, targets.height));
     if (shadow_bits_.height() == shadow_texels) return;
     shadow_bits_ = gl::Texture::make2d(GL_R32UI, kShadowRegions * shadow_texels, shadow_texels);
     shadow_depth_ = gl::Texture::viewTarget(shadow_bits_, GL_R32F, 1);

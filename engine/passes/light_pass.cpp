@@ -12,7 +12,7 @@ namespace {
 constexpr GLint kSamplePosition = 1, kBodyMaterial = 8;
 constexpr GLuint kMaterialUnit = 3, kNormalUnit = 4, kDepthUnit = 5, kOcclusionUnit = 6;
 
-/// Enough to fill any GPU; each goes on to further tiles.
+/// Enough to fill any GPU; each goes on to further pixels.
 constexpr GLuint kFoundGroups = 16384;
 
 void bindInputs(const RenderTargets& targets) {

@@ -82,15 +82,15 @@ void TriangleRaster::tell(gl::Program& program, std::span<const glm::vec2> place
     program.set(kLargeRoom, static_cast<uint32_t>(largeRoom(task_room_)));
 }
 
-size_t TriangleRaster::foundBytes(const FractureMesh& mesh, size_t tiles) {
+size_t TriangleRaster::foundBytes(const FractureMesh& mesh, size_t pixels) {
     const size_t index_bytes =
         mesh.stream(StreamId::kExteriorIndices).size() + mesh.stream(StreamId::kInteriorIndices).size();
     const size_t near_bytes = sizeof(uint32_t) * NearFaces::kMostTriangles;
-    return kFoundHeaderBytes + std::max(index_bytes / 3 + near_bytes, sizeof(uint32_t) * tiles);
+    return kFoundHeaderBytes + std::max(index_bytes / 3 + near_bytes, sizeof(uint32_t) * pixels);
 }
 
-void TriangleRaster::makeRoom(const FractureMesh& mesh, size_t tiles) {
-    const size_t bytes = foundBytes(mesh, tiles);
+void TriangleRaster::makeRoom(const FractureMesh& mesh, size_t pixels) {
+    const size_t bytes = foundBytes(mesh, pixels);
     if (found_.size() < bytes) found_ = gl::Buffer::immutable(bytes);
 }
 

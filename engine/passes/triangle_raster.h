@@ -27,9 +27,9 @@ class TriangleRaster {
     /// What make() tells its programs, for another one that includes raster.glsl.
     void tell(gl::Program& program, std::span<const glm::vec2> places) const;
 
-    /// Room for triangles that were found, and where `tiles` are lit later, for so many tiles.
-    void makeRoom(const FractureMesh& mesh, size_t tiles);
-    static size_t foundBytes(const FractureMesh& mesh, size_t tiles);
+    /// Room for triangles that were found, and for as many `pixels` that are lit later.
+    void makeRoom(const FractureMesh& mesh, size_t pixels);
+    static size_t foundBytes(const FractureMesh& mesh, size_t pixels);
     /// Binds the mesh and what is found; `near` as in BodyGeometry.
     void bind(const FractureMesh& mesh, const NearFaces* near = nullptr) const;
     /// Forgets what was found; fills `fours` times four words of what is bound as kVisible with zeros, and

@@ -11,7 +11,7 @@
 layout(std430, binding = 8) buffer Found {
     uint found_count;
     uint large_count, task_count;
-    uint tile_count;  // of common/light_tiles.glsl
+    uint pixel_count;  // of common/light_pixels.glsl
     uint found[];
 };
 // Triangles that are more than one lane's work, and the squares of kTaskEdge px that they touch: place in `large`; x in the

@@ -2,8 +2,8 @@
 // Grit, dust and crumbs of one scene: born where bodies break, moved, written for drawing. It reads the
 // bodies and never writes them.
 //
-//   advance():  what has opened or become single -> how much each throws off -> sums: birth numbers
-//               -> born into the rings -> all that flies is moved
+//   advance():  all that flies is moved; then what has opened, become single or hit something
+//               -> how much each throws off -> sums: birth numbers -> born into the rings
 //   write():    the rings as they are drawn
 //
 // Everything follows from birth numbers, so that it has the same bits on every device; no count is read back.
@@ -73,24 +73,22 @@ class Effects {
 
     void makeRoom();
     void forget(const Frame& now);
-    void throwOffFaces(const Frame& frame);
-    void throwOffCells(const Frame& frame);
-    void throwOffHits(const Frame& frame);
+    void throwOff(const Frame& frame, const SourceCounts& sources);
     void keepVelocities(const Frame& frame);
     void move(const Frame& frame, double elapsed);
-    void sumBirths(size_t sources);
     BodiesNow<Real> bodiesOf(const Frame& frame) const {
         return {frame.state, frame.fragment, frame.owner, law_.view(), sizes()};
     }
     SizeTables sizes() const { return {grit_size_.view(), crumb_size_.view(), rest_size_.view()}; }
-    Births births(size_t sources) {
-        return {{grains_.span()},
-                {puffs_.span()},
-                births_.view(),
-                first_grain_.view().part(0, sources + 1),
-                first_puff_.view().part(0, sources + 1),
-                setup_.params.seed,
-                static_cast<float>(elapsed_)};
+    HitsNow<Real> hitsOf(const Frame& frame) const {
+        return {bodiesOf(frame), former_.view(),         frame.constants,
+                surroundings(),  frame.counts.in_bodies, static_cast<float>(elapsed_)};
+    }
+    Births births(const SourceCounts& sources, uint32_t first) {
+        return {{grains_.span()},   {puffs_.span()},
+                births_.view(),     sums_.view().part(0, 2 * size_t{sources.all()} + 1),
+                sources.all(),      first,
+                setup_.params.seed, static_cast<float>(elapsed_)};
     }
     Surroundings surroundings() const {
         const Double3& g = setup_.params.gravity;
@@ -126,9 +124,9 @@ class Effects {
     Buffer<uint32_t> births_;
     Buffer<BondFace> face_;
     Buffer<DrawnCell> cell_;
-    Buffer<uint8_t> opened_, crumbled_;          ///< per bond, per particle
-    Buffer<uint32_t> first_grain_, first_puff_;  ///< of each source of a kernel; counts before they are sums
-    Buffer<FormerVelocity> former_;              ///< per particle and projectile
+    Buffer<uint8_t> opened_, crumbled_;  ///< per bond, per particle
+    Buffer<uint32_t> counts_, sums_;     ///< grains of each source of a frame, then puffs
+    Buffer<FormerVelocity> former_;      ///< per particle and projectile
     Buffer<DebrisLaw> law_;
     Buffer<float> grit_size_, crumb_size_, rest_size_;
     Buffer<uint64_t> hash_sum_;
@@ -162,10 +160,11 @@ void Effects<Backend, Real>::makeRoom() {
     hash_sum_ = backend_.template allocate<uint64_t>(1);
     opened_ = backend_.template allocate<uint8_t>(faces.size());
     crumbled_ = backend_.template allocate<uint8_t>(cells.size());
-    const size_t particles = cells.size() + kMaxProjectiles, sources = std::max(faces.size(), particles);
+    const size_t particles = cells.size() + kMaxProjectiles;
+    const size_t sources = faces.size() + cells.size() + particles;
     former_ = backend_.template allocate<FormerVelocity>(particles);
-    first_grain_ = backend_.template allocate<uint32_t>(sources + 1);
-    first_puff_ = backend_.template allocate<uint32_t>(sources + 1);
+    counts_ = backend_.template allocate<uint32_t>(2 * sources);
+    sums_ = backend_.template allocate<uint32_t>(2 * sources + 1);
     face_ = backend_.uploaded(faces);
     cell_ = backend_.uploaded(cells);
     crumb_size_ = backend_.uploaded(crumbs);
@@ -195,61 +194,43 @@ void Effects<Backend, Real>::advance(const Frame& frame, double elapsed, bool br
     ++frames_;
     if (since_birth_ >= 0) since_birth_ += elapsed;
     if (moving()) move(frame, elapsed);
-    if (broke) throwOffFaces(frame);
-    if (broke && settings_.crumbling) throwOffCells(frame);
-    if (moved) throwOffHits(frame);
+    throwOff(frame, {broke ? static_cast<uint32_t>(face_.size()) : 0,
+                     broke && settings_.crumbling ? static_cast<uint32_t>(cell_.size()) : 0,
+                     moved ? static_cast<uint32_t>(former_.size()) : 0});
     if (moved) keepVelocities(frame);
     if (broke || moved) since_birth_ = 0;
 }
 
 template <class Backend, class Real>
-void Effects<Backend, Real>::sumBirths(size_t sources) {
-    backend_.exclusiveScan(first_grain_.view().part(0, sources), first_grain_.span());
-    backend_.exclusiveScan(first_puff_.view().part(0, sources), first_puff_.span());
-}
-
-template <class Backend, class Real>
-void Effects<Backend, Real>::throwOffFaces(const Frame& frame) {
-    const size_t faces = face_.size();
+void Effects<Backend, Real>::throwOff(const Frame& frame, const SourceCounts& sources) {
+    const uint32_t all = sources.all();
+    if (all == 0) return;
+    const uint64_t seed = setup_.params.seed;
+    const auto grains = [&](uint32_t first, uint32_t n) { return counts_.span().part(first, n); };
+    const auto puffs = [&](uint32_t first, uint32_t n) { return counts_.span().part(all + first, n); };
+    const uint32_t cell = sources.firstCell(), hit = sources.firstHit();
     backend_.forEach(
-        faces,
+        sources.faces,
         CountOfFaces<Real>{bodiesOf(frame), face_.view(), frame.slot_of_bond, frame.link, opened_.span(),
-                           first_grain_.span(), first_puff_.span(), setup_.params.seed},
+                           grains(0, sources.faces), puffs(0, sources.faces), seed},
         "count debris of faces");
-    sumBirths(faces);
-    backend_.forEach(faces, ThrowOffFaces<Real>{bodiesOf(frame), face_.view(), births(faces)},
-                     "throw off debris of faces");
-    backend_.forEach(1, CountBirths{births(faces).first_grain, births(faces).first_puff, births_.span()},
-                     "count births");
-}
-
-template <class Backend, class Real>
-void Effects<Backend, Real>::throwOffCells(const Frame& frame) {
-    const size_t cells = cell_.size();
-    backend_.forEach(cells,
-                     CountOfCells<Real>{bodiesOf(frame), frame.rows, crumbled_.span(), first_grain_.span(),
-                                        first_puff_.span(), setup_.params.seed},
+    backend_.forEach(sources.cells,
+                     CountOfCells<Real>{bodiesOf(frame), frame.rows, crumbled_.span(),
+                                        grains(cell, sources.cells), puffs(cell, sources.cells), seed},
                      "count crumbs");
-    sumBirths(cells);
-    backend_.forEach(cells, ThrowOffCells<Real>{bodiesOf(frame), births(cells)}, "throw off crumbs");
-    backend_.forEach(1, CountBirths{births(cells).first_grain, births(cells).first_puff, births_.span()},
-                     "count births");
-}
-
-template <class Backend, class Real>
-void Effects<Backend, Real>::throwOffHits(const Frame& frame) {
-    const size_t particles = former_.size();
-    const HitsNow<Real> hits{bodiesOf(frame), former_.view(),         frame.constants,
-                             surroundings(),  frame.counts.in_bodies, static_cast<float>(elapsed_)};
+    const HitsNow<Real> hits = hitsOf(frame);
     backend_.forEach(
-        particles,
-        CountOfHits<Real>{hits, first_grain_.span(), first_puff_.span(), setup_.params.seed, frames_},
+        sources.hits,
+        CountOfHits<Real>{hits, grains(hit, sources.hits), puffs(hit, sources.hits), seed, frames_},
         "count debris of hits");
-    sumBirths(particles);
-    backend_.forEach(particles, ThrowOffHits<Real>{hits, births(particles)}, "throw off debris of hits");
-    backend_.forEach(1,
-                     CountBirths{births(particles).first_grain, births(particles).first_puff, births_.span()},
-                     "count births");
+    backend_.exclusiveScan(counts_.view().part(0, 2 * size_t{all}), sums_.span());
+    backend_.forEach(sources.faces, ThrowOffFaces<Real>{bodiesOf(frame), face_.view(), births(sources, 0)},
+                     "throw off debris of faces");
+    backend_.forEach(sources.cells, ThrowOffCells<Real>{bodiesOf(frame), births(sources, cell)},
+                     "throw off crumbs");
+    backend_.forEach(sources.hits, ThrowOffHits<Real>{hits, births(sources, hit)},
+                     "throw off debris of hits");
+    backend_.forEach(1, CountBirths{births(sources, 0), births_.span()}, "count births");
 }
 
 template <class Backend, class Real>

@@ -6,7 +6,8 @@
 
 namespace demolish {
 
-struct Grain {
+/// Aligned, so that GPUs read four numbers at a time.
+struct alignas(16) Grain {
     Vec3<float> position;  ///< m
     float size = 0;        ///< m, across; 0: none
     Vec3<float> velocity;  ///< m/s

@@ -6,7 +6,7 @@
 
 namespace demolish {
 
-struct Puff {
+struct alignas(16) Puff {
     Vec3<float> position;                     ///< m
     float age = 0;                            ///< s since it left its piece
     Vec3<float> velocity;                     ///< m/s
