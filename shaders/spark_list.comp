@@ -19,7 +19,7 @@ uint glowingBefore(uint place) {
 }
 
 void main() {
-    uint lane = gl_LocalInvocationIndex, first = kGroup * gl_WorkGroupID.x, count = effect_commands[2].y;
+    uint lane = gl_LocalInvocationIndex, first = kGroup * gl_WorkGroupID.x, count = effect_commands[0].y;
     if (lane < kGroup / 32u) glowing[lane] = 0u;
     barrier();
     for (uint round = 0u; round < kRounds; ++round) {

@@ -10,6 +10,7 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLint kDust = 0, kPixels = 1, kSquares = 2;
+constexpr GLint kTexels = 0;  // of the shadows
 constexpr GLuint kSolidUnit = 4, kSumUnit = 12, kDustShadowUnit = 11;
 /// Of the picture's sides; half size is not told from full. As shaders/common/dust_over.glsl.
 constexpr int kFullPart = 2, kDraftPart = 4;
@@ -34,19 +35,13 @@ Squares squaresOf(int width, int height) {
     }
 }
 
-void beginSums() {
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-}
-
 }  // namespace
 
 DustPass::DustPass(const std::filesystem::path& shaders)
     : shaders_(shaders),
       shadows_(shaders, {"dust_shadow.vert", "dust_shadow.frag"}),
       nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
+    shadows_.set(kTexels, static_cast<float>(kShadowTexels));
     const float nothing[2] = {0, 0};
     glClearTexImage(nothing_.id(), 0, GL_RG, GL_FLOAT, nothing);
 }
@@ -82,15 +77,18 @@ void DustPass::fit(int width, int height) {
     sums_->framebuffer = gl::Framebuffer({&sums_->texture}, nullptr);
 }
 
-void DustPass::run(const gl::Program& program, const FractureMesh& mesh, const Sums& sums) {
+void DustPass::begin(const gl::Program& program, const FractureMesh& mesh, const Sums& sums) {
     const float nothing[4] = {0, 0, 0, 0};
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
     program.use();  // first: some drivers hold the last pass's program against the shadow map as they clear
     glClearNamedFramebufferfv(sums.framebuffer.id(), GL_COLOR, 0, nothing);
     sums.framebuffer.bind();
     glViewport(0, 0, sums.texture.width(), sums.texture.height());
     bindStorage(StorageBinding::kPuffs, mesh.stream(StreamId::kPuffs));
     no_attributes_.bind();
-    mesh.drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
 }
 
 void DustPass::castShadows(const FractureMesh* mesh) {
@@ -101,8 +99,10 @@ void DustPass::castShadows(const FractureMesh* mesh) {
         shadow_sums_->texture.setFilter(GL_LINEAR, GL_LINEAR);
         shadow_sums_->framebuffer = gl::Framebuffer({&shadow_sums_->texture}, nullptr);
     }
-    beginSums();
-    run(shadows_, *mesh, *shadow_sums_);
+    begin(shadows_, *mesh, *shadow_sums_);
+    glEnable(GL_PROGRAM_POINT_SIZE);
+    mesh->drawEffect(kPuffPointCommand, GL_POINTS);
+    glDisable(GL_PROGRAM_POINT_SIZE);
     glDisable(GL_BLEND);
     shadow_sums_->texture.bind(kDustShadowUnit);
 }
@@ -158,10 +158,10 @@ void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const Rend
     if (full && computes_) {
         compute(*mesh, view, tiles_.at(kind_));
     } else {
-        beginSums();
         gl::Program& program = puffsFor(full);
         tell(program, view, part);
-        run(program, *mesh, *sums_);
+        begin(program, *mesh, *sums_);
+        mesh->drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
         glDisable(GL_BLEND);
     }
     sums_->texture.bind(kSumUnit);

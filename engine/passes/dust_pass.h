@@ -47,8 +47,8 @@ class DustPass {
     static void tell(gl::Program& program, const FrameView& view, int part);
     void makeRoom(size_t puffs, size_t squares);
     void compute(const FractureMesh& mesh, const FrameView& view, Tiles& tiles);
-    /// All puffs, into sums that are 0 before.
-    void run(const gl::Program& program, const FractureMesh& mesh, const Sums& sums);
+    /// Puffs are drawn into sums that are 0 before.
+    void begin(const gl::Program& program, const FractureMesh& mesh, const Sums& sums);
 
     std::filesystem::path shaders_;
     gl::Program shadows_;
