@@ -17,8 +17,10 @@ void main() {
     for (int i = 0; i < SAMPLES && in_picture; ++i) drawn = drawn || depthOfSample(sampleIndex(pixel, SAMPLES, i)) != 0u;
     uint place = drawn ? atomicAdd(found_here, 1u) : 0u;
     barrier();
-    if (gl_LocalInvocationIndex == 0u && found_here != 0u) first_place = atomicAdd(pixel_count, found_here);
+    uint room = (found_here + kTogether - 1u) / kTogether * kTogether, lane = gl_LocalInvocationIndex;
+    if (lane == 0u && room != 0u) first_place = atomicAdd(pixel_count, room);
     barrier();
+    if (lane < room - found_here) pixels_found[first_place + found_here + lane] = kNoPixel;
     if (drawn) pixels_found[first_place + place] = uint(pixel.x) | uint(pixel.y) << 16;
     else if (in_picture) imageStore(result, pixel, pixelColour(pixel));
 }

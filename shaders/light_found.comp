@@ -17,6 +17,7 @@ void forget(ivec2 pixel) {
 void main() {
     uint lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     for (uint k = gl_GlobalInvocationID.x; k < pixel_count; k += lanes) {
+        if (pixels_found[k] == kNoPixel) continue;
         ivec2 pixel = ivec2(pixels_found[k] & 0xffffu, pixels_found[k] >> 16);
         imageStore(result, pixel, pixelColour(pixel));
         forget(pixel);

@@ -21,6 +21,10 @@ constexpr GLuint kCrackGroups = 4096, kBallGroups = 64, kGritGroups = 2048, kCol
 size_t pixelsOf(int width, int height) {
     return static_cast<size_t>(width) * static_cast<size_t>(height);
 }
+/// Of whole tiles of 8 x 8.
+size_t pixelsInTiles(int width, int height) {
+    return pixelsOf((width + 7) / 8 * 8, (height + 7) / 8 * 8);
+}
 
 /// Depth and name a sample, cracks in two words a pixel, in whole groups of four.
 size_t visibleFours(int width, int height, int samples) {
@@ -59,7 +63,7 @@ bool ComputedRaster::suits(const FractureMesh& mesh, int width, int height, int 
     glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
     const size_t largest = std::max(16 * visibleFours(width, height, samples),
-                                    TriangleRaster::foundBytes(mesh, pixelsOf(width, height)));
+                                    TriangleRaster::foundBytes(mesh, pixelsInTiles(width, height)));
     return hasAllBindings() && blocks >= kMostStorageBlocks && static_cast<size_t>(bytes) >= largest;
 }
 
@@ -70,7 +74,7 @@ void ComputedRaster::makeRoom(const FractureMesh& mesh, const RenderTargets& tar
         visible_ = gl::Buffer::immutable(visible);
         visible_is_empty_ = false;
     }
-    triangles_.makeRoom(mesh, pixelsOf(targets.width, targets.height));
+    triangles_.makeRoom(mesh, pixelsInTiles(targets.width, targets.height));
     if (shadow_bits_.height() == shadow_texels) return;
     shadow_bits_ = gl::Texture::make2d(GL_R32UI, kShadowRegions * shadow_texels, shadow_texels);
     shadow_depth_ = gl::Texture::viewTarget(shadow_bits_, GL_R32F, 1);

@@ -21,31 +21,6 @@
 #endif
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 
-#ifdef SHADOW_DRAFT
-float visibilityAt(ivec2 pixel, float depth) { return 1.0; }
-#else
-layout(binding = 6) uniform sampler2D occlusion;  // half size; r: visibility, g: linear depth
-
-// Four half-size neighbours, weighted by distance and by how well their depth agrees.
-float visibilityAt(ivec2 pixel, float depth) {
-    vec2 half_position = (vec2(pixel) + 0.5) * 0.5 - 0.5;
-    ivec2 base = ivec2(floor(half_position));
-    vec2 f = half_position - vec2(base);
-    ivec2 last = textureSize(occlusion, 0) - 1;
-    float sum = 0.0, weights = 0.0;
-    for (int k = 0; k < 4; ++k) {
-        ivec2 corner = ivec2(k & 1, k >> 1);
-        vec2 t = texelFetch(occlusion, clamp(base + corner, ivec2(0), last), 0).rg;
-        vec2 bilinear = mix(1.0 - f, f, vec2(corner));
-        float agree = 1.0 / (0.002 + abs(t.g - depth) / depth);
-        float weight = (bilinear.x * bilinear.y + 0.01) * agree;
-        sum += weight * t.r;
-        weights += weight;
-    }
-    return sum / weights;
-}
-#endif
-
 vec3 rayOf(ivec2 pixel, int i) { return rayThrough(vec2(pixel) + sample_position[i]); }
 
 void withoutGlow(inout Surface s) {
@@ -75,13 +50,86 @@ int kindOf(ivec2 pixel, int i, vec3 ray, out float along, out vec4 face) {
     return is_drawn ? kDrawn : is_solid ? kCollider : along == kNoFloor ? kSky : kFloor;
 }
 
-// Radiance times alpha, and alpha.
-vec4 lit(ivec2 pixel, int i) {
-    vec3 ray = rayOf(pixel, i);
-    float along;
-    vec4 face;
-    int kind = kindOf(pixel, i, ray, along, face);
-    if (kind == kSky) return nothingSeen(ray);
+#ifdef GLASS
+bool showsDust() { return false; }  // the glass comes between
+#else
+bool showsDust() { return dustIsSeen(); }
+#endif
+
+// What lies between the eye and a sample, and how much of the surroundings it sees.
+struct Before {
+    vec4 dust;         // as dustOf() has it
+    float visibility;  // 0..1
+};
+
+// The four texels of a smaller picture round a pixel, `size` times as large as one; corner k is first + (k & 1, k >> 1).
+struct Around {
+    ivec2 first;
+    vec2 share;  // of the last
+};
+Around around(ivec2 pixel, float size) {
+    vec2 place = (vec2(pixel) + 0.5) / size - 0.5;
+    return Around(ivec2(floor(place)), fract(place));
+}
+float nearness(Around a, int k) {
+    vec2 bilinear = mix(1.0 - a.share, a.share, vec2(k & 1, k >> 1));
+    return bilinear.x * bilinear.y + 0.01;
+}
+ivec2 texelAround(Around a, int k, ivec2 size) { return clamp(a.first + ivec2(k & 1, k >> 1), ivec2(0), size - 1); }
+
+// Shares of the depth that tell surfaces apart: for occlusion, and for dust, which would show every texel on floors seen aslant.
+const float kSameSurface = 0.002, kSameDust = 0.02;
+
+// `off`: what the depth of a texel is off by, as a share.
+float dustWeight(float off) { return 1.0 / (kSameDust * kSameDust + off * off); }
+
+// Texels count the more the nearer they are and the better their depth agrees with that of the sample, `depth`, m: or the
+// outline of what stands before dust would have steps as large as they.
+#ifdef SHADOW_DRAFT
+Before beforeSample(ivec2 pixel, float depth) {
+    vec4 dust = vec4(0.0);
+    for (bool any = showsDust(); any; any = false) {  // a loop in place of a branch, as below
+        Around a = around(pixel, kDustPixels);
+        vec4 sum = vec4(0.0);
+        float weights = 0.0;
+        for (int k = 0; k < 4; ++k) {
+            ivec2 texel = texelAround(a, k, textureSize(dust_sums, 0));
+            ivec2 middle = min(ivec2((vec2(texel) + 0.5) * kDustPixels), ivec2(frame.viewport.xy) - 1);
+            float along;
+            vec4 face;
+            kindOf(middle, 0, rayOf(middle, 0), along, face);
+            float weight = nearness(a, k) * dustWeight(min(along, frame.depth_range.y) / depth - 1.0);
+            sum += weight * texelFetch(dust_sums, texel, 0);
+            weights += weight;
+        }
+        dust = dustOf(sum / weights);
+    }
+    return Before(dust, 1.0);
+}
+#else
+layout(binding = 6) uniform sampler2D occlusion;  // half size, as the sums of dust; r: visibility, g: linear depth
+
+Before beforeSample(ivec2 pixel, float depth) {
+    Around a = around(pixel, 2.0);
+    float visibility = 0.0, weights = 0.0, dust_weights = 0.0;
+    vec4 dust = vec4(0.0);
+    for (int k = 0; k < 4; ++k) {
+        ivec2 texel = texelAround(a, k, textureSize(occlusion, 0));
+        vec2 t = texelFetch(occlusion, texel, 0).rg;
+        float off = abs(t.g - depth) / depth, weight = nearness(a, k) / (kSameSurface + off);
+        visibility += weight * t.r;
+        weights += weight;
+        if (!showsDust()) continue;
+        float dust_weight = nearness(a, k) * dustWeight(off);
+        dust += dust_weight * texelFetch(dust_sums, texel, 0);
+        dust_weights += dust_weight;
+    }
+    return Before(showsDust() ? dustOf(dust / dust_weights) : vec4(0.0), visibility / weights);
+}
+#endif
+
+// Of what is not sky: radiance times alpha, and alpha.
+vec4 litSurface(ivec2 pixel, int i, vec3 ray, int kind, float along, vec4 face, float visibility) {
     vec3 position = frame.eye.xyz + ray * along;
     Surface s;
     if (kShowsBodies && kind == kDrawn) {
@@ -95,10 +143,22 @@ vec4 lit(ivec2 pixel, int i) {
         s = floorSurface(position, ray);
         withoutGlow(s);
 #if FLOOR == FLOOR_SHADOW
-        return shadowOver(ray, lightLeft(s, visibilityAt(pixel, along), vec2(pixel)));
+        return shadowOver(ray, lightLeft(s, visibility, vec2(pixel)));
 #endif
     }
-    return vec4(throughAir(shade(s, visibilityAt(pixel, along), vec2(pixel)), position), 1.0);
+    return vec4(throughAir(shade(s, visibility, vec2(pixel)), position), 1.0);
+}
+
+// Likewise of any sample, with the dust before it.
+vec4 lit(ivec2 pixel, int i) {
+    vec3 ray = rayOf(pixel, i);
+    float along;
+    vec4 face;
+    int kind = kindOf(pixel, i, ray, along, face);
+    Before before = Before(vec4(0.0), 1.0);
+    if (kind != kSky || showsDust()) before = beforeSample(pixel, min(along, frame.depth_range.y));
+    vec4 light = kind == kSky ? nothingSeen(ray) : litSurface(pixel, i, ray, kind, along, face, before.visibility);
+    return before.dust + (1.0 - before.dust.a) * light;
 }
 
 // Samples that one triangle covers hold the same values, and so do those of the floor, of the sky and of a face of a collider: 4
@@ -133,16 +193,11 @@ uint distinctSamples(ivec2 pixel) {
 
 // sRGB encoded; with RADIANCE as lit() has it.
 vec4 pixelColour(ivec2 pixel) {
-#ifdef GLASS
-    const vec4 dust = vec4(0.0);  // the glass comes between
-#else
-    vec4 dust = dustBefore(pixel);
-#endif
     vec4 sum = vec4(0.0);
     // A loop, not a branch for each sample: where lanes run in step it ends when the last pixel is done, mostly after one.
     for (uint left = distinctSamples(pixel); left != 0u;) {
         int i = findLSB(left) / 4;
-        sum += float((left >> (4 * i)) & 15u) * taken(dust + (1.0 - dust.a) * lit(pixel, i));
+        sum += float((left >> (4 * i)) & 15u) * taken(lit(pixel, i));
         left &= ~(15u << (4 * i));
     }
     return finished(sum / float(SAMPLES));
