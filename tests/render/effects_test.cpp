@@ -243,7 +243,8 @@ TEST_P(EffectsPicture, DustGoesOnRightBesideWhatStandsBeforeIt) {
                 thinner += dusty.at(x, y)[3] + 20 < dust.at(x, y)[3] ? 1 : 0;
             }
         ASSERT_GT(beside, 200u);
-        // 0.23 where texels are blended whatever they show; a few have no texel round them that shows nothing.
+        // 0.23 where texels are blended whatever they show; a few have no texel round them that shows
+        // nothing.
         EXPECT_LT(static_cast<double>(thinner), 0.08 * static_cast<double>(beside));
     }
 }
