@@ -83,32 +83,14 @@ const float kSameSurface = 0.002, kSameDust = 0.02;
 // `off`: what the depth of a texel is off by, as a share.
 float dustWeight(float off) { return 1.0 / (kSameDust * kSameDust + off * off); }
 
-// Texels count the more the nearer they are and the better their depth agrees with that of the sample, `depth`, m: or the
-// outline of what stands before dust would have steps as large as they.
 #ifdef SHADOW_DRAFT
-Before beforeSample(ivec2 pixel, float depth) {
-    vec4 dust = vec4(0.0);
-    for (bool any = showsDust(); any; any = false) {  // a loop in place of a branch, as below
-        Around a = around(pixel, kDustPixels);
-        vec4 sum = vec4(0.0);
-        float weights = 0.0;
-        for (int k = 0; k < 4; ++k) {
-            ivec2 texel = texelAround(a, k, textureSize(dust_sums, 0));
-            ivec2 middle = min(ivec2((vec2(texel) + 0.5) * kDustPixels), ivec2(frame.viewport.xy) - 1);
-            float along;
-            vec4 face;
-            kindOf(middle, 0, rayOf(middle, 0), along, face);
-            float weight = nearness(a, k) * dustWeight(min(along, frame.depth_range.y) / depth - 1.0);
-            sum += weight * texelFetch(dust_sums, texel, 0);
-            weights += weight;
-        }
-        dust = dustOf(sum / weights);
-    }
-    return Before(dust, 1.0);
-}
+// Blended whatever the texels show: asking their depths costs a draft a tenth of its light.
+Before beforeSample(ivec2 pixel, float depth) { return Before(showsDust() ? dustBefore(pixel) : vec4(0.0), 1.0); }
 #else
 layout(binding = 6) uniform sampler2D occlusion;  // half size, as the sums of dust; r: visibility, g: linear depth
 
+// Texels count the more the nearer they are and the better their depth agrees with that of the sample, `depth`, m: or the
+// outline of what stands before dust would have steps as large as they.
 Before beforeSample(ivec2 pixel, float depth) {
     Around a = around(pixel, 2.0);
     float visibility = 0.0, weights = 0.0, dust_weights = 0.0;
