@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // A puff as the sun sees it, in the near region of its map: a point, which costs a quarter of a square's corners.
+// One whose middle lies outside the region is not drawn.
 #include "common/frame.glsl"
 #include "common/puff.glsl"
 layout(location = 0) uniform float texels;  // along a side of the sums

@@ -125,8 +125,8 @@ class Effects {
     Buffer<BondFace> face_;
     Buffer<DrawnCell> cell_;
     Buffer<uint8_t> opened_, crumbled_;  ///< per bond, per particle
-    Buffer<uint32_t> counts_, sums_;     ///< grains of each source of a frame, then puffs
-    Buffer<FormerVelocity> former_;      ///< per particle and projectile
+    Buffer<uint32_t> sums_;  ///< of each source of a frame: its grains, then its puffs; counts at first
+    Buffer<FormerVelocity> former_;  ///< per particle and projectile
     Buffer<DebrisLaw> law_;
     Buffer<float> grit_size_, crumb_size_, rest_size_;
     Buffer<uint64_t> hash_sum_;
@@ -163,7 +163,6 @@ void Effects<Backend, Real>::makeRoom() {
     const size_t particles = cells.size() + kMaxProjectiles;
     const size_t sources = faces.size() + cells.size() + particles;
     former_ = backend_.template allocate<FormerVelocity>(particles);
-    counts_ = backend_.template allocate<uint32_t>(2 * sources);
     sums_ = backend_.template allocate<uint32_t>(2 * sources + 1);
     face_ = backend_.uploaded(faces);
     cell_ = backend_.uploaded(cells);
@@ -206,8 +205,8 @@ void Effects<Backend, Real>::throwOff(const Frame& frame, const SourceCounts& so
     const uint32_t all = sources.all();
     if (all == 0) return;
     const uint64_t seed = setup_.params.seed;
-    const auto grains = [&](uint32_t first, uint32_t n) { return counts_.span().part(first, n); };
-    const auto puffs = [&](uint32_t first, uint32_t n) { return counts_.span().part(all + first, n); };
+    const auto grains = [&](uint32_t first, uint32_t n) { return sums_.span().part(first, n); };
+    const auto puffs = [&](uint32_t first, uint32_t n) { return sums_.span().part(all + first, n); };
     const uint32_t cell = sources.firstCell(), hit = sources.firstHit();
     backend_.forEach(
         sources.faces,
@@ -223,7 +222,7 @@ void Effects<Backend, Real>::throwOff(const Frame& frame, const SourceCounts& so
         sources.hits,
         CountOfHits<Real>{hits, grains(hit, sources.hits), puffs(hit, sources.hits), seed, frames_},
         "count debris of hits");
-    backend_.exclusiveScan(counts_.view().part(0, 2 * size_t{all}), sums_.span());
+    backend_.exclusiveScan(sums_.view().part(0, 2 * size_t{all}), sums_.span());
     backend_.forEach(sources.faces, ThrowOffFaces<Real>{bodiesOf(frame), face_.view(), births(sources, 0)},
                      "throw off debris of faces");
     backend_.forEach(sources.cells, ThrowOffCells<Real>{bodiesOf(frame), births(sources, cell)},
