@@ -6,7 +6,7 @@
 
 namespace demolish {
 
-/// Aligned, so that GPUs read four numbers at a time.
+/// Aligned, so that a GPU moves it four numbers at a time.
 struct alignas(16) Grain {
     Vec3<float> position;  ///< m
     float size = 0;        ///< m, across; 0: none
