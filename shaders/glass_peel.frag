@@ -24,6 +24,8 @@ in vec2 relief;
 #endif
 layout(location = 0) out uvec2 layer_out;
 
+const float kRounding = 2e-6;  // of a normal that is the same at all corners
+
 void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = gl_FragCoord.z;
@@ -34,9 +36,11 @@ void main() {
     layer.normal = normalize(world_normal);
     layer.enters = gl_FrontFacing;
     layer.broken = false;
+    layer.curved = any(greaterThan(fwidth(world_normal), vec3(kRounding)));
 #ifdef INTERIOR
     layer.normal = brokenNormal(layer.normal, cross(dFdx(world_position), dFdy(world_position)), rest, rotation);
     layer.broken = true;
+    layer.curved = false;
 #endif
     layer_out = packLayer(layer);
 }

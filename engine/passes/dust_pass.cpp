@@ -10,11 +10,9 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLint kDust = 0, kPixels = 1, kSquares = 2;
-constexpr GLint kTexels = 0;  // of the shadows
-constexpr GLuint kSolidUnit = 4, kSumUnit = 12, kDustShadowUnit = 11;
+constexpr GLuint kSolidUnit = 4, kSumUnit = 12;
 /// Of the picture's sides; half size is not told from full. As shaders/common/dust_over.glsl.
 constexpr int kFullPart = 2, kDraftPart = 4;
-constexpr int kShadowTexels = 256;
 /// px: sides of the sums' tiles, as shaders/dust_sum.comp, and of the squares that puffs are listed for: at
 /// least, and twice as long until they are so few.
 constexpr int kTile = 8, kLeastSquare = 64, kMostSquares = 256;
@@ -38,10 +36,7 @@ Squares squaresOf(int width, int height) {
 }  // namespace
 
 DustPass::DustPass(const std::filesystem::path& shaders)
-    : shaders_(shaders),
-      shadows_(shaders, {"dust_shadow.vert", "dust_shadow.frag"}),
-      nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
-    shadows_.set(kTexels, static_cast<float>(kShadowTexels));
+    : shaders_(shaders), nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
     const float nothing[2] = {0, 0};
     glClearTexImage(nothing_.id(), 0, GL_RG, GL_FLOAT, nothing);
 }
@@ -77,36 +72,6 @@ void DustPass::fit(int width, int height) {
     sums_->framebuffer = gl::Framebuffer({&sums_->texture}, nullptr);
 }
 
-void DustPass::begin(const gl::Program& program, const FractureMesh& mesh, const Sums& sums) {
-    const float nothing[4] = {0, 0, 0, 0};
-    glDisable(GL_DEPTH_TEST);
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendFunc(GL_ONE, GL_ONE);
-    program.use();  // first: some drivers hold the last pass's program against the shadow map as they clear
-    glClearNamedFramebufferfv(sums.framebuffer.id(), GL_COLOR, 0, nothing);
-    sums.framebuffer.bind();
-    glViewport(0, 0, sums.texture.width(), sums.texture.height());
-    bindStorage(StorageBinding::kPuffs, mesh.stream(StreamId::kPuffs));
-    no_attributes_.bind();
-}
-
-void DustPass::castShadows(const FractureMesh* mesh) {
-    if (mesh == nullptr) return nothing_.bind(kDustShadowUnit);
-    if (!shadow_sums_) {
-        shadow_sums_.emplace();
-        shadow_sums_->texture = gl::Texture::make2d(GL_RG16F, kShadowTexels, kShadowTexels);
-        shadow_sums_->texture.setFilter(GL_LINEAR, GL_LINEAR);
-        shadow_sums_->framebuffer = gl::Framebuffer({&shadow_sums_->texture}, nullptr);
-    }
-    begin(shadows_, *mesh, *shadow_sums_);
-    glEnable(GL_PROGRAM_POINT_SIZE);
-    mesh->drawEffect(kPuffPointCommand, GL_POINTS);
-    glDisable(GL_PROGRAM_POINT_SIZE);
-    glDisable(GL_BLEND);
-    shadow_sums_->texture.bind(kDustShadowUnit);
-}
-
 void DustPass::tell(gl::Program& program, const FrameView& view, int part) {
     const auto& colour = view.look.dust_colour;
     program.set(kDust, glm::vec4(colour[0], colour[1], colour[2], 1 / (kLumpWaves * view.look.noise_scale)));
@@ -120,6 +85,23 @@ void DustPass::makeRoom(size_t puffs, size_t squares) {
     }
     const size_t lists = squares * (puffs + 1) * sizeof(GLuint);
     if (lists_.size() != lists) lists_ = gl::Buffer::immutable(lists);
+}
+
+/// Into sums that are 0 before.
+void DustPass::drawPuffs(const gl::Program& program, const FractureMesh& mesh) {
+    const float nothing[4] = {0, 0, 0, 0};
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_ONE, GL_ONE);
+    program.use();  // first: some drivers hold the last pass's program against the shadow map as they clear
+    glClearNamedFramebufferfv(sums_->framebuffer.id(), GL_COLOR, 0, nothing);
+    sums_->framebuffer.bind();
+    glViewport(0, 0, sums_->texture.width(), sums_->texture.height());
+    bindStorage(StorageBinding::kPuffs, mesh.stream(StreamId::kPuffs));
+    no_attributes_.bind();
+    mesh.drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
+    glDisable(GL_BLEND);
 }
 
 void DustPass::compute(const FractureMesh& mesh, const FrameView& view, Tiles& tiles) {
@@ -160,9 +142,7 @@ void DustPass::addUp(const FractureMesh* mesh, const FrameView& view, const Rend
     } else {
         gl::Program& program = puffsFor(full);
         tell(program, view, part);
-        begin(program, *mesh, *sums_);
-        mesh->drawEffect(kPuffCommand, GL_TRIANGLE_STRIP);
-        glDisable(GL_BLEND);
+        drawPuffs(program, *mesh);
     }
     sums_->texture.bind(kSumUnit);
 }

@@ -24,11 +24,8 @@ class DustPass {
     /// For the frames to come. `computes`: the sums of full pictures are computed rather than drawn. Throws
     /// gl::GlError where the driver refuses to.
     void prepare(const PictureKind& kind, const RenderTargets& targets, bool computes);
-    /// What dust of this frame leaves of the sun, for all that asks the shadow map: of `mesh` (null: none, as
-    /// in drafts). Binds unit 11, as shaders/common/dust_shadow.glsl has it.
-    void castShadows(const FractureMesh* mesh);
     /// Binds the sums of this frame, as shaders/common/dust_over.glsl has it (`mesh` null: none). The shadow
-    /// map (unit 1), castShadows(), the surroundings and the noise volume are bound. `nearest_depth`:
+    /// map (unit 1), DustShadowPass, the surroundings and the noise volume are bound. `nearest_depth`:
     /// AmbientOcclusionPass::nearestDepth() of this frame; null, of drafts: the depth of `targets` counts.
     void addUp(const FractureMesh* mesh, const FrameView& view, const RenderTargets& targets,
                const gl::Texture* nearest_depth);
@@ -47,17 +44,15 @@ class DustPass {
     static void tell(gl::Program& program, const FrameView& view, int part);
     void makeRoom(size_t puffs, size_t squares);
     void compute(const FractureMesh& mesh, const FrameView& view, Tiles& tiles);
-    /// Puffs are drawn into sums that are 0 before.
-    void begin(const gl::Program& program, const FractureMesh& mesh, const Sums& sums);
+    void drawPuffs(const gl::Program& program, const FractureMesh& mesh);
 
     std::filesystem::path shaders_;
-    gl::Program shadows_;
     gl::Texture nothing_;
     std::map<std::pair<bool, PictureKind>, gl::Program> puffs_;  ///< by fullness; made when first needed
     std::map<PictureKind, Tiles> tiles_;                         ///< likewise
     gl::Buffer seen_, boxes_, lists_;                            ///< of the puffs of a frame, computed
     bool computes_ = false;
-    std::optional<Sums> sums_, shadow_sums_;
+    std::optional<Sums> sums_;
     PictureKind kind_;
     gl::VertexArray no_attributes_;
 };

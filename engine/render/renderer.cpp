@@ -12,6 +12,7 @@
 #include "engine/passes/crack_pass.h"
 #include "engine/passes/depth_eraser.h"
 #include "engine/passes/dust_pass.h"
+#include "engine/passes/dust_shadow_pass.h"
 #include "engine/passes/floor_pass.h"
 #include "engine/passes/glass_pass.h"
 #include "engine/passes/glow_pass.h"
@@ -59,6 +60,7 @@ struct Renderer::Passes {
           ids(shaders),
           grit(shaders),
           dust(shaders),
+          dust_shadow(shaders),
           sparks(shaders),
           glass(shaders, task_count),
           glow(shaders),
@@ -124,6 +126,7 @@ struct Renderer::Passes {
     IdPass ids;
     GritPass grit;
     DustPass dust;
+    DustShadowPass dust_shadow;
     SparkPass sparks;
     GlassPass glass;
     GlowPass glow;
@@ -298,7 +301,7 @@ void Renderer::Passes::drawGlass(const FractureMesh* found, const FrameView& vie
 }
 
 void Renderer::Passes::castDustShadows(const FractureMesh* mesh, const FrameView& view) {
-    dust.castShadows(showsDust(mesh, view) && view.quality == RenderQuality::kFull ? mesh : nullptr);
+    dust_shadow.cast(showsDust(mesh, view) && view.quality == RenderQuality::kFull ? mesh : nullptr);
 }
 
 void Renderer::Passes::addUpDust(const FractureMesh* mesh, const FrameView& view) {

@@ -21,14 +21,14 @@ enum class StreamId : uint32_t {
     kGrains,            ///< 32 B: position 3f, size, quaternion 4 x snorm16 (of a spark: velocity and age,
                         ///< 4 x half), seed u32, heat
     kPuffs,             ///< 32 B: position 3f, radius, optical depth, age, seed u32, heat
-    kEffectCommands,    ///< 48 B: three DrawArraysIndirectCommand: grains, puffs, puffs as points
+    kEffectCommands,    ///< 32 B: two DrawArraysIndirectCommand: grains, puffs
     kCount
 };
 /// Places of the commands in that stream.
 inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorCommand = 2;
 inline constexpr size_t kDrawCommandBytes = 20;
 /// The same of the effects.
-inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1, kPuffPointCommand = 2;
-inline constexpr size_t kEffectCommandBytes = 16, kEffectCommandCount = 3;
+inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1;
+inline constexpr size_t kEffectCommandBytes = 16, kEffectCommandCount = 2;
 
 }  // namespace demolish::engine

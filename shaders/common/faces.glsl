@@ -9,5 +9,9 @@ layout(std430, binding = 7) buffer Faces { uvec2 faces[]; };
 uvec2 faceAt(uint place) { return faces[place]; }
 #endif
 
-// Of the first face of a ray; `at`: in a picture ACROSS times as wide.
-uint facePlace(ivec2 at) { return uint(KEPT) * (uint(at.y) * uint(ACROSS) * uint(frame.viewport.x) + uint(at.x)); }
+// Of the `k`-th face of the ray `at`, in a picture ACROSS times as wide. First faces lie together, as most rays have none, and
+// so do the rays of a pixel.
+uint facePlace(ivec2 at, uint k) {
+    uvec2 pixel = uvec2(at / ACROSS), ray = uvec2(at % ACROSS), pixels = uvec2(frame.viewport.xy);
+    return uint(ACROSS * ACROSS) * (pixels.x * (pixels.y * k + pixel.y) + pixel.x) + uint(ACROSS) * ray.y + ray.x;
+}

@@ -22,11 +22,11 @@ uvec2 leaveNearer(uint place, uvec2 face) {
 
 // Each place keeps the nearest that comes by and hands the other on, so that in the end they hold the nearest in order,
 // whatever order they came in. Of two at one depth the higher name stays. Has it found a place?
-bool keepFace(uint first, uvec2 face) {
-    uvec2 last = faceAt(first + uint(KEPT - 1));
+bool keepFace(ivec2 at, uvec2 face) {
+    uvec2 last = faceAt(facePlace(at, uint(KEPT - 1)));
     if (face.y < last.y || (face.y == last.y && face.x <= last.x)) return false;
     for (uint k = 0u; k < uint(KEPT); ++k) {
-        uvec2 held = leaveNearer(first + k, face);
+        uvec2 held = leaveNearer(facePlace(at, k), face);
         if (held.y == 0u || held.y == face.y) return true;
         if (held.y < face.y) face = held;
     }
@@ -36,11 +36,12 @@ bool keepFace(uint first, uvec2 face) {
 bool putCamera(Flat f, ivec2 at, uint covered, uint name) {
     float depth = depthAt(f, kGrid * at + sample_at[0]);
     if (depth > 1.0 || depth <= texelFetch(opaque_depth, at / ACROSS, 0).r) return false;
-    uint bits = floatBitsToUint(depth), first = facePlace(at);
-    if (naming == 0) return keepFace(first, uvec2(name, bits));
+    uint bits = floatBitsToUint(depth);
+    if (naming == 0) return keepFace(at, uvec2(name, bits));
 #ifndef WIDE_ATOMICS
-    for (uint k = first; k < first + uint(KEPT); ++k) {
-        if (faces[k].y == bits) atomicMax(faces[k].x, name);
+    for (uint k = 0u; k < uint(KEPT); ++k) {
+        uint place = facePlace(at, k);
+        if (faces[place].y == bits) atomicMax(faces[place].x, name);
     }
 #endif
     return true;

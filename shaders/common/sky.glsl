@@ -30,25 +30,36 @@ vec3 mirroredLayer(vec3 direction, float roughness) {
     return textureLod(mirrored, vec3(octahedralPlace(direction, size.x), layer), 0.0).rgb;
 }
 
+// The ground of a picture is not the scene's.
+vec3 aboveFloor(vec3 direction) {
+    return frame.floor_colour.w > 0.0 ? vec3(direction.x, max(direction.y, 0.0), direction.z) : direction;
+}
+vec3 floorBelow(vec3 mirrored_sky, vec3 direction, float roughness) {
+    float blend = smoothstep(-0.08 - 0.5 * roughness, 0.08 + 0.5 * roughness, direction.y);
+    return mix(frame.floor_bounce.rgb, mirrored_sky, mix(1.0, blend, frame.floor_colour.w));
+}
+
+// What a surface of the given roughness mirrors: the surroundings, and the floor where there is one.
+vec3 reflectedRadiance(vec3 direction, float roughness) {
+    return floorBelow(mirroredLayer(aboveFloor(direction), roughness), direction, roughness);
+}
+
 const float kRoughest = 0.6;
 
-// What a surface of the given roughness mirrors: the surroundings, and the floor where there is one. `ambient`: what it
-// scatters, that is ambientRadiance() of its normal.
+// The same of what may be rough. `ambient`: what it scatters, that is ambientRadiance() of its normal.
 vec3 reflectedRadiance(vec3 direction, float roughness, vec3 ambient) {
-    vec3 seen = direction;
-    if (frame.floor_colour.w > 0.0) seen.y = max(seen.y, 0.0);  // the ground of a picture is not the scene's
 #ifdef SHADOW_DRAFT
     // Rough things mirror hardly more than they scatter. A loop in place of a branch, which software renderers go through
     // also where no pixel takes it.
     vec3 mirrored_sky = ambient;
     for (bool smoother = roughness < kRoughest; smoother; smoother = false) {
-        mirrored_sky = mix(mirroredLayer(seen, roughness), ambient, smoothstep(kRoughest - 0.1, kRoughest, roughness));
+        vec3 layer = mirroredLayer(aboveFloor(direction), roughness);
+        mirrored_sky = mix(layer, ambient, smoothstep(kRoughest - 0.1, kRoughest, roughness));
     }
+    return floorBelow(mirrored_sky, direction, roughness);
 #else
-    vec3 mirrored_sky = mirroredLayer(seen, roughness);
+    return reflectedRadiance(direction, roughness);
 #endif
-    float blend = smoothstep(-0.08 - 0.5 * roughness, 0.08 + 0.5 * roughness, direction.y);
-    return mix(frame.floor_bounce.rgb, mirrored_sky, mix(1.0, blend, frame.floor_colour.w));
 }
 
 #if FLOOR == FLOOR_SWEEP

@@ -89,15 +89,28 @@ struct Walk {
 void enter(inout Walk w, vec3 n, bool broken) {
     float cosine = max(-dot(n, w.way), 0.02), f = mirrors(cosine, frame.glass.w), n_dot_l = max(dot(n, frame.to_sun.xyz), 0.0);
     float roughness = broken ? kBroken : kSmooth;
-    vec3 half_way = normalize(frame.to_sun.xyz - w.way + vec3(0.0, 1e-6, 0.0)), around = ambientRadiance(n);
+    vec3 half_way = normalize(frame.to_sun.xyz - w.way + vec3(0.0, 1e-6, 0.0));
     float glint = f * ggxSpecular(max(dot(n, half_way), 0.0), cosine, n_dot_l, roughness) * n_dot_l * 3.14159265;
-    w.light += w.left * (min(glint, kBrightest) * frame.sun_colour.rgb + f * reflectedRadiance(reflect(w.way, n), roughness, around));
+    w.light += w.left * (min(glint, kBrightest) * frame.sun_colour.rgb + f * reflectedRadiance(reflect(w.way, n), roughness));
     if (broken) {
-        w.light += w.left * frost * (around + frame.sun_colour.rgb * n_dot_l) * exp(-0.02 * frame.glass.rgb * frame.scene.w);
+        w.light += w.left * frost * (ambientRadiance(n) + frame.sun_colour.rgb * n_dot_l) * exp(-0.02 * frame.glass.rgb * frame.scene.w);
         w.left *= 1.0 - frost;
     }
     w.left *= 1.0 - f;
     w.way = refract(w.way, n, 1.0 / frame.glass.w);
+}
+
+// A bent ray leaves a round body elsewhere than the straight one, on which its faces were found: there, as if the ball that
+// has both faces. `back`: normal of the second one, out of the body; `chord`: m between them.
+void bendInside(inout Walk w, inout vec3 back, inout float chord, vec3 straight) {
+    vec3 front = normalize(straight - frame.glass.w * w.way);  // by the law of refraction
+    float slant = dot(front, straight), steep = -dot(front, w.way);
+    // 1 where both faces slant away from the ray alike, as those of a ball; 0 for a wall.
+    float share = clamp((dot(front, back) - slant * dot(straight, back)) / max(1.0 - slant * slant, 1e-4), 0.0, 1.0);
+    float bent_chord = chord * clamp(-steep / min(slant, -0.05), 1.0, 4.0);
+    w.at += share * (bent_chord * w.way - chord * straight);
+    chord = mix(chord, bent_chord, share);
+    back = normalize(mix(back, front + 2.0 * steep * w.way, share));
 }
 
 // A body shades the floor below it, the more the thicker it is: share of the floor's light that meets a ray going down in it.
@@ -113,11 +126,13 @@ void leave(inout Walk w, vec3 n, bool broken, vec3 straight, float chord) {
     float f = min(mirrors(max(-dot(n, w.way), 0.02), 1.0 / frame.glass.w), 0.92);
     // What is mirrored inside is mirrored again before it comes out somewhere else: it has a longer way than the ray had.
     vec3 inside = exp(-kDetour * chord * frame.glass.rgb), turned = reflect(w.way, n);
-    vec3 met = reflectedRadiance(turned, broken ? kBroken : kSmooth, ambientRadiance(turned));
+    vec3 met = reflectedRadiance(turned, broken ? kBroken : kSmooth);
     w.light += w.left * f * inside * openBelow(w.at, turned, chord) * met;
-    float scattered = broken ? frost : 0.0;
-    w.light += w.left * scattered * (ambientRadiance(-n) + 0.5 * frame.sun_colour.rgb * max(-dot(n, frame.to_sun.xyz), 0.0));
-    w.left *= (1.0 - f) * (1.0 - scattered);
+    if (broken) {
+        w.light += w.left * frost * (ambientRadiance(-n) + 0.5 * frame.sun_colour.rgb * max(-dot(n, frame.to_sun.xyz), 0.0));
+        w.left *= 1.0 - frost;
+    }
+    w.left *= 1.0 - f;
     w.way = total ? normalize(mix(w.way, straight, 0.5)) : normalize(out_of);
 }
 
@@ -146,9 +161,10 @@ vec4 walked(ivec2 at, ivec2 pixel) {
         nearer = depth;
         ++met;
         float chord = inside ? (along - last) * length(ray) : 0.0;
-        w.left *= exp(-frame.glass.rgb * chord);
         last = along;
         w.at = frame.eye.xyz + ray * along;
+        if (layer.curved && !layer.enters) bendInside(w, layer.normal, chord, straight);
+        w.left *= exp(-frame.glass.rgb * chord);
         vec3 n = layer.enters ? layer.normal : -layer.normal;  // against the ray
         float away = dot(n, w.way);
         if (away > -0.02) n = normalize(n - (away + 0.02) * w.way);

@@ -85,12 +85,11 @@ struct DrawArraysCommand {
 
 /// Slots in use of the effects' streams; slots that hold nothing are drawn as nothing.
 struct EffectCommands {
-    DrawArraysCommand grains;       ///< 36 vertices each, twelve faces
-    DrawArraysCommand puffs;        ///< 4 each, a strip
-    DrawArraysCommand puff_points;  ///< the puffs once more, a point each
+    DrawArraysCommand grains;  ///< 36 vertices each, twelve faces
+    DrawArraysCommand puffs;   ///< 4 each, a strip
 };
 constexpr EffectCommands effectCommands(uint32_t grains, uint32_t puffs) {
-    return {{36, grains, 0, 0}, {4, puffs, 0, 0}, {puffs, 1, 0, 0}};
+    return {{36, grains, 0, 0}, {4, puffs, 0, 0}};
 }
 
 enum class ParticleColour : uint32_t { kFragment, kDamage, kStress, kSpeed };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "tests/render/gl_fixture.h"
@@ -213,6 +214,38 @@ TEST_P(EffectsPicture, NearGrainsAreRough) {
         }
     ASSERT_GT(pairs, 1000u);
     EXPECT_GT(static_cast<double>(steps) / static_cast<double>(pairs), 0.4);
+}
+
+/// Where a puff's middle hides the sun from the floor, exp(-depth) of its light is left.
+TEST_P(EffectsPicture, DustShadesTheFloorAsMuchAsItsDepthSays) {
+    if (GetParam() == RenderQuality::kDraft) GTEST_SKIP() << "drafts have no shadow of dust";
+    Scene with = scene();
+    with.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .size = 1e-4f});
+    with.mesh = std::make_unique<FractureMesh>(with.body->makeMesh());
+    const FloorMaterial floor = with.view.lighting.floor;
+    putIntoFurnace(with.view, glm::vec3(0));
+    with.view.lighting.floor = floor;
+    with.view.lighting.sun_colour = glm::vec3(5);
+    with.view.camera.eye = {0.6f, 2.5f, -0.6f};
+    with.view.camera.target = {0.1f, 0, 0.1f};
+    const glm::vec3 to_sun = -glm::normalize(with.view.lighting.sun_direction);
+    const auto lit = [&](const std::vector<PuffDraw>& puffs) {
+        writeEffects(*with.mesh, {}, puffs);
+        const Image image = picture(with);
+        return decoded(image.at(image.width / 2, image.height / 2)[1]);
+    };
+    const float bare = lit({});
+    ASSERT_GT(bare, 0.1f);
+    for (const float depth : {0.3f, 1.0f, 2.0f}) {
+        const glm::vec3 middle = with.view.camera.target + to_sun;
+        EXPECT_NEAR(lit({{middle, 0.3f, depth, 0.2f, 9}}) / bare, std::exp(-depth), 0.03f) << depth;
+        // Two of half the depth, one behind the other.
+        const PuffDraw near{middle, 0.3f, 0.5f * depth, 0.2f, 9},
+            far{middle + 0.2f * to_sun, 0.3f, 0.5f * depth, 0.2f, 5};
+        EXPECT_NEAR(lit({near, far}) / bare, std::exp(-depth), 0.03f) << depth;
+    }
+    EXPECT_NEAR(lit({{with.view.camera.target + glm::vec3(0, 0, 1.2f) + to_sun, 0.3f, 2, 0.2f, 9}}), bare,
+                0.01f);
 }
 
 /// Dust is added up in fewer pixels than the picture has. What stands before it keeps its outline all the

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "engine/surroundings/surroundings.h"
 #include "tests/render/gl_fixture.h"
 #include "tests/render/scenes.h"
 
@@ -215,6 +216,44 @@ TEST_P(GlassTest, FrostScatters) {
     const Image clear = picture(scene);
     scene.view.look.frost = 0.6f;
     EXPECT_GT(differingPixels(picture(scene), clear, 12), 2000u);
+}
+
+/// Light of a sky that is the brighter the higher one looks.
+float skyAt(float up) {
+    return 0.5f + 0.4f * up;
+}
+
+void putUnderSky(FrameView& view) {
+    putIntoFurnace(view, glm::vec3(0.5f));
+    RadiancePicture sky(256, 128);
+    for (int row = 0; row < sky.height; ++row)
+        for (int column = 0; column < sky.width; ++column)
+            sky.at(column, row) = glm::vec3(skyAt(sky.direction(column, row).y));
+    view.lighting.surroundings = makeSurroundings(std::move(sky), std::nullopt);
+}
+
+/// A ball of glass shows what is behind it upside down: a parallel ray that meets it `h` radii above its
+/// middle is bent twice by the same angle.
+TEST_P(GlassTest, ABallTurnsThePictureUpsideDown) {
+    Scene scene = block();
+    scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 1, .roundness = 1, .subdivisions = 32});
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+    putUnderSky(scene.view);
+    scene.view.camera.eye = {0, 0.5f, 60};
+    scene.view.camera.target = {0, 0.5f, 0};
+    const float across = 1.2f;  // m, the picture's height
+    scene.view.camera.field_of_view = 2 * std::atan(0.5f * across / 60);
+    const Image image = picture(scene);
+    for (const float h : {-0.8f, -0.6f, -0.4f, -0.2f, 0.2f, 0.4f, 0.6f, 0.8f}) {
+        const float outside = std::asin(h), inside = std::asin(h / 1.5f);
+        const float f =
+            0.04f + 0.96f * std::pow(1 - std::cos(outside), 5.0f);  // mirrored by a face (Schlick)
+        const float through = skyAt(-std::sin(2 * (outside - inside))),
+                    mirrored = skyAt(std::sin(2 * outside));
+        const float expected = (1 - f) * (1 - f) * through + f * mirrored + f * 0.5f;
+        const int y = static_cast<int>((0.5f - 0.5f * h / across) * static_cast<float>(image.height));
+        EXPECT_NEAR(colourAt(image, image.width / 2, y).g, expected, 0.05f) << h;
+    }
 }
 
 /// A face that lies in the floor neither flickers nor lets the sky through.

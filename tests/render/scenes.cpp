@@ -172,7 +172,7 @@ void writeEffects(FractureMesh& mesh, const std::vector<GrainDraw>& grains,
                   const std::vector<PuffDraw>& puffs) {
     static_assert(sizeof(GrainDraw) == 32 && sizeof(PuffDraw) == 32);
     const auto g = static_cast<uint32_t>(grains.size()), p = static_cast<uint32_t>(puffs.size());
-    const uint32_t commands[12] = {36, g, 0, 0, 4, p, 0, 0, p, 1, 0, 0};
+    const uint32_t commands[8] = {36, g, 0, 0, 4, p, 0, 0};
     mesh.stream(StreamId::kGrains).upload(std::as_bytes(std::span(grains)));
     mesh.stream(StreamId::kPuffs).upload(std::as_bytes(std::span(puffs)));
     mesh.stream(StreamId::kEffectCommands).upload(std::as_bytes(std::span(commands)));
