@@ -23,31 +23,49 @@ def principled(material, colour, roughness, metal=0.0):
     return shader
 
 
-def glass(material, look, frost):
-    """Absorbs exp(-absorption d); `frost`: the share of its light that a broken face scatters."""
-    tree = material.node_tree
-    shader = principled(material, (1, 1, 1), math.sqrt(frost) * 0.5)
+def glass(look):
+    """Absorbs exp(-absorption d); broken faces scatter a share of their light (frost), which is their roughness here."""
+    material = bpy.data.materials.new("glass")
+    shader = principled(material, (1, 1, 1), 0.0)
     shader.inputs["Transmission"].default_value = 1
     shader.inputs["IOR"].default_value = look["refraction_index"]
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    broken, rough = nodes.new("ShaderNodeAttribute"), nodes.new("ShaderNodeMath")
+    broken.attribute_name, rough.operation = "broken", "MULTIPLY"
+    rough.inputs[1].default_value = math.sqrt(look["frost"]) * 0.5
+    links.new(broken.outputs["Fac"], rough.inputs[0])
+    links.new(rough.outputs[0], shader.inputs["Roughness"])
     most = max(look["absorption"])
     if most > 0:
-        volume = tree.nodes.new("ShaderNodeVolumeAbsorption")
+        volume = nodes.new("ShaderNodeVolumeAbsorption")
         volume.inputs["Density"].default_value = most
         volume.inputs["Color"].default_value = (*(1 - a / most for a in look["absorption"]), 1)
-        tree.links.new(volume.outputs[0], tree.nodes["Material Output"].inputs["Volume"])
+        links.new(volume.outputs[0], nodes["Material Output"].inputs["Volume"])
+    return material
+
+
+def make_glass(mesh, material):
+    """One material all round: a ray that goes in by one and comes out by another stays in the first one's volume."""
+    broken = mesh.attributes.new("broken", "FLOAT", "FACE")
+    names = [slot.name for slot in mesh.materials]
+    for face, value in zip(mesh.polygons, broken.data):
+        value.value = float(names[face.material_index] == "inside")
+        face.material_index = 0
+    mesh.materials.clear()
+    mesh.materials.append(material)
 
 
 def add_pieces():
     bpy.ops.wm.obj_import(filepath=os.path.join(FOLDER, "pieces.obj"), forward_axis="Y", up_axis="Z")
     look = SCENE["look"]
+    if look["refraction_index"] > 1:
+        material = glass(look)
+        for piece in bpy.context.selected_objects:
+            make_glass(piece.data, material)
+        return
     for name in ("outside", "inside"):
         material = bpy.data.materials.get(name)
-        if material is None:
-            continue
-        if look["refraction_index"] > 1:
-            material.use_nodes = True
-            glass(material, look, look["frost"] if name == "inside" else 0.0)
-        else:
+        if material is not None:
             principled(material, look[name], look[name + "_roughness"])
 
 
@@ -103,6 +121,9 @@ def render():
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.cycles.samples = int(SAMPLES)
+    # Light is mirrored inside of glass many times; Blender's own limit of 4 leaves it black.
+    for kind in ("max", "diffuse", "glossy", "transmission", "volume"):
+        setattr(scene.cycles, kind + "_bounces", 64)
     scene.cycles.use_denoising = False
     scene.render.resolution_x, scene.render.resolution_y = SCENE["width"], SCENE["height"]
     scene.render.resolution_percentage = 100
