@@ -6,7 +6,7 @@ layout(local_size_x = 32) in;
 #include "common/frame.glsl"
 #include "common/puff.glsl"
 #include "common/dust_cast.glsl"
-layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
+#include "common/effect_commands.glsl"
 
 const float kLeastRadius = 1.0;  // texels: a smaller puff is spread over so many, or it would lie between their middles
 
@@ -28,5 +28,5 @@ void addPuff(Puff puff) {
 }
 
 void main() {
-    for (uint i = gl_WorkGroupID.x; i < effect_commands[1].y; i += gl_NumWorkGroups.x) addPuff(puffs[i]);
+    for (uint i = gl_WorkGroupID.x; i < puffCount(); i += gl_NumWorkGroups.x) addPuff(puffs[i]);
 }

@@ -27,6 +27,7 @@ layout(location = 0) out uvec2 layer_out;
 const float kRounding = 2e-6;  // of a normal that is the same at all corners
 
 void main() {
+    bool curved = any(greaterThan(fwidth(world_normal), vec3(kRounding)));  // while all lanes are there
     ivec2 at = ivec2(gl_FragCoord.xy);
     float depth = gl_FragCoord.z;
     if (first == 0 && !isBehind(depth, uintBitsToFloat(texelFetch(previous, at, 0).r))) discard;
@@ -36,7 +37,7 @@ void main() {
     layer.normal = normalize(world_normal);
     layer.enters = gl_FrontFacing;
     layer.broken = false;
-    layer.curved = any(greaterThan(fwidth(world_normal), vec3(kRounding)));
+    layer.curved = curved;
 #ifdef INTERIOR
     layer.normal = brokenNormal(layer.normal, cross(dFdx(world_position), dFdy(world_position)), rest, rotation);
     layer.broken = true;

@@ -7,7 +7,7 @@ layout(local_size_x = 128) in;
 #include "common/fill_lane.glsl"
 #define GRAIN_BINDING 12
 #include "common/grain.glsl"
-layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
+#include "common/effect_commands.glsl"
 const float kLeastTexels = 0.7;  // as grit_shadow.vert
 
 // A large face, or one close to the eye, is larger than the edges of fill_lane.glsl are exact for.
@@ -60,7 +60,7 @@ void seeFromSun(Grain g, GrainFace face, int region) {
 }
 
 void main() {
-    uint faces = kGrainFaces * effect_commands[0].y, lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
+    uint faces = kGrainFaces * grainCount(), lanes = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
     for (uint k = gl_GlobalInvocationID.x; k < faces; k += lanes) {
         uint slot = k / kGrainFaces, own = k % kGrainFaces;
         Grain g = grains[slot];

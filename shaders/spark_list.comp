@@ -5,7 +5,7 @@ layout(local_size_x = 256) in;
 #include "common/frame.glsl"
 #define GRAIN_BINDING 2
 #include "common/grain.glsl"
-layout(std430, binding = 13) readonly buffer EffectCommands { uvec4 effect_commands[]; };  // count, instances, ...
+#include "common/effect_commands.glsl"
 layout(std430, binding = 8) writeonly buffer SparkIds { uint spark_ids[]; };              // from the group's first place on
 layout(std430, binding = 9) writeonly buffer SparkCommands { uvec4 spark_commands[]; };   // of a group, as glDrawArraysIndirect
 const uint kGroup = 2048u, kRounds = kGroup / gl_WorkGroupSize.x;  // as engine/passes/spark_pass.cpp
@@ -19,7 +19,7 @@ uint glowingBefore(uint place) {
 }
 
 void main() {
-    uint lane = gl_LocalInvocationIndex, first = kGroup * gl_WorkGroupID.x, count = effect_commands[0].y;
+    uint lane = gl_LocalInvocationIndex, first = kGroup * gl_WorkGroupID.x, count = grainCount();
     if (lane < kGroup / 32u) glowing[lane] = 0u;
     barrier();
     for (uint round = 0u; round < kRounds; ++round) {

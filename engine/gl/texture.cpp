@@ -74,6 +74,10 @@ void Texture::makeMipMaps(float anisotropy) {
         glTextureParameterf(id(), GL_TEXTURE_MAX_ANISOTROPY, anisotropy);
 }
 
+void Texture::clear(GLenum components, GLenum type) {
+    glClearTexImage(id(), 0, components, type, nullptr);
+}
+
 void Texture::setFilter(GLenum minify, GLenum magnify) {
     glTextureParameteri(id(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
     glTextureParameteri(id(), GL_TEXTURE_MAG_FILTER, static_cast<GLint>(magnify));

@@ -34,6 +34,8 @@ class Texture {
     /// `anisotropy`: most texels of a footprint along its longer side, where the driver can.
     void makeMipMaps(float anisotropy);
 
+    /// All texels of the first level are 0; in the format's own components, such as GL_RED_INTEGER.
+    void clear(GLenum components, GLenum type);
     void setFilter(GLenum minify, GLenum magnify);
     void setWrap(GLenum wrap);
     void bind(GLuint unit) const { glBindTextureUnit(unit, id()); }

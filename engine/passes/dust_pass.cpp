@@ -17,8 +17,8 @@ constexpr int kFullPart = 2, kDraftPart = 4;
 /// least, and twice as long until they are so few.
 constexpr int kTile = 8, kLeastSquare = 64, kMostSquares = 256;
 constexpr size_t kGroup = 64;  ///< puffs, as shaders/dust_see.comp
-/// B, as shaders/common/puff.glsl, seen_puff.glsl and puff_boxes.glsl.
-constexpr size_t kPuffBytes = 32, kSeenPuffBytes = 80, kBoxBytes = 8;
+/// B, as shaders/common/seen_puff.glsl and puff_boxes.glsl.
+constexpr size_t kSeenPuffBytes = 80, kBoxBytes = 8;
 /// m: wavelength of the lumps, in first wavelengths of the shading noise (a fifth of the spacing).
 constexpr float kLumpWaves = 22;
 
@@ -37,8 +37,7 @@ Squares squaresOf(int width, int height) {
 
 DustPass::DustPass(const std::filesystem::path& shaders)
     : shaders_(shaders), nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
-    const float nothing[2] = {0, 0};
-    glClearTexImage(nothing_.id(), 0, GL_RG, GL_FLOAT, nothing);
+    nothing_.clear(GL_RG, GL_FLOAT);
 }
 
 void DustPass::prepare(const PictureKind& kind, const RenderTargets& targets, bool computes) {

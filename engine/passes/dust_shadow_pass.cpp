@@ -11,28 +11,24 @@ namespace demolish::engine {
 namespace {
 
 constexpr GLuint kDustShadowUnit = 11, kSumImage = 0, kShadowImage = 1;
-constexpr int kTexels = 256;  ///< along; as shaders/common/dust_cast.glsl
-constexpr int kTile = 8;      ///< as shaders/dust_shadow.comp
-constexpr size_t kPuffBytes = 32;
+constexpr int kTexels = 256;          ///< along; as shaders/common/dust_cast.glsl
+constexpr int kTile = 8;              ///< as shaders/dust_shadow.comp
 constexpr size_t kMostGroups = 4096;  ///< each takes a puff, and another one so many farther on
-
-gl::Texture emptyTexture(GLenum format, int width, int height, GLenum components, GLenum type) {
-    gl::Texture texture = gl::Texture::make2d(format, width, height);
-    glClearTexImage(texture.id(), 0, components, type, nullptr);
-    return texture;
-}
 
 }  // namespace
 
 DustShadowPass::DustShadowPass(const std::filesystem::path& shaders)
     : cast_(shaders, {"dust_cast.comp"}),
       show_(shaders, {"dust_shadow.comp"}),
-      nothing_(emptyTexture(GL_RG16F, 1, 1, GL_RG, GL_FLOAT)) {}
+      nothing_(gl::Texture::make2d(GL_RG16F, 1, 1)) {
+    nothing_.clear(GL_RG, GL_FLOAT);
+}
 
 void DustShadowPass::cast(const FractureMesh* mesh) {
     if (mesh == nullptr) return nothing_.bind(kDustShadowUnit);
     if (shadow_.id() == 0) {
-        sums_ = emptyTexture(GL_R32UI, kTexels, 2 * kTexels, GL_RED_INTEGER, GL_UNSIGNED_INT);
+        sums_ = gl::Texture::make2d(GL_R32UI, kTexels, 2 * kTexels);
+        sums_.clear(GL_RED_INTEGER, GL_UNSIGNED_INT);
         shadow_ = gl::Texture::make2d(GL_RG16F, kTexels, kTexels);
         shadow_.setFilter(GL_LINEAR, GL_LINEAR);
     }

@@ -11,7 +11,7 @@ namespace {
 
 constexpr size_t kChunk = 64;  // vertices
 constexpr size_t kVertexBytes = 24, kTransformBytes = 32, kParticleBytes = 32, kGrainBytes = 32,
-                 kCrackLineBytes = 8, kPuffBytes = 32;
+                 kCrackLineBytes = 8;
 
 /// Of the kind that can be read where it lies.
 gl::Buffer fixedBuffer(std::span<const std::byte> data) {

@@ -29,6 +29,6 @@ inline constexpr uint32_t kInteriorCommand = 0, kCrackCommand = 1, kExteriorComm
 inline constexpr size_t kDrawCommandBytes = 20;
 /// The same of the effects.
 inline constexpr uint32_t kGrainCommand = 0, kPuffCommand = 1;
-inline constexpr size_t kEffectCommandBytes = 16, kEffectCommandCount = 2;
+inline constexpr size_t kPuffBytes = 32, kEffectCommandBytes = 16, kEffectCommandCount = 2;
 
 }  // namespace demolish::engine

@@ -103,7 +103,8 @@ void enter(inout Walk w, vec3 n, bool broken) {
 // A bent ray leaves a round body elsewhere than the straight one, on which its faces were found: there, as if the ball that
 // has both faces. `back`: normal of the second one, out of the body; `chord`: m between them.
 void bendInside(inout Walk w, inout vec3 back, inout float chord, vec3 straight) {
-    vec3 front = normalize(straight - frame.glass.w * w.way);  // by the law of refraction
+    // By the law of refraction, of a ray that came straight; behind other glass it is a guess.
+    vec3 front = normalize(straight - frame.glass.w * w.way);
     float slant = dot(front, straight), steep = -dot(front, w.way);
     // 1 where both faces slant away from the ray alike, as those of a ball; 0 for a wall.
     float share = clamp((dot(front, back) - slant * dot(straight, back)) / max(1.0 - slant * slant, 1e-4), 0.0, 1.0);
