@@ -110,9 +110,11 @@ BodyFillings makeBodyFillings(const Shot& shot, bool on_gpu, bool draw_geometry,
     const std::vector<SceneBody> bodies = bodiesOf(shot);
     std::vector<FillOptions> options;
     std::vector<uint32_t> particles;
+    // Bodies meet with their outsides where they begin against each other.
+    const bool needs_outsides = bodies.size() > 1 || shot.mortar.has_value();
     for (size_t b = 0; b < bodies.size(); ++b) {
         options.push_back(fillOptionsOf(shot, bodies[b], *mesh[b], on_gpu));
-        options.back().draw_geometry = draw_geometry || shot.mortar.has_value();  // mortar joins outsides
+        options.back().draw_geometry = draw_geometry || needs_outsides;
         particles.push_back(options.back().particles);
     }
     requireFewEnough(particles);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Bonds as rows: every particle has one slot for each of its bonds, in the order of the other particle's id,
 // and each bond therefore two slots, one at each end. The record of a bond owns its pair for ever: bonded,
-// broken, at last plain contact; such a pair never appears in the contact list as well.
+// broken, at last plain contact; such a pair never appears in the contact list as well. Cells of two bodies
+// that lie against each other at the start have such records too, which were never bonds and have no number.
 #pragma once
 #include "sim_cuda/backend/span.h"
 #include "sim_cuda/data/sorted_row.h"
@@ -12,9 +13,9 @@ namespace demolish {
 
 /// The other end and the state of the pair in one word (up to 2^30 particles), and the bond's grade.
 struct alignas(8) BondLink {
-    uint32_t link = 0;  ///< id of the other particle | PairState << 30
-    uint32_t grade =
-        0;  ///< 2 x unorm16: low half radius a_b, high half strength factor, as shares of the body's largest
+    uint32_t link = 0;   ///< id of the other particle | PairState << 30
+    uint32_t grade = 0;  ///< 2 x unorm16: low half radius a_b, high half strength factor, as shares of the
+                         ///< body's largest; 0 of a record that was never a bond
 };
 
 inline constexpr uint32_t kLinkIdMask = 0x3fffffffu;
@@ -27,6 +28,14 @@ DEM_FN PairState pairState(const BondLink& link) {
 }
 DEM_FN bool isBonded(const BondLink& link) {
     return pairState(link) == PairState::kBonded;
+}
+DEM_FN bool isBroken(const BondLink& link) {
+    return !isBonded(link) && link.grade != 0;
+}
+/// A broken bond, or cells of two bodies that have been against each other since the start: they touch where
+/// their record says, which may be before their spheres do.
+DEM_FN bool hasFaces(const BondLink& link) {
+    return pairState(link) == PairState::kBroken || pairState(link) == PairState::kFacing;
 }
 DEM_FN uint32_t linkWord(uint32_t particle, PairState state) {
     return particle | static_cast<uint32_t>(state) << 30;
@@ -43,7 +52,8 @@ template <class Real>
 struct BondRowsIn {
     Span<const uint32_t> row_start;  ///< total + 1
     Span<const BondLink> link;       ///< per slot
-    Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; normalStiffnessOf)
+    Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; normalStiffnessOf); kFacing: in the
+                                     ///< world, 0
     Span<const Vec4<Real>> spring;   ///< per slot, once broken: kept_spring.h
 };
 /// N/m, k_N, of what a slot knows of the bond at rest.
@@ -82,7 +92,7 @@ struct Enclosures {
     DEM_FN bool allBondsHold(uint32_t i) const {
         bool all_hold = true;  // no early end: reads need not wait for each other
         for (uint32_t slot = row_start[i]; slot < row_start[i + 1]; ++slot)
-            all_hold = isBonded(link[slot]) && all_hold;
+            all_hold = !isBroken(link[slot]) && all_hold;
         return all_hold;
     }
 };
@@ -92,7 +102,7 @@ struct BondArrays {
     template <class T>
     using Buffer = typename Backend::template Buffer<T>;
 
-    uint32_t count = 0;  ///< bonds, half the slots
+    uint32_t count = 0;  ///< bonds: half the slots, but for those that were never bonds
     Buffer<uint32_t> row_start;
     Buffer<BondLink> link;
     Buffer<Vec4<Real>> rest;

@@ -34,10 +34,9 @@ struct BookSoftening {
             const uint32_t j = arrays.neighbour[s];
             const Vec4<Real> spring = arrays.contact_spring[s];
             if (j < i || losesNothing(i, j, spring)) continue;
-            const PairLaw<Real> law =
-                arrays.pair_laws[arrays.owner[i] * bonded.params.owners + arrays.owner[j]];
             lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
-                return as.contactEnergy(loadOwn(as.arrays, i), j, law, spring);
+                const OwnParticle<Real> own = loadOwn(as.arrays, i);
+                return as.contactEnergy(own, j, as.spheres(own, j), spring);
             });
         }
         lost += lostToColliders(i);

@@ -35,7 +35,7 @@ struct HardHits {
 /// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
 inline constexpr double kFarInAStep = 0.5;
 
-/// Times the sum of two contact radii: faces of a broken bond touch before the spheres do.
+/// Times the sum of two contact radii: faces touch before the spheres do.
 inline constexpr double kNearlyTouching = 1.3;
 
 /// What the decisions read of the present state.
@@ -97,7 +97,7 @@ struct MeetingsIn {
             const BondLink link = bonds.link[s];
             const uint32_t j = linkedParticle(link);
             if (isBonded(link) || (above && j < i) || label[j] == own || !wanted(label[j])) continue;
-            if (pairState(link) == PairState::kBroken || mayMeetSoon(i, j)) visit(j);
+            if (hasFaces(link) || mayMeetSoon(i, j)) visit(j);
         }
         for (uint32_t s = contacts.row_start[i] + part; s < contacts.row_start[i + 1]; s += kThreads) {
             const uint32_t j = contacts.neighbour[s];

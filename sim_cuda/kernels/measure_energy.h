@@ -122,8 +122,7 @@ struct MeasureEnergy {
         for (uint32_t s = arrays.contact_row[own.id]; s < arrays.contact_row[own.id + 1]; ++s) {
             const uint32_t j = arrays.neighbour[s];
             if (j < own.id) continue;
-            const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
-            sum += static_cast<double>(contactEnergy(own, j, law, arrays.contact_spring[s]));
+            sum += static_cast<double>(contactEnergy(own, j, spheres(own, j), arrays.contact_spring[s]));
         }
         if (own.constants.isHeld()) return sum;
         forEachCollider(params.colliders, own, [&](uint32_t c, const TangentPlane<Real>& bound) {
@@ -138,8 +137,9 @@ struct MeasureEnergy {
         const uint32_t j = linkedParticle(link);
         const BodyLaw<Real> body = arrays.body_laws[own.owner];
         const BondConstants<Real> bond = bondConstants(arrays.rest[slot], link.grade, body);
-        if (pairState(link) == PairState::kContact)
-            return contactEnergy(own, j, arrays.pair_laws[own.owner * params.owners + own.owner],
+        if (pairState(link) == PairState::kContact || pairState(link) == PairState::kFacing)
+            return contactEnergy(own, j,
+                                 recordedSpheres(link, arrays.rest[slot], own.constants, arrays.constants[j]),
                                  arrays.bond_spring[slot]);
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
         if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
@@ -154,17 +154,21 @@ struct MeasureEnergy {
                (faces.normal * overlap * counted(overlap, former) + faces.shear * length2(xyz(spring)));
     }
 
-    DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const PairLaw<Real>& law,
+    DEM_FN Spheres<Real> spheres(const OwnParticle<Real>& own, uint32_t j) const {
+        return contactSpheres(own.constants, arrays.constants[j]);
+    }
+    DEM_FN Real contactEnergy(const OwnParticle<Real>& own, uint32_t j, const Spheres<Real>& spheres,
                               const Vec4<Real>& spring) const {
+        const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
         const ParticleConstants<Real> other = arrays.constants[j];
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
         const CentreLine<Real> line = centreLine(pair.separation);
-        const Real overlap = (own.constants.contact_radius + other.contact_radius) - line.distance;
+        const Real overlap = (spheres.own + spheres.other) - line.distance;
         if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
         const KeptTouch<Real> touch = touchOf(spring, line.normal);
         const Real former = formerOverlap(pair, overlap, line.distance, params.drift),
                    unloaded = unloadedOverlap(spring, touch, former, overlap), pressed = overlap - unloaded;
-        const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
+        const Real radius = reduced(spheres.own, spheres.other);
         return touchEnergy(
             contactTouchLaw(law, params, pressed, radius, pairInertia(own.constants, other), touch.softest),
             params, counted(pressed, former - unloaded), touch.spring);

@@ -43,10 +43,12 @@ DEM_FN Real speedValue(const OwnParticle<Real>& own, Real scale) {
 template <class Real>
 DEM_FN Real damageValue(const SubstepArrays<Real>& arrays, uint32_t i) {
     const uint32_t first = arrays.bond_row[i], last = arrays.bond_row[i + 1];
-    if (first == last) return Real(0);
-    uint32_t broken = 0;
-    for (uint32_t s = first; s < last; ++s) broken += isBonded(arrays.link[s]) ? 0u : 1u;
-    return static_cast<Real>(broken) / static_cast<Real>(last - first);
+    uint32_t bonds = 0, broken = 0;
+    for (uint32_t s = first; s < last; ++s) {
+        bonds += arrays.link[s].grade != 0 ? 1u : 0u;
+        broken += isBroken(arrays.link[s]) ? 1u : 0u;
+    }
+    return bonds == 0 ? Real(0) : static_cast<Real>(broken) / static_cast<Real>(bonds);
 }
 
 }  // namespace demolish

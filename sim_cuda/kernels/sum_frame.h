@@ -42,7 +42,7 @@ struct SumFrame {
         if (i >= in_bodies) return sums;
         sums.stress = static_cast<double>(worstStressRatio(arrays, loadOwn(arrays, i), i, part));
         for (uint32_t slot = arrays.bond_row[i] + part.number; slot < arrays.bond_row[i + 1]; slot += part.of)
-            if (linkedParticle(arrays.link[slot]) > i && !isBonded(arrays.link[slot])) {
+            if (linkedParticle(arrays.link[slot]) > i && isBroken(arrays.link[slot])) {
                 ++sums.broken;
                 if (pairState(arrays.link[slot]) == PairState::kContact) ++sums.parted;
             }

@@ -29,6 +29,27 @@ DEM_FN bool outOfReach(const Vec4<Real>& a, const Vec4<Real>& b, Real reach) {
     return length2(xyz(b) - xyz(a)) > limit * limit;
 }
 
+/// m, radii of the spheres of a pair.
+template <class Real>
+struct Spheres {
+    Real own{}, other{};
+};
+template <class Real>
+DEM_FN Spheres<Real> contactSpheres(const ParticleConstants<Real>& own,
+                                    const ParticleConstants<Real>& other) {
+    return {own.contact_radius, other.contact_radius};
+}
+/// Of a record that is no bond: kFacing ones reach each other at the distance at which the pair began.
+template <class Real>
+DEM_FN Spheres<Real> recordedSpheres(const BondLink& link, const Vec4<Real>& rest,
+                                     const ParticleConstants<Real>& own,
+                                     const ParticleConstants<Real>& other) {
+    const Spheres<Real> spheres = contactSpheres(own, other);
+    if (pairState(link) != PairState::kFacing) return spheres;
+    const Real share = length(xyz(rest)) / (spheres.own + spheres.other);
+    return {share * spheres.own, share * spheres.other};
+}
+
 /// What the ledger books of a touch; `share` of the pair's energy is this particle's (1 against a collider).
 template <class Real>
 DEM_FN void bookTouch(const TouchLaw<Real>& law, const TouchEffect<Real>& effect,
@@ -104,14 +125,14 @@ DEM_FN Real unloadedOverlap(const Vec4<Real>& slot, const KeptTouch<Real>& befor
     return minOf(found, maxOf(overlap, Real(0)));
 }
 
-/// Type 1: spheres of radius R_c. `held`: what `slot`, of this end, holds.
+/// Type 1. `held`: what `slot`, of this end, holds.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
-                                 const PairMotion<Real>& pair, const CentreLine<Real>& line,
-                                 const Vec4<Real>& held, Vec4<Real>& slot, Tally<Real>& tally) {
-    const Real radius = own.constants.contact_radius;
-    const Real overlap = (radius + other.contact_radius) - line.distance;
+                                 const Spheres<Real>& spheres, const PairMotion<Real>& pair,
+                                 const CentreLine<Real>& line, const Vec4<Real>& held, Vec4<Real>& slot,
+                                 Tally<Real>& tally) {
+    const Real overlap = (spheres.own + spheres.other) - line.distance;
     const bool touches = overlap > Real(0);
     if (!kLedger && !touches) {
         releaseUnbooked(slot);
@@ -121,15 +142,15 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
     const Real pressed = overlap - before.unloaded;
-    const TouchLaw<Real> law = contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)),
-                                                      reduced(radius, other.contact_radius),
-                                                      pairInertia(own.constants, other), before.softest);
+    const TouchLaw<Real> law =
+        contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)), reduced(spheres.own, spheres.other),
+                               pairInertia(own.constants, other), before.softest);
     if (!touches) {
         releaseTouch<kLedger>(law, overlapChange(overlap, former), before, slot, Real(0.5), tally);
         return {};
     }
-    const Real arm_i = madd(Real(-0.5), overlap, radius),
-               arm_j = madd(Real(-0.5), overlap, other.contact_radius);
+    const Real arm_i = madd(Real(-0.5), overlap, spheres.own),
+               arm_j = madd(Real(-0.5), overlap, spheres.other);
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, pressed, arm_i, arm_j}, law, pair,
                                       before, slot, params, tally);
 }
@@ -190,8 +211,9 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
-    return plainContact<kLedger, kStep>(params, law, own, other, pair, centreLine(pair.separation), end.kept,
-                                        arrays.contact_spring[slot], tally);
+    return plainContact<kLedger, kStep>(params, law, own, other, contactSpheres(own.constants, other), pair,
+                                        centreLine(pair.separation), end.kept, arrays.contact_spring[slot],
+                                        tally);
 }
 
 /// A slot of the bonds as it is, and its other end, which is always the same.
@@ -205,7 +227,7 @@ DEM_FN LinkEnd linkEnd(const SubstepArrays<Real>& arrays, uint32_t slot) {
     return {linkedParticle(link), link};
 }
 
-/// All that the record of a bond that is no longer solid needs.
+/// All that a record that is no solid bond needs.
 template <class Real>
 struct FormerBond {
     uint32_t slot = 0;
@@ -266,15 +288,15 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
                                       params, tally);
 }
 
-/// Only a broken bond has faces that touch before the spheres do.
+/// Faces may touch before the spheres do.
 template <class Real>
 DEM_FN bool isApart(const OwnParticle<Real>& own, const Vec4<Real>& position,
                     const ParticleConstants<Real>& other, BondLink link, const Vec4<Real>& kept,
                     const StepParams<Real>& params) {
-    return pairState(link) == PairState::kBroken ? isLeftOut(own.constants, other, params)
-                                                 : isOutOfTouch(own, position, other, kept, params);
+    return hasFaces(link) ? isLeftOut(own.constants, other, params)
+                          : isOutOfTouch(own, position, other, kept, params);
 }
-/// The record of a bond that is no longer solid and whose ends are not apart.
+/// A record that is no solid bond and whose ends are not apart.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                                        const OwnParticle<Real>& own, const FormerBond<Real>& former,
@@ -283,11 +305,17 @@ DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const 
     const CentreLine<Real> line = centreLine(pair.separation);
     if (pairState(former.link) == PairState::kBroken)
         return brokenBond<kLedger, kStep>(arrays, params, own, former, pair, line, tally);
-    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + own.owner];
-    return plainContact<kLedger, kStep>(params, law, own, former.constants, pair, line, former.spring,
-                                        arrays.bond_spring[former.slot], tally);
+    const uint32_t j = linkedParticle(former.link);
+    const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + arrays.owner[j]];
+    if (pairState(former.link) == PairState::kFacing)
+        arrays.link[former.slot].link =
+            linkWord(j, nextState(PairState::kFacing, false, line.distance, length(xyz(former.rest))));
+    return plainContact<kLedger, kStep>(
+        params, law, own, former.constants,
+        recordedSpheres(former.link, former.rest, own.constants, former.constants), pair, line, former.spring,
+        arrays.bond_spring[former.slot], tally);
 }
-/// The record of a bond that is no longer solid: of ends that are apart no more is read than it takes to see
+/// A record that is no solid bond: of ends that are apart no more is read than it takes to see
 /// it.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> formerBondSlot(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,

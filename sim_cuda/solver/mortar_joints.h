@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where bodies lie against each other, cell by cell, and the bonds that mortar makes of it (api/mortar.h).
-// Host code in double.
+// The bonds that mortar makes where bodies lie against each other (api/mortar.h). Host code in double.
 #pragma once
 #include <vector>
 

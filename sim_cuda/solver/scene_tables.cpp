@@ -19,6 +19,7 @@
 #include "sim_cuda/physics/time_step.h"
 #include "sim_cuda/physics/tough_cells.h"
 #include "sim_cuda/solver/body_constants.h"
+#include "sim_cuda/solver/facing_bodies.h"
 #include "sim_cuda/solver/mortar_groups.h"
 
 namespace demolish {
@@ -271,6 +272,7 @@ SceneTables buildSceneTables(const SceneSetup& setup, const ProgressCallback& pr
         finishBody(first[b], first[b + 1] - first[b], tables.body[b], setup.bodies[b].body->spacing, tables);
     }
     shareConstants(groups, tables);
+    letBodiesFace(setup, tables);
     report(progress, 1, "Finding the stable time step");
     return tables;
 }

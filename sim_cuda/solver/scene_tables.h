@@ -23,13 +23,19 @@ struct BodyConstants {
     FaceLaw<double> faces;        ///< of its broken bonds
 };
 
-/// One direction of a bond.
+/// One direction of a bond, or of the record of two cells of different bodies that face each other.
 struct BondSlot {
     uint32_t other = 0;    ///< particle at the other end
     Vec3<double> rest;     ///< m, from the row's particle to the other, body frame
     double stiffness = 0;  ///< N/m, k_N
     double radius = 0;     ///< m, a_b
     double strength = 1;   ///< s_b
+    bool is_bond = true;
+
+    /// `apart`: m, to the other particle when the two touch, in the world.
+    static BondSlot facing(uint32_t other, const Vec3<double>& apart) {
+        return {other, apart, 0, 0, 0, false};
+    }
 };
 
 struct SceneTables {
@@ -46,7 +52,7 @@ struct SceneTables {
     std::vector<Quat<double>> rotation;
     std::vector<CornerRow<double>> corner_row;
     std::vector<Vec3<double>> corner;  ///< m, from the seed, body frame; once for all bodies of a shape
-    // bonds of all bodies
+    // bonds of all bodies, and records of cells that face each other
     std::vector<uint32_t> row_start;  ///< total + 1
     std::vector<BondSlot> slots;
     std::vector<uint32_t> slot_of_bond, twin;

@@ -150,9 +150,10 @@ void SolverData<Backend, Real>::uploadBonds(Backend& backend, const SceneTables&
         const BodyConstants& body = tables.body[tables.owner[i]];
         for (uint32_t s = tables.row_start[i]; s < tables.row_start[i + 1]; ++s) {
             const BondSlot& slot = tables.slots[s];
-            link[s] = {linkWord(slot.other, PairState::kBonded),
-                       share(slot.radius, body.largest_radius) | share(slot.strength, body.largest_strength)
-                                                                     << 16};
+            link[s] = {linkWord(slot.other, slot.is_bond ? PairState::kBonded : PairState::kFacing), 0};
+            if (slot.is_bond)
+                link[s].grade = share(slot.radius, body.largest_radius) |
+                                share(slot.strength, body.largest_strength) << 16;
             rest[s] = withW(toReal<Real>(slot.rest), static_cast<Real>(slot.stiffness));
         }
     }

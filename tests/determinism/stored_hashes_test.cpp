@@ -47,5 +47,9 @@ TEST(StoredHashes, UnlikeBodiesInMortar) {
     checkStored("mortar", mortarScene(), 30);
 }
 
+TEST(StoredHashes, UnlikeBodiesThatBeginAgainstEachOther) {
+    checkStored("dry", dryScene(), 30);
+}
+
 }  // namespace
 }  // namespace demolish::tests

@@ -47,13 +47,14 @@ TEST_F(Parity, HertzContactsAndThePapersBondLaw) {
     EXPECT_EQ(asText(hashesOf(*makeCudaSolver(setup))), storedHashes("breaking_brick_paper"));
 }
 
-TEST_F(Parity, WhatIsHeldLedAndInMortarGivesTheStoredBits) {
+TEST_F(Parity, WhatIsHeldLedInMortarAndDryGivesTheStoredBits) {
     EXPECT_EQ(asText(hashesOf(*makeCudaSolver(heldScene()))), storedHashes("held_and_led"));
     EXPECT_EQ(asText(hashesOf(*makeCudaSolver(mortarScene()))), storedHashes("mortar"));
+    EXPECT_EQ(asText(hashesOf(*makeCudaSolver(dryScene()))), storedHashes("dry"));
 }
 
-TEST_F(Parity, HeldAndMortaredFragmentsAreHandedOverAndSleepAlike) {
-    for (SceneSetup setup : {heldScene(), mortarScene()}) {
+TEST_F(Parity, HeldMortaredAndDryFragmentsAreHandedOverAndSleepAlike) {
+    for (SceneSetup setup : {heldScene(), mortarScene(), dryScene()}) {
         setup.params.hand_over = setup.params.sleeping = true;
         auto cpu = makeCpuSolver(setup), gpu = makeCudaSolver(setup);
         uint32_t most_rigid = 0;

@@ -68,4 +68,10 @@ SceneSetup mortarScene() {
     return setup;
 }
 
+SceneSetup dryScene() {
+    SceneSetup setup = mortarScene();
+    setup.mortar.reset();
+    return setup;
+}
+
 }  // namespace demolish::tests

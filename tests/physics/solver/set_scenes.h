@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What sets are made of, for the determinism and parity tests: things that are held, led, and in mortar.
+// What sets are made of, for the determinism and parity tests: things that are held, led, in mortar, and dry.
 #pragma once
 #include "sim_cuda/api/solver.h"
 
@@ -9,5 +9,7 @@ namespace demolish::tests {
 SceneSetup heldScene();
 /// A wall of two materials in mortar, every other course of headers, that an iron ball meets.
 SceneSetup mortarScene();
+/// The same wall without mortar.
+SceneSetup dryScene();
 
 }  // namespace demolish::tests

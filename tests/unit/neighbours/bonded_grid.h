@@ -62,7 +62,7 @@ struct BondedGrid {
         row_start.assign(1, 0);
         for (auto& row : rows) {
             std::sort(row.begin(), row.end());
-            for (const uint32_t j : row) link.push_back({linkWord(j, PairState::kBonded), 0});
+            for (const uint32_t j : row) link.push_back({linkWord(j, PairState::kBonded), ~0u});
             row_start.push_back(static_cast<uint32_t>(link.size()));
         }
         row_start.resize(row_start.size() + kMaxProjectiles, row_start.back());

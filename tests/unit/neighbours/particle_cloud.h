@@ -76,7 +76,7 @@ struct CloudArrays {
         }
         for (auto& row : rows) {
             std::sort(row.begin(), row.end());
-            for (const uint32_t j : row) links.push_back({linkWord(j, PairState::kBroken), 0});
+            for (const uint32_t j : row) links.push_back({linkWord(j, PairState::kBroken), ~0u});
             row_start.push_back(static_cast<uint32_t>(links.size()));
         }
         bonds.row_start = backend.uploaded(row_start);
