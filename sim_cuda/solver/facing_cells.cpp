@@ -73,6 +73,50 @@ std::vector<const OuterTriangle*> nearTo(const Outside& outside, const Corners3&
     return near;
 }
 
+using Axis = double Vec3<double>::*;
+
+Axis longestOf(const Corners3& box) {
+    const Vec3<double> size = box.high - box.low;
+    if (size.x >= size.y && size.x >= size.z) return &Vec3<double>::x;
+    return size.y >= size.z ? &Vec3<double>::y : &Vec3<double>::z;
+}
+
+/// Triangles, sorted along the axis on which they are spread farthest.
+class SpreadTriangles {
+  public:
+    explicit SpreadTriangles(std::vector<const OuterTriangle*> triangles) : sorted_(std::move(triangles)) {
+        Corners3 all;
+        for (const OuterTriangle* t : sorted_) {
+            all.add(t->box.low);
+            all.add(t->box.high);
+        }
+        axis_ = longestOf(all);
+        for (const OuterTriangle* t : sorted_)
+            widest_ = std::max(widest_, t->box.high.*axis_ - t->box.low.*axis_);
+        std::sort(sorted_.begin(), sorted_.end(), [&](const OuterTriangle* a, const OuterTriangle* b) {
+            return a->box.low.*axis_ < b->box.low.*axis_;
+        });
+    }
+    /// Those that may be near, in the order of their body.
+    std::vector<const OuterTriangle*> about(const Corners3& box, double gap) const {
+        const auto firstFrom = [&](double place) {
+            return std::partition_point(sorted_.begin(), sorted_.end(),
+                                        [&](const OuterTriangle* t) { return t->box.low.*axis_ < place; });
+        };
+        std::vector<const OuterTriangle*> near;
+        const auto last = firstFrom(std::nextafter(box.high.*axis_ + gap, 1e300));
+        for (auto at = firstFrom(box.low.*axis_ - gap - widest_); at != last; ++at)
+            if ((*at)->box.isNear(box, gap)) near.push_back(*at);
+        std::sort(near.begin(), near.end());
+        return near;
+    }
+
+  private:
+    std::vector<const OuterTriangle*> sorted_;
+    Axis axis_ = &Vec3<double>::x;
+    double widest_ = 0;  ///< m, along the axis
+};
+
 double areaOf(const std::vector<Vec3<double>>& polygon, const Vec3<double>& normal) {
     double twice = 0;
     for (size_t k = 2; k < polygon.size(); ++k)
@@ -107,9 +151,9 @@ double gapBetween(const OuterTriangle& a, const OuterTriangle& b) {
     return dot(a.normal, middle - a.corner[0]);
 }
 
+/// Of two that are near each other.
 bool facesEachOther(const OuterTriangle& a, const OuterTriangle& b, double gap) {
-    if (!a.box.isNear(b.box, gap) || dot(a.normal, b.normal) > kFacing) return false;
-    return std::fabs(gapBetween(a, b)) <= gap;
+    return dot(a.normal, b.normal) <= kFacing && std::fabs(gapBetween(a, b)) <= gap;
 }
 
 /// Of two cells, added up over what they share: area; times gap and normal.
@@ -120,9 +164,9 @@ struct Shared {
 using SharedOf = std::map<std::pair<uint32_t, uint32_t>, Shared>;
 
 void addShared(const Outside& a, const Outside& b, double gap, SharedOf& shared) {
-    const auto of_b = nearTo(b, a.box, gap);
+    const SpreadTriangles of_b(nearTo(b, a.box, gap));
     for (const OuterTriangle* own : nearTo(a, b.box, gap))
-        for (const OuterTriangle* other : of_b) {
+        for (const OuterTriangle* other : of_b.about(own->box, gap)) {
             if (!facesEachOther(*own, *other, gap)) continue;
             const double area = sharedArea(*own, *other);
             if (!(area > 0)) continue;
