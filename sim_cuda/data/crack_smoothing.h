@@ -17,23 +17,37 @@ struct CrackSmoothing {
 };
 
 inline constexpr uint32_t kMostSmoothingSteps = 30;
-inline constexpr float kRoughness = 0.05f, kRoughnessWave = 0.6f, kSmoothingLimit = 0.7f;
+inline constexpr float kRoughness = 0.05f, kPlaneRoughness = 0.02f, kRoughnessWave = 0.6f,
+                       kSmoothingLimit = 0.7f;
 
-/// Pieces of so few cells are drawn with flat faces and sharp edges.
-inline constexpr uint32_t kMostCellsOfCrumb = 2;
+/// Pieces of so few cells are drawn as these are.
+inline constexpr uint32_t kMostCellsOfCrumb = 1;
+/// Up to so many, pieces are drawn with flat faces and sharp edges.
+inline constexpr uint32_t kMostCellsPlaned = 16;
+/// So are those of more than a crumb, and their vertices go to a few planes (plane_pieces.h).
+DEM_FN bool isPlaned(uint32_t cells) {
+    return cells > kMostCellsOfCrumb && cells <= kMostCellsPlaned;
+}
 /// h: limit for what also bounds a crumb. A crater is no mould of what broke out of it, but a crumb must not
 /// be pressed flat.
 inline constexpr float kLimitAtCrumb = 0.35f;
 
+inline constexpr uint32_t kNoPiece = 0xffffffffu;
+
 /// The pieces that meet at a vertex of the crack.
 struct PiecesThere {
-    uint32_t smallest = 0;  ///< cells, crumbs left out; 0: none but crumbs
-    bool crumb = false;     ///< there is one
+    uint32_t smallest = 0;     ///< cells, crumbs left out; 0: none but crumbs
+    uint32_t slot = kNoPiece;  ///< of it; of equal ones the lowest
+    bool crumb = false;        ///< there is one
 
-    DEM_FN void add(uint32_t cells) {
+    DEM_FN void add(uint32_t cells, uint32_t at) {
         const bool is_crumb = cells <= kMostCellsOfCrumb;
         crumb = crumb || is_crumb;
-        if (!is_crumb) smallest = smallest == 0 || cells < smallest ? cells : smallest;
+        if (is_crumb) return;
+        if (smallest == 0 || cells < smallest || (cells == smallest && at < slot)) {
+            smallest = cells;
+            slot = at;
+        }
     }
     static constexpr uint32_t kCrumbBit = 1u << 31;
     DEM_FN uint32_t word() const { return smallest | (crumb ? kCrumbBit : 0); }
@@ -42,8 +56,8 @@ struct PiecesThere {
 /// `cells`: of the smallest piece that the crack bounds there.
 DEM_FN CrackSmoothing crackSmoothing(uint32_t cells) {
     if (cells <= 1) return {0.0f, 0, 0.0f, 0.0f};
-    if (cells <= 4) return {0.3f, 2, 0.2f, kRoughness};
-    if (cells <= 12) return {0.5f, 5, 0.35f, kRoughness};
+    if (cells <= 4) return {0.3f, 2, 0.2f, kPlaneRoughness};
+    if (cells <= kMostCellsPlaned) return {0.5f, 5, 0.35f, kPlaneRoughness};
     if (cells <= 30) return {0.8f, 12, 0.5f, kRoughness};
     return {1.1f, kMostSmoothingSteps, kSmoothingLimit, kRoughness};
 }

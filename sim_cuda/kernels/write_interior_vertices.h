@@ -54,10 +54,10 @@ struct WriteInteriorVertices {
             count += 2.0f;
         }
     };
-    /// A crumb's faces are flat, and its edges sharp.
+    /// Faces of pieces of a few cells are flat, and their edges sharp.
     DEM_FN Side sideOf(uint32_t cell, uint32_t face) const {
         const uint32_t slot = fragment[cell];
-        return {slot, !smooth || fragment_size[slot] <= kMostCellsOfCrumb ? face : kEveryFace};
+        return {slot, !smooth || fragment_size[slot] <= kMostCellsPlaned ? face : kEveryFace};
     }
     /// Both at once: what is read for one side is read for the other.
     DEM_FN void gather(uint32_t pool, Side& a, Side& b) const {

@@ -32,6 +32,7 @@
 #include "sim_cuda/solver/concatenate_geometry.h"
 #include "sim_cuda/solver/marked_list.h"
 #include "sim_cuda/solver/outside_surface.h"
+#include "sim_cuda/solver/piece_planes.h"
 
 namespace demolish {
 
@@ -104,12 +105,14 @@ class FractureSurface {
     Buffer<uint8_t> face_state_;
     MarkedList<Backend> movable_;                  ///< pool vertices
     Buffer<uint32_t> pieces_there_;                ///< PiecesThere::word() of each of those
+    Buffer<uint32_t> smallest_there_;              ///< slot of the smallest piece there, likewise
     Buffer<uint32_t> steps_moved_;                 ///< of smoothing
     Buffer<uint8_t> uncut_;                        ///< triangles of the mesh
     Buffer<Float3> position_, previous_position_;  ///< alike between updates
     Buffer<uint32_t> first_vertex_, first_index_, first_exterior_,
         crack_place_;  ///< exclusive scans, one longer than what they count
     OutsideSurface<Backend> outside_;
+    PiecePlanes<Backend> piece_planes_;
 };
 
 /// Which face each entry of face_vertices belongs to.
@@ -164,6 +167,7 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
       movable_(backend, rest_.size()),
       pieces_there_(backend.template allocate<uint32_t>(rest_.size())),
+      smallest_there_(backend.template allocate<uint32_t>(rest_.size())),
       steps_moved_(backend.template allocate<uint32_t>(kMostSmoothingSteps)),
       uncut_(backend.template allocate<uint8_t>(exterior_triangles_.size())),
       position_(backend.uploaded(scene.geometry.pool)),
@@ -172,7 +176,8 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       first_index_(backend.template allocate<uint32_t>(faces_.size() + 1)),
       first_exterior_(backend.template allocate<uint32_t>(exterior_triangles_.size() + 1)),
       crack_place_(backend.template allocate<uint32_t>(crack_edges_.size() + 1)),
-      outside_(backend, scene.geometry, cells_) {
+      outside_(backend, scene.geometry, cells_),
+      piece_planes_(backend, scene) {
     makeExteriorWhole();
     measureSurfaceDistance(scene.geometry.pool_on_surface);
 }
@@ -236,11 +241,11 @@ void FractureSurface<Backend>::makeExteriorWhole() {
 
 template <class Backend>
 void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
-    backend_.forEach(
-        rest_.size(),
-        ChooseMovableVertices{corners(), faces_.view(), face_state_.view(), surface_distance_.view(),
-                              fracture.fragment, fracture.size, movable_.marks(), pieces_there_.span()},
-        "choose movable vertices");
+    backend_.forEach(rest_.size(),
+                     ChooseMovableVertices{corners(), faces_.view(), face_state_.view(),
+                                           surface_distance_.view(), fracture.fragment, fracture.size,
+                                           movable_.marks(), pieces_there_.span(), smallest_there_.span()},
+                     "choose movable vertices");
     movable_.gather();
     backend_.fill(steps_moved_.span(), 0u);
     static_assert(kMostSmoothingSteps % 2 == 0, "it ends where it has begun");
@@ -253,6 +258,12 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
                                               {position_.span(), previous_position_.span()},
                                               {steps_moved_.span()}},
                             "relax pool vertices");
+    const PieceShapes pieces =
+        piece_planes_.find(fracture, faces_.view(), face_vertices_.view(), face_state_.view(), rest_.view());
+    movable_.forEach(
+        PlanePoolVertices{pieces, smallest_there_.view(), pieces_there_.view(), surface_distance_.view(),
+                          rest_.view(), spacing_.view(), position_.span(), previous_position_.span()},
+        "plane pool vertices");
     movable_.forEach(RoughenPoolVertices{surface_distance_.view(), pieces_there_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");

@@ -26,7 +26,7 @@ namespace demolish {
 
 /// What the solver knows when fracture has changed.
 struct Fracture {
-    Span<const uint32_t> fragment;  ///< of each particle: any number, equal exactly within a fragment
+    Span<const uint32_t> fragment;  ///< of each particle: below their number, equal exactly in a fragment
     Span<const uint32_t> size;      ///< cells, by that number
     Span<const uint8_t> bond_broken;
 };

@@ -284,9 +284,9 @@ TEST(FractureSurface, WhatShowedBeforeNeverMovesAgain) {
     std::vector<Float3> before = drawn.positions();
     size_t moved_later = 0;
     for (uint32_t stage = 1; stage <= 5; ++stage) {
-        const std::vector<uint32_t> finer = test::randomFragments(geometry, 600, 4, stage);
+        const std::vector<uint32_t> finer = test::randomFragments(geometry, 600, 3, stage);
         for (size_t cell = 0; cell < fragment.size(); ++cell)
-            fragment[cell] = 4 * fragment[cell] + finer[cell];
+            fragment[cell] = 3 * fragment[cell] + finer[cell];
         drawn.show(fragment);
         const std::vector<Float3> now = drawn.positions();
         for (size_t v = 0; v < now.size(); ++v) {
