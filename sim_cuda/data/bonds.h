@@ -55,6 +55,7 @@ struct BondRowsIn {
     Span<const Vec4<Real>> rest;     ///< per slot: (x_j - x_i at rest, m; normalStiffnessOf); kFacing: in the
                                      ///< world, 0
     Span<const Vec4<Real>> spring;   ///< per slot, once broken: kept_spring.h
+    uint32_t facing = 0;             ///< slots that began as kFacing
 };
 /// N/m, k_N, of what a slot knows of the bond at rest.
 template <class Real>
@@ -102,7 +103,8 @@ struct BondArrays {
     template <class T>
     using Buffer = typename Backend::template Buffer<T>;
 
-    uint32_t count = 0;  ///< bonds: half the slots, but for those that were never bonds
+    uint32_t count = 0;   ///< bonds: half the slots, but for those that were never bonds
+    uint32_t facing = 0;  ///< as BondRowsIn
     Buffer<uint32_t> row_start;
     Buffer<BondLink> link;
     Buffer<Vec4<Real>> rest;
@@ -110,7 +112,9 @@ struct BondArrays {
     Buffer<uint32_t> slot_of_bond;  ///< slot at the lower id; bonds of all bodies one after the other
     Buffer<uint32_t> twin;          ///< per slot: the slot at the other end
 
-    BondRowsIn<Real> in() const { return {row_start.view(), link.view(), rest.view(), spring.view()}; }
+    BondRowsIn<Real> in() const {
+        return {row_start.view(), link.view(), rest.view(), spring.view(), facing};
+    }
 };
 
 }  // namespace demolish

@@ -7,15 +7,16 @@
 //
 // Flags are bits set in any order, islands carry their lowest slot: the same on every device.
 #pragma once
+#include <bit>
+
 #include "sim_cuda/backend/atomics.h"
-#include "sim_cuda/data/contact_rows.h"
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/calm_clocks.h"
 #include "sim_cuda/kernels/fragment_sums.h"
 #include "sim_cuda/kernels/join_bonded.h"
 #include "sim_cuda/kernels/lead_held.h"
+#include "sim_cuda/kernels/meetings.h"
 #include "sim_cuda/kernels/mesh_hits.h"
-#include "sim_cuda/kernels/predicted_path.h"
 #include "sim_cuda/physics/hand_over.h"
 
 namespace demolish {
@@ -35,78 +36,6 @@ struct HardHits {
 /// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
 inline constexpr double kFarInAStep = 0.5;
 
-/// Times the sum of two contact radii: faces touch before the spheres do.
-inline constexpr double kNearlyTouching = 1.3;
-
-/// What the decisions read of the present state.
-template <class Real>
-struct MeetingsIn {
-    StateIn<Real> state;
-    PathsIn<Real> paths;
-    Span<const ParticleConstants<Real>> constants;
-    Span<const uint32_t> label;  ///< per particle and projectile slot: its fragment's slot
-    Span<const uint32_t> owner;
-    BondRowsIn<Real> bonds;
-    ContactRowsIn<Real> contacts;
-    uint32_t in_bodies = 0;
-    Real horizon{};  ///< s that the contact lists hold from their build on
-    Real soon{};     ///< s until the next decision at the latest
-    Real at_once{};  ///< s, not above `soon`: a hit within them cannot wait for the next decision
-
-    DEM_FN bool takesPart(uint32_t i) const { return constants[i].takesPart(); }
-    /// On straight paths from here, skins included: whoever strays from the path that the contact lists rely
-    /// on by half a skin brings a new decision where one is needed (strayed_paths.h).
-    DEM_FN bool mayMeetSoon(uint32_t i, uint32_t j) const { return mayMeetWithin(i, j, soon); }
-    DEM_FN bool mayMeetWithin(uint32_t i, uint32_t j, Real time) const {
-        return mayMeet(withW(positionOf(state, i), reach(i)), state.velocity[i],
-                       withW(positionOf(state, j), reach(j)), state.velocity[j], time);
-    }
-    /// m, with its skin.
-    DEM_FN Real reach(uint32_t i) const { return constants[i].contact_radius + skinOf(paths.velocity[i]); }
-    /// m^2/s^2
-    DEM_FN Real relativeSpeed2(uint32_t i, uint32_t j) const {
-        return length2(xyz(state.velocity[j]) - xyz(state.velocity[i]));
-    }
-    /// Closing faster than `limit` (m/s), and touching or, on straight paths, within `time` (s) from here.
-    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit, Real time) const {
-        const Vec3<Real> x = positionOf(state, j) - positionOf(state, i);
-        const Vec3<Real> v = xyz(state.velocity[j]) - xyz(state.velocity[i]);
-        const Real speed2 = length2(v), closing = -dot(x, v);
-        if (!(speed2 > limit * limit) || !(closing > Real(0))) return false;
-        const Real reach =
-                       Real(kNearlyTouching) * (constants[i].contact_radius + constants[j].contact_radius),
-                   apart2 = length2(x);
-        if (apart2 < reach * reach) return closing * closing > limit * limit * apart2;
-        const Real nearest = minOf(closing / speed2, time);
-        return length2(axpy(nearest, v, x)) < reach * reach;
-    }
-
-    /// visit(j) for the particles of other fragments that i may touch before the next decision, those above i
-    /// only with `above`: what is found in every kThreads-th slot of its rows from slot `part` on.
-    template <uint32_t kThreads, class Visit>
-    DEM_FN void visitMeetings(uint32_t i, uint32_t part, bool above, const Visit& visit) const {
-        visitMeetingsWith<kThreads>(
-            i, part, above, [](uint32_t) { return true; }, visit);
-    }
-    /// With fragments only whose slot is `wanted`.
-    template <uint32_t kThreads, class Wanted, class Visit>
-    DEM_FN void visitMeetingsWith(uint32_t i, uint32_t part, bool above, const Wanted& wanted,
-                                  const Visit& visit) const {
-        const uint32_t own = label[i];
-        for (uint32_t s = bonds.row_start[i] + part; s < bonds.row_start[i + 1]; s += kThreads) {
-            const BondLink link = bonds.link[s];
-            const uint32_t j = linkedParticle(link);
-            if (isBonded(link) || (above && j < i) || label[j] == own || !wanted(label[j])) continue;
-            if (hasFaces(link) || mayMeetSoon(i, j)) visit(j);
-        }
-        for (uint32_t s = contacts.row_start[i] + part; s < contacts.row_start[i + 1]; s += kThreads) {
-            const uint32_t j = contacts.neighbour[s];
-            if ((above && j < i) || label[j] == own || !wanted(label[j])) continue;
-            if (mayMeetSoon(i, j)) visit(j);
-        }
-    }
-};
-
 /// Threads that share a particle's rows where they are visited: on a GPU there are too few particles to hide
 /// the way to memory, and whatever is found is joined or marked in any order. kLater: once it is known who
 /// has no meetings.
@@ -124,12 +53,14 @@ struct StartIslands {
     Span<uint32_t> island, flags, meets;
     Span<uint32_t> active, carried;    ///< marks
     Span<uint32_t> words, body_awake;  ///< no longer than there are slots
+    Span<uint32_t> coming;             ///< HitRules
 
     DEM_FN void operator()(uint32_t slot) const {
         island[slot] = slot;
         flags[slot] = meets[slot] = active[slot] = carried[slot] = 0;
         if (slot < words.count) words[slot] = 0;
         if (slot < body_awake.count) body_awake[slot] = 0;
+        if (slot < coming.count) coming[slot] = 0;
     }
 };
 
@@ -143,6 +74,9 @@ struct HitRules {
     uint32_t crumb = 1;              ///< particles of the largest piece that stays whole once it is rigid
     HoldsIn holds{};
     Real contact_step{};  ///< s
+    /// Per slot: m/s, bits of a float, of the fastest that comes at the fragment before the next decision.
+    /// None where no bodies face each other.
+    Span<uint32_t> coming{};
 
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
     DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
@@ -174,15 +108,35 @@ struct HitRules {
         return sleeps(meetings.label[i]) != sleeps(meetings.label[j]) && canBeHard(i, j) &&
                isFast(i, j, limit(i, j)) && !meetings.mayMeetWithin(i, j, meetings.at_once);
     }
+    /// What is about to hit a fragment goes through it to what it lies against.
+    DEM_FN void noteComing(uint32_t i, uint32_t j) const {
+        if (coming.empty() || !meetings.comesNearer(i, j)) return;
+        const uint32_t bits = std::bit_cast<uint32_t>(float(squareRoot(meetings.relativeSpeed2(i, j))));
+        for (const uint32_t slot : {meetings.label[i], meetings.label[j]})
+            if (bits > atomicLoadU32(&coming[slot])) atomicMaxU32(&coming[slot], bits);
+    }
+    DEM_FN Real comingAt(uint32_t slot) const {
+        return coming.empty() ? Real(0) : Real(std::bit_cast<float>(coming[slot]));
+    }
+    /// i lies against j, and something comes at one of the two that would break the other: both need their
+    /// bonds, since what is rigid pushes softly.
+    DEM_FN bool isPushedHard(uint32_t i, uint32_t j, Real apart) const {
+        if (!(apart > Real(0)) || !canBeHard(i, j)) return false;
+        const Real reach = Real(kNearlyFacing) * apart;
+        const Real fastest = maxOf(comingAt(meetings.label[i]), comingAt(meetings.label[j]));
+        return fastest > limit(i, j) && meetings.apart2(i, j) < reach * reach;
+    }
     DEM_FN bool isFast(uint32_t i, uint32_t j, Real limit) const {
         return meetings.relativeSpeed2(i, j) > limit * limit;
     }
     /// Is the hit hard if it comes within `time` (s)? To a sleeper that cannot wait, what is fast and may
-    /// meet it at all.
-    DEM_FN bool isHard(uint32_t i, uint32_t j, Real time) const {
+    /// meet it at all. `apart`: as visitMeetings() gives it.
+    DEM_FN bool isHard(uint32_t i, uint32_t j, Real time, Real apart) const {
         const Real above = limit(i, j);
-        return sleeps(meetings.label[i]) ? isFast(i, j, above) && meetings.mayMeetWithin(i, j, time)
-                                         : meetings.meetHard(i, j, above, time);
+        if (sleeps(meetings.label[i]) && isFast(i, j, above) && meetings.mayMeetWithin(i, j, time))
+            return true;
+        if (sleeps(meetings.label[i]) && !(apart > Real(0))) return false;
+        return meetings.meetHard(i, j, above, time, meetings.nearlyTouching(i, j, apart));
     }
 };
 
@@ -206,12 +160,12 @@ struct JoinIslands {
         const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
-        meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j) {
+        meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j, Real apart) {
             raise(meets[i], meets[j]);
-            if (!rules.mayWait(i, j))
-                join(island, own, meetings.label[j]);
-            else
-                raise(words[kHitsLater]);
+            const bool faces = apart > Real(0);
+            if (!faces && rules.mayWait(i, j)) return raise(words[kHitsLater]);
+            join(island, own, meetings.label[j]);
+            if (!faces) rules.noteComing(i, j);
         });
     }
 };
@@ -271,12 +225,16 @@ struct FlagIslands {
         if (meets[i] == 0) return hard;
         const bool sleeps = hits.sleeps(slot);
         const auto mayBeHard = [&](uint32_t other) {
-            return !sleeps || !hits.sleeps(other);  // sleepers do not hit each other
+            // Sleepers do not hit each other.
+            return !sleeps || !hits.sleeps(other) || hits.comingAt(other) > Real(0) ||
+                   hits.comingAt(slot) > Real(0);
         };
-        meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, [&](uint32_t j) {
-            if (hits.canBeHard(i, j) && hits.isHard(i, j, meetings.soon))
-                (hits.isHard(i, j, meetings.at_once) ? hard.at_once : hard.later) = true;
-        });
+        const auto ask = [&](uint32_t j, Real apart) {
+            if (hits.isPushedHard(i, j, apart)) hard.at_once = true;
+            if (hits.canBeHard(i, j) && hits.isHard(i, j, meetings.soon, apart))
+                (hits.isHard(i, j, meetings.at_once, apart) ? hard.at_once : hard.later) = true;
+        };
+        meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, ask);
         return hard;
     }
     DEM_FN HardHits hitsOnColliders(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
@@ -319,7 +277,7 @@ struct SeeSleepers {
     DEM_FN void operator()(uint32_t k) const {
         const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i) || sleeps(i)) return;
-        meetings.template visitMeetings<kThreads>(i, k % kThreads, false, [&](uint32_t j) {
+        meetings.template visitMeetings<kThreads>(i, k % kThreads, false, [&](uint32_t j, Real) {
             if (sleeps(j)) atomicOrU32(&word[0], 1u);
         });
     }

@@ -46,7 +46,7 @@ struct MarkWork {
     DEM_FN Near nearOf(uint32_t i, uint32_t part) const {
         Near near{part == 0 && nearCollider(i), false};
         if (!meets.empty() && meets[i] == 0) return near;
-        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j) {
+        meetings.template visitMeetings<kThreads>(i, part, false, [&](uint32_t j, Real) {
             near.anything = true;
             near.bonded = near.bonded || isIn(j, Regime::kBonded);
         });

@@ -326,12 +326,13 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
     if (frame_starts) memory_.all_bonded = most_bonded ? 1 : 0;
     const RegimeRules rules{hand_over_, sleeping_,      frame_starts,  memory_.all_bonded != 0,
                             no_bonds_,  calm_substeps_, rest_substeps_};
-    const HitRules<Real> hits{
+    HitRules<Real> hits{
         meetings, rows, regime_.view(), wake_.view(), crumb_, holds_, Real(kRigidStride) * params.dt};
+    if (meetings.bonds.facing > 0) hits.coming = speeds_.span();  // which are those of a frame's start
     const Span<uint32_t> words = moved_.words();
     backend_.forEach(total,
                      StartIslands{island_.span(), flags_.span(), meets_.span(), moved_.activeMarks(),
-                                  moved_.carriedMarks(), words, moved_.bodyAwake()},
+                                  moved_.carriedMarks(), words, moved_.bodyAwake(), hits.coming},
                      "start islands");
     withMeetingThreads<Backend>(counts_of_.total, [&](auto threads) {
         constexpr uint32_t kFirst = decltype(threads)::kFirst, kLater = decltype(threads)::kLater;

@@ -158,6 +158,7 @@ void SolverData<Backend, Real>::uploadBonds(Backend& backend, const SceneTables&
         }
     }
     bonds.count = static_cast<uint32_t>(tables.slot_of_bond.size());
+    bonds.facing = static_cast<uint32_t>(slots) - 2 * bonds.count;
     bonds.row_start = backend.uploaded(tables.row_start);
     bonds.link = backend.uploaded(link);
     bonds.rest = backend.uploaded(rest);

@@ -165,6 +165,39 @@ TEST_F(FacingBodies, WhatBeginsPressedIntoEachOtherStaysWhereItIs) {
     EXPECT_LT(solver->stats().energy.kinetic, 1e-9);
 }
 
+/// Bonds broken in half a second: a ball drops on a brick that lies on another one. Means of three packings.
+double brokenByABall(bool upper_breaks, bool hand_over) {
+    double broken = 0;
+    for (uint64_t packing = 1; packing <= 3; ++packing) {
+        const auto mesh = loadSolidMesh(DEMOLISH_SOURCE_DIR "/assets/models/brick.obj", {.height = kHeight});
+        const auto brick = fillWithParticles(*mesh, {.particles = 300, .seed = packing});
+        SceneSetup setup;
+        setup.bodies = {placed(brick, {}), placed(brick, {0.02, kHeight + 0.0005, 0})};
+        if (!upper_breaks) setup.bodies[1].material.critical_velocity = 1e6;
+        setup.params.colliders = {Plane{}};
+        setup.params.substeps = 200;
+        setup.params.settle_time = 0.2;
+        Projectile ball;
+        ball.radius = 0.05;
+        ball.position = {0.01, 0.3, 0.01};
+        ball.velocity = {0, -3, 0};
+        setup.projectiles = {ball};
+        auto solver = makeSolver(with(setup, {hand_over, hand_over}));
+        for (int frame = 0; frame < 30; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        broken += solver->stats().bonds_broken / 3.0;
+    }
+    return broken;
+}
+
+/// A push goes through what is hit: what it lies on never sees anything come fast.
+TEST_F(FacingBodies, WhatLiesUnderSomethingThatIsHitBreaksAsWithItsBondsAwake) {
+    for (const bool upper_breaks : {true, false}) {
+        const double awake = brokenByABall(upper_breaks, false);
+        EXPECT_GT(awake, 500);
+        EXPECT_NEAR(brokenByABall(upper_breaks, true), awake, 0.25 * awake) << upper_breaks;
+    }
+}
+
 /// Two cubes of different bodies: the record says how far apart they touch, and the law is that of the two.
 class FacingPair : public Pair {
   protected:
