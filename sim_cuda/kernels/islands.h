@@ -130,13 +130,11 @@ struct HitRules {
         return meetings.relativeSpeed2(i, j) > limit * limit;
     }
     /// Is the hit hard if it comes within `time` (s)? To a sleeper that cannot wait, what is fast and may
-    /// meet it at all. `apart`: as visitMeetings() gives it.
-    DEM_FN bool isHard(uint32_t i, uint32_t j, Real time, Real apart) const {
+    /// meet it at all.
+    DEM_FN bool isHard(uint32_t i, uint32_t j, Real time) const {
         const Real above = limit(i, j);
-        if (sleeps(meetings.label[i]) && isFast(i, j, above) && meetings.mayMeetWithin(i, j, time))
-            return true;
-        if (sleeps(meetings.label[i]) && !(apart > Real(0))) return false;
-        return meetings.meetHard(i, j, above, time, meetings.nearlyTouching(i, j, apart));
+        return sleeps(meetings.label[i]) ? isFast(i, j, above) && meetings.mayMeetWithin(i, j, time)
+                                         : meetings.meetHard(i, j, above, time);
     }
 };
 
@@ -231,8 +229,8 @@ struct FlagIslands {
         };
         const auto ask = [&](uint32_t j, Real apart) {
             if (hits.isPushedHard(i, j, apart)) hard.at_once = true;
-            if (hits.canBeHard(i, j) && hits.isHard(i, j, meetings.soon, apart))
-                (hits.isHard(i, j, meetings.at_once, apart) ? hard.at_once : hard.later) = true;
+            if (hits.canBeHard(i, j) && hits.isHard(i, j, meetings.soon))
+                (hits.isHard(i, j, meetings.at_once) ? hard.at_once : hard.later) = true;
         };
         meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, ask);
         return hard;

@@ -50,19 +50,15 @@ struct MeetingsIn {
         return dot(positionOf(state, j) - positionOf(state, i),
                    xyz(state.velocity[j]) - xyz(state.velocity[i])) < Real(0);
     }
-    /// m: nearer than that two particles as good as touch. `apart`: as visitMeetings() gives it.
-    DEM_FN Real nearlyTouching(uint32_t i, uint32_t j, Real apart) const {
-        return maxOf(Real(kNearlyTouching) * (constants[i].contact_radius + constants[j].contact_radius),
-                     Real(kNearlyFacing) * apart);
-    }
-    /// Closing faster than `limit` (m/s), and touching (nearer than `reach`, m) or, on straight paths, within
-    /// `time` (s) from here.
-    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit, Real time, Real reach) const {
+    /// Closing faster than `limit` (m/s), and touching or, on straight paths, within `time` (s) from here.
+    DEM_FN bool meetHard(uint32_t i, uint32_t j, Real limit, Real time) const {
         const Vec3<Real> x = positionOf(state, j) - positionOf(state, i);
         const Vec3<Real> v = xyz(state.velocity[j]) - xyz(state.velocity[i]);
         const Real speed2 = length2(v), closing = -dot(x, v);
         if (!(speed2 > limit * limit) || !(closing > Real(0))) return false;
-        const Real apart2 = length2(x);
+        const Real reach =
+                       Real(kNearlyTouching) * (constants[i].contact_radius + constants[j].contact_radius),
+                   apart2 = length2(x);
         if (apart2 < reach * reach) return closing * closing > limit * limit * apart2;
         const Real nearest = minOf(closing / speed2, time);
         return length2(axpy(nearest, v, x)) < reach * reach;

@@ -20,11 +20,11 @@ namespace demolish {
 /// Planes of a piece.
 inline constexpr uint32_t kPiecePlanes = 12;
 
-/// h: what planes cut off, and how far vertices go at most.
-inline constexpr float kCutOff = 0.4f;
-/// Share of how far a piece reaches that they leave of the smallest ones.
-inline constexpr float kLeastKept = 0.72f;
+/// h that they cut off; of the smallest pieces less, so that this share of how far they reach is left.
+inline constexpr float kCutOff = 0.4f, kLeastKept = 0.72f;
+/// h: how far vertices go at most.
 inline constexpr float kOutwards = 0.4f, kInwards = 0.6f;
+
 /// Unit, of plane `k` of the piece with this slot: one of the twelve of a dodecahedron, turned aside.
 DEM_FN Vec3<float> pieceDirection(uint32_t slot, uint32_t k) {
     constexpr float kShort = 0.5257311f, kLong = 0.8506508f, kAside = 0.45f;
@@ -102,11 +102,10 @@ struct SpreadReach {
     }
 };
 
-/// Of one movable vertex: from where it is at rest.
+/// Of one movable vertex, after smoothing.
 struct PlanePoolVertices {
     PieceShapes pieces;
     Span<const uint32_t> smallest_there;  ///< slot of the smallest piece at a movable vertex
-    Span<const uint32_t> pieces_there;
     Span<const uint8_t> surface_distance;
     Span<const Float3> rest;
     Span<const float> spacing;

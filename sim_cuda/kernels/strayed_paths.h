@@ -60,11 +60,10 @@ struct SeeStrayed {
         for (uint32_t k = thread % kThreads; k < count; k += kThreads) {
             const uint32_t i = strayed[k];
             if (enclosed && !isProjectile(i)) continue;
-            if (i == j) {
+            if (i == j)
                 seeColliders(i);
-                seeFaces(i);
-            } else if (const PathFromHere<Real> own = paths.anew(i);
-                       mayMeet(own, other) && mayTouch(i, j) && !moveAsOne(i, j))
+            else if (const PathFromHere<Real> own = paths.anew(i);
+                     mayMeet(own, other) && mayTouch(i, j) && !moveAsOne(i, j))
                 seePair(i, j, own, other);
         }
     }
@@ -127,23 +126,6 @@ struct SeeStrayed {
             withW(xyz(b.position), reach(j) - Real(0.5) * skinOf(b.velocity)), b.velocity, remaining);
     }
 
-    /// Cells of other bodies that i has been against since the start touch it before their spheres do.
-    DEM_FN void seeFaces(uint32_t i) const {
-        if (isProjectile(i)) return;
-        const PathFromHere<Real> own = paths.anew(i);
-        for (uint32_t s = bonds.row_start[i]; s < bonds.row_start[i + 1]; ++s) {
-            const uint32_t j = linkedParticle(bonds.link[s]);
-            if (pairState(bonds.link[s]) != PairState::kFacing || label[i] == label[j] || !takesPart(j))
-                continue;
-            const PathFromHere<Real> other = paths.now(j);
-            const Vec3<Real> x = xyz(other.position) - xyz(own.position),
-                             v = xyz(other.velocity) - xyz(own.velocity);
-            const Real speed2 = length2(v), gap = length(x) - length(xyz(bonds.rest[s]));
-            if (!(dot(x, v) < Real(0)) || !(speed2 > gentle * gentle)) continue;
-            const Real seconds = gap > Real(0) ? gap * inverseSqrt(speed2) : Real(0);
-            if (seconds < remaining) tell(kMustDecide, seconds);
-        }
-    }
     DEM_FN void seeColliders(uint32_t i) const {
         const PathFromHere<Real> own = paths.anew(i), before = paths.former(i);
         const Real radius = constants[i].floor_radius, skin = skinOf(own.velocity);

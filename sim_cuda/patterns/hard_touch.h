@@ -49,12 +49,12 @@ struct HardTouches {
     DEM_FN Touch<Real> of(uint32_t i) const {
         const MeetingsIn<Real>& meetings = rules.meetings;
         Touch<Real> first = onColliders(i);
-        meetings.template visitMeetings<1>(i, 0, false, [&](uint32_t j, Real apart) {
+        meetings.template visitMeetings<1>(i, 0, false, [&](uint32_t j, Real) {
             const Vec3<Real> approach = xyz(meetings.state.velocity[j]) - xyz(meetings.state.velocity[i]);
-            const Real reach =
-                maxOf(meetings.constants[i].contact_radius + meetings.constants[j].contact_radius, apart);
-            const Real time = touchTime(positionOf(meetings.state, j) - positionOf(meetings.state, i),
-                                        approach, reach, rules.limit(i, j));
+            const Real time =
+                touchTime(positionOf(meetings.state, j) - positionOf(meetings.state, i), approach,
+                          meetings.constants[i].contact_radius + meetings.constants[j].contact_radius,
+                          rules.limit(i, j));
             if (time < first.time) first = {time, approach};
         });
         return first;

@@ -260,10 +260,9 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
                             "relax pool vertices");
     const PieceShapes pieces =
         piece_planes_.find(fracture, faces_.view(), face_vertices_.view(), face_state_.view(), rest_.view());
-    movable_.forEach(
-        PlanePoolVertices{pieces, smallest_there_.view(), pieces_there_.view(), surface_distance_.view(),
-                          rest_.view(), spacing_.view(), position_.span(), previous_position_.span()},
-        "plane pool vertices");
+    movable_.forEach(PlanePoolVertices{pieces, smallest_there_.view(), surface_distance_.view(), rest_.view(),
+                                       spacing_.view(), position_.span(), previous_position_.span()},
+                     "plane pool vertices");
     movable_.forEach(RoughenPoolVertices{surface_distance_.view(), pieces_there_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");

@@ -3,10 +3,9 @@
 // and both ends of a touch agree, whatever the bodies are made of.
 #include <cmath>
 
-#include "sim_cuda/api/authoring.h"
 #include "tests/physics/solver/exported_frame.h"
-#include "tests/physics/solver/lattice_body.h"
 #include "tests/physics/solver/pair_fixture.h"
+#include "tests/physics/solver/placed_body.h"
 #include "tests/physics/solver/regimes_of.h"
 
 namespace demolish::tests {
@@ -16,20 +15,6 @@ class FacingBodies : public OnEitherDevice {};
 
 constexpr double kLength = 0.24, kHeight = 0.071, kDepth = 0.115;  // m, of a brick
 
-std::shared_ptr<const BreakableBody> filled(const char* model, double height, uint32_t particles) {
-    const auto mesh =
-        loadSolidMesh(std::string(DEMOLISH_SOURCE_DIR "/assets/models/") + model, {.height = height});
-    return fillWithParticles(*mesh, {.particles = particles});
-}
-
-BodyInstance placed(std::shared_ptr<const BreakableBody> body, const Double3& position) {
-    BodyInstance instance;
-    instance.body = std::move(body);
-    instance.position = position;
-    instance.material = brittleMaterial();
-    instance.material.tough_cells = 0;
-    return instance;
-}
 void makeUnlike(BodyInstance& body) {
     body.material.density *= 1.5;
     body.material.friction = 0.25;
@@ -67,11 +52,11 @@ Stance stanceOf(const BodyInstance& instance, const ParticleInstance* now) {
 /// On a slab of cells ten times as large as its own, 1 mm above it, and half a second later.
 TEST_F(FacingBodies, AGlassStandsUprightWhereverItStands) {
     constexpr double kThick = 0.04, kGap = 0.001;
-    const auto slab = filled("plate.obj", 1.4, 600), glass = filled("tumbler.obj", 0.153, 700);
+    const auto slab = filledModel("plate.obj", 1.4, 600), glass = filledModel("tumbler.obj", 0.153, 700);
     SceneSetup setup;
-    setup.bodies = {placed(slab, {})};
+    setup.bodies = {placedBody(slab, {})};
     for (const auto& [x, z] : {std::pair{0.1, 0.12}, {-0.3, 0.05}, {0.2, -0.2}, {-0.11, -0.03}})
-        setup.bodies.push_back(placed(glass, {x, kThick + kGap, z}));
+        setup.bodies.push_back(placedBody(glass, {x, kThick + kGap, z}));
     setup.params.colliders = {Plane{}};
     setup.params.substeps = 100;
     setup.params.settle_time = 0.3;
@@ -92,11 +77,11 @@ TEST_F(FacingBodies, AGlassStandsUprightWhereverItStands) {
 SceneSetup dryWall() {
     constexpr double kGap = 0.0005;
     SceneSetup setup;
-    const std::shared_ptr<const BreakableBody> brick[] = {filled("brick.obj", kHeight, 24),
-                                                          filled("brick.obj", kHeight, 60)};
+    const std::shared_ptr<const BreakableBody> brick[] = {filledModel("brick.obj", kHeight, 24),
+                                                          filledModel("brick.obj", kHeight, 60)};
     for (uint32_t row = 0; row < 6; ++row)
         for (uint32_t k = 0; k < 3; ++k)
-            setup.bodies.push_back(placed(
+            setup.bodies.push_back(placedBody(
                 brick[row % 2], {(kLength + kGap) * (k + (row % 2) * 0.3), row * (kHeight + kGap), 0}));
     setup.params.settle_time = 0.2;
     setup.params.substeps = 150;
@@ -122,8 +107,8 @@ TEST_F(FacingBodies, ADryWallStandsAndSleeps) {
 /// Two bricks of unlike cells and materials that fall on each other, a little turned, without gravity.
 SceneSetup meetingBricks() {
     SceneSetup setup;
-    setup.bodies = {placed(filled("brick.obj", kHeight, 60), {}),
-                    placed(filled("brick.obj", kHeight, 24), {0.03, kHeight + 0.003, 0.02})};
+    setup.bodies = {placedBody(filledModel("brick.obj", kHeight, 60), {}),
+                    placedBody(filledModel("brick.obj", kHeight, 24), {0.03, kHeight + 0.003, 0.02})};
     makeUnlike(setup.bodies[1]);
     setup.bodies[1].velocity = {0.1, -0.4, 0.05};
     setup.bodies[1].angular_velocity = {0.3, 0.5, -0.2};
@@ -169,10 +154,9 @@ TEST_F(FacingBodies, WhatBeginsPressedIntoEachOtherStaysWhereItIs) {
 double brokenByABall(bool upper_breaks, bool hand_over) {
     double broken = 0;
     for (uint64_t packing = 1; packing <= 3; ++packing) {
-        const auto mesh = loadSolidMesh(DEMOLISH_SOURCE_DIR "/assets/models/brick.obj", {.height = kHeight});
-        const auto brick = fillWithParticles(*mesh, {.particles = 300, .seed = packing});
+        const auto brick = filledModel("brick.obj", kHeight, 300, packing);
         SceneSetup setup;
-        setup.bodies = {placed(brick, {}), placed(brick, {0.02, kHeight + 0.0005, 0})};
+        setup.bodies = {placedBody(brick, {}), placedBody(brick, {0.02, kHeight + 0.0005, 0})};
         if (!upper_breaks) setup.bodies[1].material.critical_velocity = 1e6;
         setup.params.colliders = {Plane{}};
         setup.params.substeps = 200;

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <set>
 
-#include "sim_cuda/api/authoring.h"
 #include "sim_cuda/api/turned_body.h"
 #include "tests/physics/solver/exported_frame.h"
-#include "tests/physics/solver/lattice_body.h"
+#include "tests/physics/solver/placed_body.h"
 #include "tests/physics/solver/regimes_of.h"
 #include "tests/physics/solver/solver_under_test.h"
 
@@ -23,16 +22,11 @@ constexpr double kLength = 0.24, kHeight = 0.071, kDepth = 0.115, kGap = 0.0005;
 constexpr double kShare = 0.25;                                                   // of the bricks' strength
 
 std::shared_ptr<const BreakableBody> brick(uint32_t particles) {
-    const auto mesh = loadSolidMesh(DEMOLISH_SOURCE_DIR "/assets/models/brick.obj", {.height = kHeight});
-    return fillWithParticles(*mesh, {.particles = particles});
+    return filledModel("brick.obj", kHeight, particles);
 }
 
 BodyInstance placed(std::shared_ptr<const BreakableBody> body, const Double3& position) {
-    BodyInstance instance;
-    instance.body = std::move(body);
-    instance.position = position;
-    instance.material = brittleMaterial();
-    instance.material.tough_cells = 0;
+    BodyInstance instance = placedBody(std::move(body), position);
     instance.material.critical_velocity = 2.5;
     return instance;
 }

@@ -29,7 +29,7 @@ std::vector<Vec> directions() {
     return spread;
 }
 
-/// m, of the corners of a closed surface below its hull, on the mean; rms.
+/// m, rms: how deep the corners of a closed surface lie below its hull.
 double depthBelowHull(const test::Soup& soup) {
     double sum = 0, corners = 0;
     std::vector<double> depth(3 * soup.size(), 1e30);
