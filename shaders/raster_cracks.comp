@@ -11,6 +11,7 @@ layout(local_size_x = 128) in;
 #include "common/crack.glsl"
 #include "common/noise.glsl"
 #include "common/crack_cover.glsl"
+#include "common/crack_sides.glsl"
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 const uint kLanes = 4u;
 
@@ -35,8 +36,6 @@ End endOf(uint vertex, float wide, FragmentTransform t, uint fragment, uint othe
     end.strength = strengthOf(wanted, dot(end.normal, end.to_eye), openingAt(end.rest, t, fragment, other));
     return end;
 }
-
-void darken(ivec2 pixel, int i, uint steps) { atomicAdd(visible[crackWord(pixel, SAMPLES, i)], steps << (16 * (i & 1))); }
 
 struct Ribbon {
     End ends[2];
@@ -71,14 +70,15 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
     t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
     noise_footprint = 1.0 / onScreen(1.0, mix(r.ends[0].clip.w, r.ends[1].clip.w, t));
-    float ragged = noise(mix(r.ends[0].rest, r.ends[1].rest, t), 1.0 / noise_shape.x).w;
+    vec2 ragged = raggedAt(mix(r.ends[0].rest, r.ends[1].rest, t));
     CrackPlace at = CrackPlace(place.y, place.x, r.extent - place.x);
-    float left = 1.0 - crackCover(at, mix(r.ends[0].half_width, r.ends[1].half_width, t), mix(r.ends[0].strength, r.ends[1].strength, t),
+    CrackCover cover = crackCover(at, mix(r.ends[0].half_width, r.ends[1].half_width, t), mix(r.ends[0].strength, r.ends[1].strength, t),
                                   mix(r.ends[0].slant, r.ends[1].slant, t), ragged);
-    uint steps = uint(-log2(max(left, 0.02)) * kCrackSteps + 0.5);
+    uint steps = uint(-log2(max(1.0 - cover.hides, 0.02)) * kCrackSteps + 0.5);
     if (steps == 0u) return;
+    steps |= uint(cover.wall * kWallSteps + 0.5) << 16;
     for (int i = 0; i < SAMPLES; ++i) {
-        if ((covered >> i & 1u) != 0u) darken(pixel, i, steps);
+        if ((covered >> i & 1u) != 0u) atomicAdd(visible[crackWord(pixel, SAMPLES, i)], steps);
     }
 }
 

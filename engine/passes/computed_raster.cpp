@@ -26,9 +26,9 @@ size_t pixelsInTiles(int width, int height) {
     return pixelsOf((width + 7) / 8 * 8, (height + 7) / 8 * 8);
 }
 
-/// Depth and name a sample, cracks in two words a pixel, in whole groups of four.
+/// Depth, name and cracks, a word each a sample, in whole groups of four.
 size_t visibleFours(int width, int height, int samples) {
-    return (pixelsOf(width, height) * (2 * static_cast<size_t>(samples) + 2) + 3) / 4;
+    return (pixelsOf(width, height) * 3 * static_cast<size_t>(samples) + 3) / 4;
 }
 
 }  // namespace

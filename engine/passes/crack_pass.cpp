@@ -6,13 +6,15 @@
 #include <array>
 
 #include "engine/passes/body_geometry.h"
+#include "engine/render/shown.h"
 
 namespace demolish::engine {
 namespace {
 
 constexpr std::array<uint32_t, 6> kCorners{0, 1, 2, 2, 1, 3};
-constexpr GLint kWidth = 0, kNoiseShape = 5;  // shaders/common/crack.glsl, crack_cover.glsl
-constexpr float kRough = 0.49f;  // roughness 1 of a dielectric, as shaders/common/gbuffer.glsl packs it
+constexpr GLint kWidth = 0, kNoiseShape = 5,
+                kWallColour = 6;  // crack.frag, common/crack.glsl, crack_cover.glsl
+constexpr float kRough = 0.49f;   // roughness 1 of a dielectric, as shaders/common/gbuffer.glsl packs it
 
 }  // namespace
 
@@ -34,24 +36,29 @@ void CrackPass::drawLines(const FractureMesh& mesh, const SeenCracks* seen) {
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(seen->indexCount()), GL_UNSIGNED_INT, nullptr);
 }
 
-void CrackPass::draw(const FractureMesh& mesh, const SurfaceLook& look, uint32_t hidden_looks,
+void CrackPass::draw(const FractureMesh& mesh, const std::vector<SurfaceLook>& looks,
                      const SeenCracks* seen) {
     bindStorage(StorageBinding::kParticleFragment, mesh.stream(StreamId::kParticleFragment));
     bindStorage(StorageBinding::kTransforms, mesh.stream(StreamId::kTransforms));
     bindStorage(StorageBinding::kCrackEdges, mesh.crackEdges());
     bindStorage(StorageBinding::kExteriorVertices, mesh.exteriorVertices());
     bindStorage(StorageBinding::kCellLooks, mesh.cellLooks());
-    setCrackLook(program_, look);
-    program_.set(kHiddenLooks, hidden_looks);
-    program_.use();
     glEnable(GL_BLEND);
-    // The line blends the material below towards dark and rough; the normals stay.
+    // The line blends the material below towards what is inside of it, and rough; the normals stay.
     glColorMaski(1, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_CONSTANT_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glBlendColor(0, 0, 0, kRough);
     glDepthMask(GL_FALSE);
     glDisable(GL_CULL_FACE);
-    drawLines(mesh, seen);
+    for (size_t k = 0; k < looks.size(); ++k) {
+        if (looks[k].isTransparent()) continue;
+        const auto& inside = looks[k].interior_colour;
+        setCrackLook(program_, looks[k]);
+        program_.set(kWallColour, glm::sqrt(glm::vec3(inside[0], inside[1], inside[2])));
+        program_.set(kHiddenLooks, hiddenBut(k, looks));
+        program_.use();
+        drawLines(mesh, seen);
+    }
     glEnable(GL_CULL_FACE);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);

@@ -2,6 +2,7 @@
 // Hairlines where bonds are broken inside one fragment.
 #pragma once
 #include <filesystem>
+#include <vector>
 
 #include "engine/gl/program.h"
 #include "engine/gl/vertex_array.h"
@@ -17,10 +18,9 @@ void setCrackLook(gl::Program& program, const SurfaceLook& look);
 class CrackPass {
   public:
     explicit CrackPass(const std::filesystem::path& shaders);
-    /// As wide and as ragged as `look` says; a line never gets thinner than about a pixel. The number of
-    /// lines comes from the command buffer; `seen`: no more of them than these, null: all.
-    void draw(const FractureMesh& mesh, const SurfaceLook& look, uint32_t hidden_looks,
-              const SeenCracks* seen);
+    /// As wide and as ragged as the look of their cells says; a line never gets thinner than about a pixel.
+    /// The number of lines comes from the command buffer; `seen`: no more of them than these, null: all.
+    void draw(const FractureMesh& mesh, const std::vector<SurfaceLook>& looks, const SeenCracks* seen);
 
   private:
     void drawLines(const FractureMesh& mesh, const SeenCracks* seen);

@@ -215,7 +215,7 @@ void Renderer::Passes::drawMaterials(const FractureMesh* mesh, const FrameView& 
     clock.mark("grit");
     if (kind.glow) glow.draw(body, *mesh, *targets);
     if (showsSolid(mesh, view) && view.show_cracks)
-        cracks.draw(*mesh, view.look, hiddenUnless(false, looksOf(view)), chooses ? &seen.cracks() : nullptr);
+        cracks.draw(*mesh, looksOf(view), chooses ? &seen.cracks() : nullptr);
     clock.mark("cracks");
 }
 

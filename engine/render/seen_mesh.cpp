@@ -36,6 +36,12 @@ SampleGrid gridOf(const SmallTriangles::Target& target) {
     return {target.to_clip, target.width, target.height, target.samples};
 }
 
+float widestCrack(const FrameView& view) {
+    float widest = 0;
+    for (const SurfaceLook& look : looksOf(view)) widest = std::max(widest, look.crack_width);
+    return widest;
+}
+
 }  // namespace
 
 void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const FrameView& view,
@@ -44,7 +50,7 @@ void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const Frame
     const bool names_small = namesSmall(mesh, view, near);
     const uint64_t near_version = near != nullptr ? near->version : 0;
     Key key{mesh.version(),  near_version,  frame.view_projection, {},     targets.width, targets.height,
-            targets.samples, shadow_texels, view.look.crack_width, wanted, names_small};
+            targets.samples, shadow_texels, widestCrack(view),     wanted, names_small};
     std::copy(std::begin(frame.light_matrix), std::end(frame.light_matrix), key.light_matrix);
     if (key == key_) return;
     key_ = key;
@@ -55,7 +61,7 @@ void SeenMesh::find(const FractureMesh& mesh, const NearFaces* near, const Frame
         const SampleGrid pictures[] = {gridOf(all[0]), gridOf(all[1]), gridOf(all[2])};
         triangles_.find(mesh, near, pictures, wanted);
     }
-    cracks_.find(mesh, view.look.crack_width, &frame);
+    cracks_.find(mesh, widestCrack(view), &frame);
 }
 
 }  // namespace demolish::engine

@@ -22,10 +22,10 @@ float depthAt(ivec2 pixel, int i) { return uintBitsToFloat(depthOfSample(sampleI
 
 uint nameAt(ivec2 pixel, int i) { return visible[nameWord(sampleIndex(pixel, SAMPLES, i))]; }
 
-uint crackStepsAt(ivec2 pixel, int i) { return (visible[crackWord(pixel, SAMPLES, i)] >> (16 * (i & 1))) & 0xffffu; }
+uint cracksAt(ivec2 pixel, int i) { return visible[crackWord(pixel, SAMPLES, i)]; }
 
 // Equal for samples that look alike; z is never that of floor or sky.
-uvec3 valueAt(ivec2 pixel, int i) { return uvec3(nameAt(pixel, i), crackStepsAt(pixel, i), 1u); }
+uvec3 valueAt(ivec2 pixel, int i) { return uvec3(nameAt(pixel, i), cracksAt(pixel, i), 1u); }
 
 #ifdef LOOKS
 const float kLookStep = 1.0 / 16.0;  // px: a whole one leaves what is seen aslant
@@ -103,7 +103,7 @@ void makeGrain(uint name, inout Surface s) {
 
 // `position`: of the sample, m.
 Surface surfaceAt(ivec2 pixel, int i, vec3 position) {
-    uint name = nameAt(pixel, i), steps = crackStepsAt(pixel, i);
+    uint name = nameAt(pixel, i), cracks = cracksAt(pixel, i);
     Surface s;
     s.position = position;
 #ifdef GLOW
@@ -112,9 +112,10 @@ Surface surfaceAt(ivec2 pixel, int i, vec3 position) {
     if ((name & kGrainBits) == kGrainBits) makeGrain(name, s);
     else if ((name & kSphereBits) == kSphereBits) makeBall(pixel, name, s);
     else makeBody(pixel, name, s);
-    if (steps == 0u) return s;
-    float left = exp2(-float(steps) / kCrackSteps);
-    vec3 root = mix(kCrackColour, sqrt(clamp(s.albedo, 0.0, 1.0)), left);
+    if (cracks == 0u) return s;
+    float left = exp2(-float(cracks & 0xffffu) / kCrackSteps), hides = 1.0 - left;
+    CrackCover cover = CrackCover(hides, min(float(cracks >> 16) / kWallSteps, hides));
+    vec3 root = mix(crackRoot(cover, sqrt(inside.rgb)), sqrt(clamp(s.albedo, 0.0, 1.0)), left);
     s.albedo = root * root;
     s.roughness = mix(1.0, s.roughness, left);
     s.metalness *= step(0.5, left);

@@ -21,8 +21,10 @@ uint depthWord(uint at) { return 2u * at + 1u; }
 uint depthOfSample(uint at) { return visible[depthWord(at)]; }
 #endif
 
-// Cracks: minus the logarithm of what they leave of the material, in steps, 16 bits a sample, added up by those that cross.
+// Cracks, added up by those that cross: minus the logarithm of what they leave of the material, in steps, in the low half;
+// what shows of walls in the high one.
 const float kCrackSteps = 64.0;  // for a factor of 2
+const float kWallSteps = 1023.0;  // for all of it
 uint crackWord(ivec2 pixel, int samples, int i) {
-    return 2u * sampleTotal(samples) + 2u * (uint(pixel.y) * uint(frame.viewport.x) + uint(pixel.x)) + uint(i >> 1);
+    return 2u * sampleTotal(samples) + sampleIndex(pixel, samples, i);
 }

@@ -161,9 +161,10 @@ std::vector<std::string> faultsOfBody(const BuiltShot& built) {
     size_t particles = 0;
     for (const BodyFillings::Filling& filling : built.cells.fillings) {
         const double volume = meshInfo(*filling.mesh).volume;
-        for (const BodyInstance& body : built.setup.bodies) {
-            if (body.body != filling.body) continue;
-            mass += body.material.density * volume;
+        // What is simulated may be a turned copy of it.
+        for (size_t b = 0; b < built.setup.bodies.size(); ++b) {
+            if (built.cells.of_body.at(b) != filling.body) continue;
+            mass += built.setup.bodies[b].material.density * volume;
             particles += filling.options.particles;
         }
         double cells = 0;

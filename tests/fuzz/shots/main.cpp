@@ -27,7 +27,7 @@ struct Options {
     std::optional<uint64_t> only;
     std::string device = "cpu";
     double cost = 0;  ///< 0: what suits the device
-    bool record = false, in_process = false, show = false;
+    bool record = false, sets = false, in_process = false, show = false;
     std::filesystem::path models = std::filesystem::temp_directory_path() / "demolish_fuzz_models";
 };
 
@@ -35,6 +35,7 @@ RandomShotLimits limitsOf(const Options& options) {
     RandomShotLimits limits;
     limits.device = options.device;
     limits.may_record = options.record;
+    limits.sets = options.sets;
     limits.cost = options.cost > 0 ? options.cost : options.device == "cuda" ? 3e7 : 3e6;
     return limits;
 }
@@ -46,6 +47,7 @@ std::vector<std::string> ownWords(const Options& options, uint64_t index) {
     if (options.device != "cpu") words.insert(words.end(), {"--device", options.device});
     if (options.cost > 0) words.insert(words.end(), {"--cost", std::to_string(options.cost)});
     if (options.record) words.emplace_back("--record");
+    if (options.sets) words.emplace_back("--sets");
     words.insert(words.end(), {"--models", options.models.string()});
     return words;
 }
@@ -196,7 +198,8 @@ int parseAndRun(int argument_count, char** arguments) {
     app.add_option("--device", options.device)->check(CLI::IsMember({"cpu", "cuda"}));
     app.add_option("--only", options.only, "This shot of the seed alone");
     app.add_option("--cost", options.cost, "Particles x substeps of a run, about");
-    app.add_option("--models", options.models, "Folder for the models that are made");
+    app.add_flag("--sets", options.sets, "Scenes of several bodies");
+    app.add_option("--models", options.models, "Folder for the models and scenes that are made");
     app.add_flag("--record", options.record, "Some shots are recorded; needs OpenGL");
     app.add_flag("--in-process", options.in_process, "With --only: no process of its own, for a debugger");
     app.add_flag("--show", options.show, "With --only: say what the shot is, and run nothing");

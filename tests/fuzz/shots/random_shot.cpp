@@ -8,11 +8,13 @@
 #include <cmath>
 
 #include "app/session/data_folder.h"
+#include "app/session/output_file.h"
 #include "app/session/scene_file.h"
 #include "app/session/shot_geometry.h"
 #include "app/session/shot_setup.h"
 #include "app/session/step_division.h"
 #include "tests/fuzz/shots/fuzz_models.h"
+#include "tests/fuzz/shots/random_set.h"
 #include "tests/fuzz/support/dice.h"
 #include "tests/physics/scenes/scene_run.h"
 
@@ -62,6 +64,14 @@ void chooseTime(Dice& dice, ShotOptions& options) {
     if (dice.chance(0.25)) options.substeps = wholeNumber(dice, 1, 600);
 }
 
+void chooseSolver(Dice& dice, ShotOptions& options) {
+    static constexpr std::array<double, 7> kPieces = {0, 1, 2, 5, 40, 200, 5000};
+    if (dice.chance(0.3)) options.pieces = dice.pick(kPieces);
+    if (dice.chance(0.5)) options.seed = static_cast<double>(dice.below(10000));
+    options.no_hand_over = dice.chance(0.25);
+    options.no_sleep = dice.chance(0.25);
+}
+
 void chooseBody(Dice& dice, const Subject& subject, const std::filesystem::path& models,
                 ShotOptions& options) {
     if (subject.is_scene)
@@ -71,11 +81,19 @@ void chooseBody(Dice& dice, const Subject& subject, const std::filesystem::path&
     if (dice.chance(0.5)) options.height = logNumber(dice, 0.05, 20);
     if (dice.chance(0.05)) options.height = dice.chance(0.5) ? 0.01 : 100;
     if (dice.chance(0.6)) options.material = dice.pick(assetNames("materials"));
-    static constexpr std::array<double, 7> kPieces = {0, 1, 2, 5, 40, 200, 5000};
-    if (dice.chance(0.3)) options.pieces = dice.pick(kPieces);
-    if (dice.chance(0.5)) options.seed = static_cast<double>(dice.below(10000));
-    options.no_hand_over = dice.chance(0.25);
-    options.no_sleep = dice.chance(0.25);
+    chooseSolver(dice, options);
+}
+
+/// Its bodies have materials and heights of their own, and it says what hits them.
+Subject chooseSet(Dice& dice, const std::string& name, const std::filesystem::path& models,
+                  ShotOptions& options) {
+    const RandomSet set = randomSet(dice, models);
+    const std::filesystem::path file = models / (name + ".toml");
+    writeTextFile(file, set.text);
+    options.scene = file.string();
+    if (dice.chance(0.1)) options.drop = logNumber(dice, 0.1, 20);
+    chooseSolver(dice, options);
+    return {options.scene, true, set.smallest_volume};
 }
 
 /// Of all bodies together, and what they cost.
@@ -137,8 +155,10 @@ void fitCost(Dice& dice, const RandomShotLimits& limits, const Subject& subject,
     while (!affordable() && size.ofEach() > 2) size.particles /= 2;
     while (!affordable() && random.shot().fps < 500) options.fps = 2 * random.shot().fps;
     const double spacing = rounded(size.spacing());
-    // A size out of range would ask for other particles than the cost was reckoned for.
-    if (dice.chance(0.25) && spacing >= kParticleSizeRange.least && spacing <= kParticleSizeRange.most)
+    // A size out of range would ask for other particles than the cost was reckoned for; so would one for
+    // bodies of many sizes.
+    if (!limits.sets && dice.chance(0.25) && spacing >= kParticleSizeRange.least &&
+        spacing <= kParticleSizeRange.most)
         options.particle_size = spacing;
     else
         options.particles = size.ofEach();
@@ -170,6 +190,17 @@ Watching chooseWatching(Dice& dice, bool may_record) {
     watching.record = dice.chance(0.5) && may_record;
     if (watching.record) watching.draw_geometry = true;
     return watching;
+}
+
+/// And what happens to it.
+Subject chooseSubject(Dice& dice, const std::string& name, bool sets, const std::filesystem::path& models,
+                      ShotOptions& options) {
+    if (sets) return chooseSet(dice, name, models, options);
+    const Subject& subject =
+        dice.chance(0.4) ? subjects()[dice.below(5)] : subjects()[5 + dice.below(subjects().size() - 5)];
+    chooseBody(dice, subject, models, options);
+    chooseImpact(dice, options);
+    return subject;
 }
 
 }  // namespace
@@ -230,11 +261,9 @@ RandomShot randomShot(uint64_t seed, uint64_t index, const RandomShotLimits& lim
                       const std::filesystem::path& models) {
     Dice dice(seed, index);
     RandomShot random;
-    const Subject& subject =
-        dice.chance(0.4) ? subjects()[dice.below(5)] : subjects()[5 + dice.below(subjects().size() - 5)];
     random.options.device = limits.device;
-    chooseBody(dice, subject, models, random.options);
-    chooseImpact(dice, random.options);
+    const Subject subject = chooseSubject(dice, "set_" + std::to_string(seed) + "_" + std::to_string(index),
+                                          limits.sets, models, random.options);
     chooseTime(dice, random.options);
     if (dice.chance(0.5)) random.first_impact = rounded(dice.uniform(0.01, 0.06));
     fitCost(dice, limits, subject, random);

@@ -52,10 +52,11 @@ struct RandomShotLimits {
     double cost = 3e6;             ///< particles x substeps that a run may take
     double most_particles = 5000;  ///< of all bodies
     bool may_record = false;       ///< there is OpenGL
+    bool sets = false;             ///< scenes of several bodies (random_set.h)
     std::string device = "cpu";
 };
 
-/// The `index`-th shot of `seed`; its model is written to `models`.
+/// The `index`-th shot of `seed`; its model or scene is written to `models`.
 RandomShot randomShot(uint64_t seed, uint64_t index, const RandomShotLimits& limits,
                       const std::filesystem::path& models);
 
