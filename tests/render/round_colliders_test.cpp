@@ -163,7 +163,7 @@ TEST_F(RoundColliders, TrianglesAreStretchedAlongTheirAxesAndMayBeOfSteel) {
     ColliderDraw steel = stretched;
     steel.is_steel = true;
     EXPECT_GT(differingPixels(drawPicture(renderer(), sceneOf(steel)),
-                              drawPicture(renderer(), sceneOf(stretched)), 12),
+                              drawPicture(renderer(), sceneOf(stretched)), 8),
               seen / 2);
 }
 
