@@ -118,7 +118,7 @@ void checkParams(const SolverParams& params) {
     checkEffects(params.effects);
     demandRange(params.frame_time, 1e-9, 10, "Frame time (s)");
     demandRange(params.substeps, 1, 1e7, "Substeps");
-    demandRange(params.step_safety, 1e-4, 1, "Step safety");
+    demandRange(params.step_safety, 1e-5, 1, "Step safety");
     demandRange(params.settle_time, 0, 100, "Settling time (s)");
     demandRange(params.scene_radius, 1e-6, 1e6, "Scene radius (m)");
     demandFinite(params.gravity, "Gravity");

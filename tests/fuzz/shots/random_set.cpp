@@ -16,39 +16,43 @@
 namespace demolish::fuzz {
 namespace {
 
-/// A model that something can stand on, or that can stand; sizes over its height.
+/// A model that something can stand on, or that can stand; sizes over what `height_m` scales, which is the
+/// longest side of a plate.
 struct Part {
     const char* model;
-    double width, depth;
+    double width, height, depth;
     bool is_flat;  ///< above and below
 };
-constexpr std::array<Part, 8> kParts = {{{"cube", 1, 1, true},
-                                         {"cube", 1, 1, true},
-                                         {"plate", 50, 50, true},
-                                         {"wall", 2, 0.03, true},
-                                         {"needle", 0.02, 0.02, true},
-                                         {"egg", 0.54, 0.54, false},
-                                         {"sphere", 1, 1, false},
-                                         {"torus", 3.5, 3.5, false}}};
+constexpr std::array<Part, 8> kParts = {{{"cube", 1, 1, 1, true},
+                                         {"cube", 1, 1, 1, true},
+                                         {"plate", 1, 0.02, 1, true},
+                                         {"wall", 2, 1, 0.03, true},
+                                         {"needle", 0.02, 1, 0.02, true},
+                                         {"egg", 0.54, 1, 0.54, false},
+                                         {"sphere", 1, 1, 1, false},
+                                         {"torus", 3.5, 1, 3.5, false}}};
 constexpr std::array<double, 5> kGaps = {0, 0, 1e-4, 1e-3, -5e-4};  ///< m
 
 struct Placed {
     Part part = kParts[0];
-    double height = 0;  ///< m
+    double size = 0;  ///< m, `height_m`
     Double3 foot;
     double yaw = 0;  ///< degrees
+
+    double height() const { return size * part.height; }
+    double top() const { return foot.y + height(); }
 };
 
 double volumeOf(const Placed& body) {
     const auto& all = subjects();
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Subject& s) { return s.name == body.part.model; });
-    return found->volume * std::pow(body.height, 3);
+    return found->volume * std::pow(body.height(), 3);
 }
 
-/// Of what is about as wide as high; a plate's is a fiftieth of its width.
-double heightOf(Dice& dice, const Part& part) {
-    return std::max(0.01, dice.logUniform(0.1, 0.6) / std::max(1.0, 0.3 * part.width));
+/// m, so that no part is wider than the others by much.
+double sizeOf(Dice& dice, const Part& part) {
+    return dice.logUniform(0.1, 0.6) / std::max(1.0, 0.5 * part.width);
 }
 
 void addTower(Dice& dice, double x, std::vector<Placed>& bodies) {
@@ -57,13 +61,13 @@ void addTower(Dice& dice, double x, std::vector<Placed>& bodies) {
     for (size_t k = 0; k < floors; ++k) {
         Placed body;
         body.part = dice.pick(kParts);
-        body.height = heightOf(dice, body.part);
-        const double off = 0.2 * body.height * std::min(1.0, body.part.width);
+        body.size = sizeOf(dice, body.part);
+        const double off = 0.2 * body.size * std::min(1.0, body.part.width);
         body.foot = {x + dice.uniform(-off, off), y, dice.uniform(-off, off)};
         body.yaw = dice.chance(0.5) ? 0 : dice.uniform(0, 90);
         bodies.push_back(body);
         if (!body.part.is_flat) return;
-        y = std::max(0.0, y + body.height + dice.pick(kGaps));
+        y = std::max(0.0, body.top() + dice.pick(kGaps));
     }
 }
 
@@ -74,7 +78,7 @@ void addRow(Dice& dice, double x, std::vector<Placed>& bodies) {
     for (size_t row = 0; row < courses; ++row)
         for (size_t k = 0; k < columns; ++k)
             bodies.push_back({.part = kParts[0],
-                              .height = edge,
+                              .size = edge,
                               .foot = {x + (static_cast<double>(k) + (row % 2 == 1 ? 0.5 : 0.0)) * pitch,
                                        static_cast<double>(row) * std::max(edge, pitch), 0}});
 }
@@ -102,7 +106,7 @@ void writeConduct(Dice& dice, const Placed& body, bool may_move, std::ostream& o
     else if (kind < 0.2)
         out << ", anchor = [{ shape = \"box\", size_m = "
             << inBrackets(
-                   {2 * body.height * body.part.width, 0.4 * body.height, 2 * body.height * body.part.depth})
+                   {2 * body.size * body.part.width, 0.4 * body.height(), 2 * body.size * body.part.depth})
             << ", position_m = [0, 0, 0] }]";
     else if (kind < 0.27)
         out << ", breaks = false, path = [{ at_s = 0.1 }, { at_s = 0.3, position_m = "
@@ -114,8 +118,8 @@ void writeConduct(Dice& dice, const Placed& body, bool may_move, std::ostream& o
 
 void writeBody(Dice& dice, const Placed& body, bool may_move, const std::filesystem::path& models,
                std::ostream& out) {
-    out << "    { model = \"" << modelFile(body.part.model, models).string()
-        << "\", height_m = " << body.height << ", position_m = " << inBrackets(body.foot);
+    out << "    { model = \"" << modelFile(body.part.model, models).string() << "\", height_m = " << body.size
+        << ", position_m = " << inBrackets(body.foot);
     if (body.yaw != 0) out << ", yaw_deg = " << body.yaw;
     writeConduct(dice, body, may_move, out);
     out << " },\n";
@@ -171,11 +175,11 @@ RandomSet randomSet(Dice& dice, const std::filesystem::path& models) {
     list.precision(6);
     for (const Placed& body : bodies) {
         writeBody(dice, body, may_move, models, list);
-        top = std::max(top, body.foot.y + body.height);
+        top = std::max(top, body.top());
         set.smallest_volume = std::min(set.smallest_volume, volumeOf(body));
     }
-    text << "version = 1\ntitle = \"A random set\"\nheight_m = " << top << "\nmaterial_preset = \""
-         << dice.pick(assetNames("materials")) << "\"\nbody = [\n"
+    text << "version = 1\ntitle = \"A random set\"\nheight_m = " << std::max(top, 0.01)
+         << "\nmaterial_preset = \"" << dice.pick(assetNames("materials")) << "\"\nbody = [\n"
          << list.str() << "]\n";
     if (dice.chance(0.8)) writeBalls(dice, bodies.size(), text);
     text << "\n[particles]\nfull = 200\ndraft = 200\nseed = 1\n";

@@ -158,6 +158,17 @@ TEST(ShotSetup, SubstepsAreDividedUntilNothingComesFarInOne) {
         }
 }
 
+/// One substep that a fast ball of a millimetre divides by as much as there may be.
+TEST(ShotSetup, WhatIsDividedByTheMostIsStillSimulated) {
+    Shot shot;
+    shot.substeps = 1;
+    shot.impact.velocity = 200;
+    shot.impact.ball_radius = 1e-4;
+    const SceneSetup setup = makeSetup(shot, {std::make_shared<BreakableBody>(gridCube(2))});
+    EXPECT_EQ(setup.params.substeps, kSubstepRange.most);
+    EXPECT_NO_THROW(makeCpuSolver(setup));
+}
+
 TEST(ShotSetup, BodiesStandWhereTheSceneSaysAtEveryHeight) {
     Shot shot;
     shot.bodies = {standing({0, 0, 0}, 0, 0), standing({3, 0, -1}, std::numbers::pi / 2, 1)};
