@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 450 core
 // Lists the tiles of a depth buffer in which something was drawn; one work group looks at one tile. The list is an
-// indirect command that draws one square a tile (tile_erase.vert).
+// indirect command that draws one square a tile (touched_tiles.vert).
 layout(local_size_x = 8, local_size_y = 8) in;
 #ifdef MULTISAMPLE
 layout(binding = 0) uniform sampler2DMS depth_buffer;

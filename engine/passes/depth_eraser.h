@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Empties a depth buffer where something was drawn last time and leaves the rest alone.
 #pragma once
-#include <filesystem>
-
-#include "engine/gl/buffer.h"
 #include "engine/gl/framebuffer.h"
-#include "engine/gl/program.h"
-#include "engine/gl/texture.h"
-#include "engine/gl/vertex_array.h"
+#include "engine/passes/touched_tiles.h"
 
 namespace demolish::engine {
 
@@ -24,15 +19,12 @@ class DepthEraser {
     void erase(const gl::Framebuffer& depth_only, const gl::Texture& depth);
     /// Notes what has been drawn since; `samples` of the texture.
     void remember(const gl::Texture& depth, int samples);
+    /// Since the last remember() or, after it, erase().
+    const TouchedTiles& touched() const { return touched_; }
 
   private:
-    void prepareList(int tiles);
-    std::filesystem::path shaders_;
-    gl::Program find_single_, find_multi_, erase_;
-    gl::VertexArray no_attributes_;
-    gl::Buffer list_;
-    float empty_depth_;
-    int capacity_ = 0;
+    TouchedTiles touched_;
+    gl::Program erase_;
     bool known_ = false;
 };
 

@@ -175,10 +175,7 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameVi
         program->set(kHiddenLooks, hiddenUnless(true, looks));
     }
     const bool draft = view.quality == RenderQuality::kDraft;
-    if (draft)
-        eraser_.forget();
-    else
-        clearLayers();
+    if (!draft) clearLayers();
     constexpr std::array<GLuint, 4> kNothing{};
     glEnable(GL_DEPTH_TEST);
     targets.depth.bind(kOpaqueUnit);
@@ -187,7 +184,7 @@ void GlassPass::peel(BodyGeometry& body, const FractureMesh& mesh, const FrameVi
         eraser_.erase(depth_only_, depth_);
         peelLayer(k, programs, body, mesh);
         // No layer touches more than the first.
-        if (k == 0 && !draft) eraser_.remember(depth_, 1);
+        if (k == 0) eraser_.remember(depth_, 1);
     }
     glDisable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -209,9 +206,18 @@ gl::Program& GlassPass::walkFor(const RenderTargets& targets, PictureKind kind, 
     else
         text += numbersFor(targets);
     program = how == Walk::kDrawn
-                  ? gl::Program(shaders_, {"whole_picture.vert", "glass_walk.frag"}, text + "#define DRAFT\n")
+                  ? gl::Program(shaders_, {"touched_tiles.vert", "glass_walk.frag"}, text + "#define DRAFT\n")
                   : gl::Program(shaders_, {"glass_walk.comp"}, text);
     setTone(program, kind.tone);
+    return program;
+}
+
+gl::Program& GlassPass::behindFor(const PictureKind& kind) {
+    gl::Program& program = behind_[kind];
+    if (program.id() == 0) {
+        program = gl::Program(shaders_, {"whole_picture.vert", "glass_behind.frag"}, defines(kind));
+        setTone(program, kind.tone);
+    }
     return program;
 }
 
@@ -228,12 +234,16 @@ void GlassPass::bindLayers() const {
 
 void GlassPass::walk(const RenderTargets& targets, const FrameView& view, PictureKind kind,
                      GLuint framebuffer) {
-    bindLayers();
-    bindWalk(walkFor(targets, kind, Walk::kDrawn), targets, view);
+    gl::Program& walk = walkFor(targets, kind, Walk::kDrawn);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, targets.width, targets.height);
+    scene_.bind(kSceneUnit);
+    behindFor(kind).use();
     no_attributes_.bind();
     glDrawArrays(GL_TRIANGLES, 0, 3);
+    bindLayers();
+    bindWalk(walk, targets, view);
+    eraser_.touched().draw(walk);
 }
 
 void GlassPass::computeWalk(const FractureMesh* found, const RenderTargets& targets, const FrameView& view,

@@ -40,8 +40,9 @@ class GlassPass {
               const RenderTargets& targets);
     /// The same by computing, where readyToFind().
     void find(const FractureMesh& mesh, const FrameView& view, const RenderTargets& targets);
-    /// The finished picture into `framebuffer`, from what peel() has drawn. Bound are the shadow map, the
-    /// noise volume, the surroundings and the sums of dust.
+    /// The finished picture into `framebuffer`, from what peel() has drawn: rays walk where glass is, since
+    /// a software renderer goes through the walk of every pixel that it is given. Bound are the shadow map,
+    /// the noise volume, the surroundings and the sums of dust.
     void walk(const RenderTargets& targets, const FrameView& view, PictureKind kind, GLuint framebuffer);
     /// The same by computing: on data-centre GPUs only few multiprocessors draw, but all of them compute.
     /// `found`: the mesh of which find() has found the faces, null after peel().
@@ -76,6 +77,8 @@ class GlassPass {
     void peelLayer(size_t k, PeelPrograms& programs, BodyGeometry& body, const FractureMesh& mesh);
     PeelPrograms& peelFor(const RenderTargets& targets);
     gl::Program& walkFor(const RenderTargets& targets, PictureKind kind, Walk how);
+    /// Of what no glass is before.
+    gl::Program& behindFor(const PictureKind& kind);
     void bindLayers() const;
     void bindWalk(gl::Program& program, const RenderTargets& targets, const FrameView& view);
 
@@ -84,6 +87,7 @@ class GlassPass {
     std::optional<GlassRaster> raster_;                 ///< made when first needed
     std::map<std::pair<int, int>, PeelPrograms> peel_;  ///< by samples, and layer texels across a pixel
     std::map<std::tuple<PictureKind, int, Walk>, gl::Program> walk_;  ///< by layer texels across
+    std::map<PictureKind, gl::Program> behind_;
     gl::Program shadow_;
     gl::Program clear_;
     DepthEraser eraser_;                    ///< of depth_

@@ -106,7 +106,7 @@ void writeConduct(Dice& dice, const Placed& body, bool may_move, std::ostream& o
     else if (kind < 0.2)
         out << ", anchor = [{ shape = \"box\", size_m = "
             << inBrackets(
-                   {2 * body.size * body.part.width, 0.4 * body.height(), 2 * body.size * body.part.depth})
+                   {std::max(1e-3, 2 * body.size * body.part.width), std::max(1e-3, 0.4 * body.height()), std::max(1e-3, 2 * body.size * body.part.depth)})
             << ", position_m = [0, 0, 0] }]";
     else if (kind < 0.27)
         out << ", breaks = false, path = [{ at_s = 0.1 }, { at_s = 0.3, position_m = "
