@@ -96,6 +96,13 @@ Double3 anyWay(Dice& dice, double length) {
     return {level * std::cos(turn), length * up, level * std::sin(turn)};
 }
 
+/// A box round the lowest fifth, which is no smaller than an anchor may be.
+Double3 footOf(const Placed& body) {
+    constexpr double kLeast = 1e-3;
+    return {std::max(kLeast, 2 * body.size * body.part.width), std::max(kLeast, 0.4 * body.height()),
+            std::max(kLeast, 2 * body.size * body.part.depth)};
+}
+
 /// What the body does beside standing where it is.
 void writeConduct(Dice& dice, const Placed& body, bool may_move, std::ostream& out) {
     if (dice.chance(0.4)) out << ", material = \"" << dice.pick(assetNames("materials")) << '"';
@@ -104,9 +111,7 @@ void writeConduct(Dice& dice, const Placed& body, bool may_move, std::ostream& o
     if (kind < 0.1)
         out << ", breaks = false";
     else if (kind < 0.2)
-        out << ", anchor = [{ shape = \"box\", size_m = "
-            << inBrackets(
-                   {std::max(1e-3, 2 * body.size * body.part.width), std::max(1e-3, 0.4 * body.height()), std::max(1e-3, 2 * body.size * body.part.depth)})
+        out << ", anchor = [{ shape = \"box\", size_m = " << inBrackets(footOf(body))
             << ", position_m = [0, 0, 0] }]";
     else if (kind < 0.27)
         out << ", breaks = false, path = [{ at_s = 0.1 }, { at_s = 0.3, position_m = "
