@@ -14,7 +14,7 @@ namespace {
 
 class Cracks : public GlTest {};
 
-TEST_F(Cracks, CracksAreDrawnWhenListedAndOnlyThen) {
+TEST_F(Cracks, AreDrawnWhenListedAndOnlyThen) {
     Scene cracked = makeScene("cracked_block");
     const Image with = drawPicture(renderer(), cracked);
     cracked.view.show_cracks = false;
@@ -24,7 +24,7 @@ TEST_F(Cracks, CracksAreDrawnWhenListedAndOnlyThen) {
     EXPECT_EQ(differingPixels(drawPicture(renderer(), whole), without, 0), 0u);
 }
 
-TEST_F(Cracks, CracksLieOnTheBody) {
+TEST_F(Cracks, LieOnTheBody) {
     Scene cracked = makeScene("cracked_block");
     const std::vector<uint32_t> ids =
         renderer().fragmentIds(cracked.mesh.get(), cracked.spheres, cracked.view);
@@ -39,11 +39,13 @@ TEST_F(Cracks, CracksLieOnTheBody) {
     EXPECT_LT(outside, 40u);  // pixels on the outline belong half to the body
 }
 
-/// A crack down the middle of a white face, 200 px a metre. `aside`: rad, by which one looks from the left.
-Scene crackedFace(float opening, float aside) {
+/// A crack down the middle of a white face, 200 px a metre. `aside`: rad, by which one looks from the left;
+/// `look`: of all cells.
+Scene crackedFace(float opening, float aside, uint32_t look = 0) {
     Scene scene = wholeBlock();
     scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 2, .crack_width = opening});
-    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh());
+    const std::vector<uint32_t> looks(8, look);
+    scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
     const auto isLeft = [&](uint32_t cell) { return scene.body->cellCentre(cell).z > 0; };
     scene.body->write(
         *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
@@ -81,7 +83,7 @@ float pixelsHidden(Renderer& renderer, float opening) {
     return std::accumulate(hidden.begin(), hidden.end(), 0.0f);
 }
 
-TEST_F(Cracks, CracksAreAsWideAsTheyHaveOpened) {
+TEST_F(Cracks, AreAsWideAsTheyHaveOpened) {
     const float one = pixelsHidden(renderer(), 20.0f / 200) / 20;
     EXPECT_GT(one, 0.45f) << "it is dark inside";
     EXPECT_EQ(pixelsHidden(renderer(), 0), 0);
@@ -91,7 +93,7 @@ TEST_F(Cracks, CracksAreAsWideAsTheyHaveOpened) {
         EXPECT_NEAR(pixelsHidden(renderer(), pixels / 200) / one, pixels, 0.3f * pixels);
 }
 
-TEST_F(Cracks, OfACrackSeenFromTheSideTheWallBeyondIsLit) {
+TEST_F(Cracks, SeenFromTheSideTheWallBeyondIsLit) {
     const std::vector<float> straight = hiddenAcross(renderer(), 20.0f / 200);
     EXPECT_NEAR(straight[33], straight[46], 0.02f);
     const std::vector<float> aside = hiddenAcross(renderer(), 20.0f / 200, 0.8f);
@@ -115,10 +117,18 @@ size_t redPixels(Renderer& renderer, Scene& scene) {
     return count;
 }
 
-TEST_F(Cracks, OfACrackSeenFromTheSideTheWallIsOfTheBrokenMaterial) {
+TEST_F(Cracks, SeenFromTheSideTheWallIsOfTheBrokenMaterial) {
     Scene straight = crackedFace(20.0f / 200, 0), aside = crackedFace(20.0f / 200, 0.8f);
     EXPECT_LT(redPixels(renderer(), straight), 10u) << "it is dark inside";
     EXPECT_GT(redPixels(renderer(), aside), 40u * 3);
+}
+
+TEST_F(Cracks, AreOfTheMaterialOfTheirOwnBody) {
+    Scene scene = crackedFace(20.0f / 200, 0.8f, 1);
+    scene.view.more_looks = {scene.view.look};
+    EXPECT_EQ(redPixels(renderer(), scene), 0u) << "look 0 alone is red inside";
+    scene.view.more_looks = {scene.view.look};
+    EXPECT_GT(redPixels(renderer(), scene), 40u * 3);
 }
 
 TEST_F(Cracks, TheEdgesOfACrackInRoughMaterialAreChipped) {
