@@ -19,7 +19,7 @@ class DepthEraser {
     void erase(const gl::Framebuffer& depth_only, const gl::Texture& depth);
     /// Notes what has been drawn since; `samples` of the texture.
     void remember(const gl::Texture& depth, int samples);
-    /// Since the last remember() or, after it, erase().
+    /// What the last remember() saw.
     const TouchedTiles& touched() const { return touched_; }
 
   private:
