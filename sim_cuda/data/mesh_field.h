@@ -77,12 +77,17 @@ DEM_FN Vec4<Real> fieldAt(const ColliderRows<Real>& rows, const GridPlace<Real>&
     return trilinear(rows.steps, at.first, at.row, at.layer, Vec3<Real>{at.x.share, at.y.share, at.z.share});
 }
 
+/// The way of a gradient.
+template <class Real>
+DEM_FN Away<Real> uphill(const Vec3<Real>& gradient, Real distance) {
+    const Real steep = inverseSqrt(length2(gradient));
+    return {steep > Real(0) ? steep * gradient : Vec3<Real>{Real(0), Real(1), Real(0)}, distance};
+}
 /// At a place in the grid: the way in which the interpolated distance grows, and that, in steps.
 template <class Real>
 DEM_FN Away<Real> uphillAt(const ColliderRows<Real>& rows, const GridPlace<Real>& at) {
     const Vec4<Real> field = fieldAt(rows, at);
-    const Real steep = inverseSqrt(length2(xyz(field)));
-    return {steep > Real(0) ? steep * xyz(field) : Vec3<Real>{Real(0), Real(1), Real(0)}, field.w};
+    return uphill(xyz(field), field.w);
 }
 /// Beyond the grid, from the surface point that is nearest as seen from its rim. `at_rim`: uphillAt(); in m.
 template <class Real>

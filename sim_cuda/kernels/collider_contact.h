@@ -258,12 +258,14 @@ DEM_FN ColliderLoad<Real> colliderContact(const SubstepArrays<Real>& arrays, con
         touchEffect<kStep>({-at.normal, at.depth, down, Real(0)}, law, pair, before.spring, params.dt);
     effect.damping = seenFrom(across, effect.damping);
     effect.friction = seenFrom(across, effect.friction);
+    Wrench<Real> load = seenFrom(across, effect.load);
+    if (!colliders.isPlane(c)) load.torque = axpy(law.elastic, at.couple, load.torque);
     if constexpr (kLedger) bookTouch(law, effect, at.change, before, Real(1), tally);
     // A dry substep leaves the fragment's velocity as it is.
     if (landing.isHard() && params.booked == KickShare::kAll)
         pushFragment(arrays, own.id, params.dt * effect.load.force);
     spring = markedHard(packed(touchAfter(law, effect, before), at.normal), landing.isHard());
-    return {seenFrom(across, effect.load), false};
+    return {load, false};
 }
 
 }  // namespace demolish

@@ -31,6 +31,7 @@ template <class Real>
 struct Pressed {
     Vec3<Real> normal;  ///< unit, out of the collider
     Vec3<Real> arm;     ///< m, from the particle's centre to the centre of pressure
+    Vec3<Real> couple;  ///< m, torque beside that of a push at the centre of pressure, over that push
     Real depth{};       ///< m, of the points, each by what it presses with; not above 0: none touches
     Real springs{1};    ///< springs of this depth that press as hard
     Real gap{};         ///< m, to the lowest point
@@ -53,7 +54,6 @@ struct DepthSums {
     Vec3<Real> arm;                ///< m, each by its force; in the frame of those that were added
 
     DEM_FN bool touches() const { return force > Real(0); }
-    DEM_FN Real depth() const { return energy / force; }
     DEM_FN Vec3<Real> meanArm() const { return (Real(1) / force) * arm; }
 };
 /// `distance`: m, above the surface. Gives pressOf() it.
@@ -109,9 +109,13 @@ DEM_FN void forEachCorner(const OwnCorners<Real>& corners, uint32_t first, uint3
     }
 }
 
-/// From the sums of a cell's corners, their arms seen from the cell.
+/// Of the sum of what points press with, what they push with together at least, for a normal to be told.
+inline constexpr double kLeastPush = 0.05;
+
+/// From the sums of a cell's corners, their arms seen from the cell. `push`: what they press with along
+/// `normal`, on a plane sums.force. Springs and depth give that push, and what all points hold.
 template <bool kHertz, class Real>
-DEM_FN Pressed<Real> pressedBy(const DepthSums<Real>& sums, const Vec3<Real>& normal,
+DEM_FN Pressed<Real> pressedBy(const DepthSums<Real>& sums, Real push, const Vec3<Real>& normal,
                                const Quat<Real>& turned, const OverlapChange<Real>& change) {
     Pressed<Real> at;
     at.normal = normal;
@@ -120,8 +124,8 @@ DEM_FN Pressed<Real> pressedBy(const DepthSums<Real>& sums, const Vec3<Real>& no
     at.change = change;
     if (!sums.touches()) return at;
     at.arm = rotate(turned, sums.meanArm());
-    at.depth = sums.depth();
-    at.springs = Real(kCornerShare) * sums.force / pressOf<kHertz>(at.depth);
+    at.depth = sums.energy / maxOf(push, Real(kLeastPush) * sums.force);
+    at.springs = Real(kCornerShare) * push / pressOf<kHertz>(at.depth);
     return at;
 }
 
@@ -142,7 +146,7 @@ DEM_FN Pressed<Real> pressedOnPlane(const OwnParticle<Real>& own, const SeenCell
         if constexpr (kLedger)
             if (number < count) addChange(change, distance, opening + dot(rising, corner), cell.drift);
     });
-    return pressedBy<kHertz>(sums, normal, cell.turned, change);
+    return pressedBy<kHertz>(sums, sums.force, normal, cell.turned, change);
 }
 
 }  // namespace demolish

@@ -35,6 +35,13 @@ struct HardHits {
 /// Of the sum of two contact radii: a ball that comes farther in a contact step is met in substeps, however
 /// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
 inline constexpr double kFarInAStep = 0.5;
+/// Of its radius: what comes farther in a contact step and meets a collider that is no plane is met in
+/// substeps too. On edges the way off turns by much within so long a step, and energy came from nowhere (6 %
+/// of what a crumb had brought).
+inline constexpr double kFarToShape = 0.2;
+
+/// m/s, faster than anything.
+inline constexpr double kNeverHard = 1e15;
 
 /// Threads that share a particle's rows where they are visited: on a GPU there are too few particles to hide
 /// the way to memory, and whatever is found is joined or marked in any order. kLater: once it is known who
@@ -215,11 +222,7 @@ struct FlagIslands {
     DEM_FN HardHits hardHits(uint32_t i, uint32_t slot, uint32_t part) const {
         const MeetingsIn<Real>& meetings = hits.meetings;
         HardHits hard;
-        if (part == 0 && !hits.isCrumb(slot)) {
-            const WakeLaw<Real> own = hits.wake[meetings.owner[i]];
-            hard = hitsOnColliders(i, xyz(meetings.state.velocity[i]),
-                                   wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6)));
-        }
+        if (part == 0) hard = hitsOnColliders(i, breakingSpeed(i, slot));
         if (meets[i] == 0) return hard;
         const bool sleeps = hits.sleeps(slot);
         const auto mayBeHard = [&](uint32_t other) {
@@ -235,13 +238,23 @@ struct FlagIslands {
         meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, ask);
         return hard;
     }
-    DEM_FN HardHits hitsOnColliders(uint32_t i, const Vec3<Real>& velocity, Real limit) const {
+    /// m/s, from which on a hit on something fixed needs the fragment's bonds.
+    DEM_FN Real breakingSpeed(uint32_t i, uint32_t slot) const {
+        if (hits.isCrumb(slot)) return Real(kNeverHard);
+        const WakeLaw<Real> own = hits.wake[hits.meetings.owner[i]];
+        return wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6));
+    }
+    DEM_FN HardHits hitsOnColliders(uint32_t i, Real breaking) const {
         const MeetingsIn<Real>& meetings = hits.meetings;
-        const Vec3<Real> position = positionOf(meetings.state, i);
+        const Vec3<Real> position = positionOf(meetings.state, i), velocity = xyz(meetings.state.velocity[i]);
         const Real radius = meetings.constants[i].floor_radius, soon = meetings.soon;
+        const Real far = Real(kFarToShape) * radius / hits.contact_step;
+        const bool goes_far = length2(velocity) > far * far;
         HardHits hard;
         const auto note = [&](bool at_once) { (at_once ? hard.at_once : hard.later) = true; };
         for (uint32_t c = 0; c < colliders.count; ++c) {
+            const Real limit = goes_far && !colliders.isPlane(c) ? Real(0) : breaking;
+            if (!(limit < Real(kNeverHard))) continue;
             if (colliders.isMesh(c)) {
                 const Real time =
                     timeToMesh(colliders, c, {position, velocity, gravity, radius}, limit, soon);

@@ -24,20 +24,31 @@ template <class Real>
 struct PointsPressed {
     DepthSums<Real> sums;        ///< arms in the cell's frame
     Vec3<Real> normal;           ///< sum of normals, each by what it presses with
+    Vec3<Real> turning;          ///< likewise of arms x normals, m
     OverlapChange<Real> change;  ///< for the ledger
 };
 
-/// One point more. `out`: unit; `opening`: m/s, for the ledger.
+/// A point of a cell as a collider has it.
+template <class Real>
+struct PointAt {
+    Away<Real> away;
+    Vec3<Real> arm;      ///< m, from the cell's centre, in its frame
+    Vec3<Real> turning;  ///< m, arm x away.out, in the frame of the latter
+    Real opening{};      ///< m/s, for the ledger
+};
+/// One point more.
 template <bool kLedger, bool kHertz, class Real>
-DEM_FN void addPoint(PointsPressed<Real>& at, const Away<Real>& away, const Vec3<Real>& arm, Real opening,
-                     Real drift) {
-    at.normal = axpy(addDepth<kHertz>(at.sums, away.distance, arm), away.out, at.normal);
-    if constexpr (kLedger) addChange(at.change, away.distance, opening, drift);
+DEM_FN void addPoint(PointsPressed<Real>& at, const PointAt<Real>& point, Real drift) {
+    const Real force = addDepth<kHertz>(at.sums, point.away.distance, point.arm);
+    at.normal = axpy(force, point.away.out, at.normal);
+    at.turning = axpy(force, point.turning, at.turning);
+    if constexpr (kLedger) addChange(at.change, point.away.distance, point.opening, drift);
 }
 template <bool kLedger, class Real>
 DEM_FN void add(PointsPressed<Real>& at, const PointsPressed<Real>& more) {
     add(at.sums, more.sums);
     at.normal = at.normal + more.normal;
+    at.turning = at.turning + more.turning;
     if constexpr (kLedger) add(at.change, Real(1), more.change);
 }
 /// Those of the lane whose number differs in bit `bit`.
@@ -50,6 +61,7 @@ DEM_FN PointsPressed<Real> across(const Lanes& lanes, uint32_t bit, const Points
     PointsPressed<Real> other{{lanes.across(bit, sums.force), lanes.across(bit, sums.energy),
                                lanes.across(bit, sums.nearest), vector(sums.arm)},
                               vector(own.normal),
+                              vector(own.turning),
                               {}};
     if constexpr (kLedger)
         other.change = {lanes.across(bit, own.change.crossed), lanes.across(bit, own.change.held)};
@@ -87,8 +99,9 @@ DEM_FN AxesInCell<Real> axesInCell(const Shape& shape, const CellPose<Real>& cel
             shape.unit()};
 }
 
-/// Shapes as the loop over corners sees them. `at`: from begin() along its axes, by shift() farther, in units
-/// of unit(). firstLook(): m, not above 0 where it takes away() to tell.
+/// Shapes as the loop over corners sees them. away(): `out` is what the distance grows by. `at`: from begin()
+/// along its axes, by shift() farther, in units of unit(). firstLook(): m, not above 0 where it takes away()
+/// to tell.
 template <class Real>
 struct CornersOnBox {
     const ColliderRows<Real>& rows;
@@ -122,10 +135,15 @@ struct CornersOnMesh {
     DEM_FN Real shift(uint32_t k) const { return gridShift(rows, k); }
     DEM_FN Real unit() const { return stepOf(rows.row[3]); }
     DEM_FN Real firstLook(const Vec3<Real>& at) const { return fieldAt(rows, gridPlace(rows, at)).w; }
-    /// Beyond the grid no corner touches, so that the distance at its rim is as good.
-    DEM_FN Away<Real> away(const Vec3<Real>& at) const { return uphillAt(rows, gridPlace(rows, at)); }
+    /// Beyond the grid no corner touches, so that the distance at its rim is as good. `out` is the gradient
+    /// of the interpolated distance, whose length is not 1 where the nearest way off changes from node to
+    /// node: else the push would give more or less than it has cost to press the corner in.
+    DEM_FN Away<Real> away(const Vec3<Real>& at) const {
+        const Vec4<Real> field = fieldAt(rows, gridPlace(rows, at));
+        return {xyz(field), field.w};
+    }
     DEM_FN Away<Real> fromCentre(const Vec3<Real>& at, const Away<Real>& away) const {
-        return beyondRim(rows, gridPlace(rows, at), away);
+        return beyondRim(rows, gridPlace(rows, at), uphill(away.out, away.distance));
     }
 };
 
@@ -174,11 +192,13 @@ class CornerLook {
     DEM_FN const AxesInCell<Real>& axes() const { return axes_; }
     /// `corner`: in the cell's frame; one that is not present adds nothing. Gives what the shape says of it.
     DEM_FN Away<Real> press(PointsPressed<Real>& part, const Vec3<Real>& corner, bool present) const {
-        const Away<Real> away = shape_.away(axes_.along(corner));
+        const Vec3<Real> at = axes_.along(corner);
+        const Away<Real> away = shape_.away(at);
         Real opening{};
         if constexpr (kLedger) opening = dot(velocity_ + cross(spin_, corner), axes_.inCell(away.out));
         const Real distance = present ? shape_.unit() * away.distance : Real(kFarAway);
-        addPoint<kLedger, kHertz>(part, {away.out, distance}, corner, opening, cell_.seen.drift);
+        const Vec3<Real> turning = shape_.unit() * cross(at - axes_.centre, away.out);
+        addPoint<kLedger, kHertz>(part, {{away.out, distance}, corner, turning, opening}, cell_.seen.drift);
         return away;
     }
     DEM_FN Away<Real> centre(const Away<Real>& away) const {
@@ -249,7 +269,11 @@ DEM_FN ShapeFound<Real> cornersOn(const Shape& shape, const CellPose<Real>& cell
     }
     for (uint32_t half = Lanes::kCount / 2; half > 0; half /= 2)
         add<kLedger>(found.points, across<kLedger>(lanes, half, found.points));
-    found.points.normal = rotate(cell.seen.turned, look.axes().inCell(found.points.normal));
+    const auto turnedOutOf = [&](const Vec3<Real>& sum) {
+        return rotate(cell.seen.turned, look.axes().inCell(sum));
+    };
+    found.points.normal = turnedOutOf(found.points.normal);
+    found.points.turning = turnedOutOf(found.points.turning);
     return found;
 }
 
@@ -273,15 +297,26 @@ DEM_FN CellPose<Real> poseOf(const OwnParticle<Real>& own, const SeenCell<Real>&
             xyz(state.velocity), xyz(state.spin)};
 }
 
-/// `points`: of the cell's corners; `tangent`: from the particle's centre.
+/// `points`: of the cell's corners; `tangent`: from the particle's centre. What lies across an edge is pushed
+/// by both faces at once: each corner pushes along its own normal, so that the push is less than their sum
+/// and may turn the cell about it, and what the springs hold is what it has taken to press them in.
 template <bool kLedger, bool kHertz, class Real>
 DEM_FN Pressed<Real> pressedOnShape(PointsPressed<Real> points, const OwnParticle<Real>& own,
                                     const SeenCell<Real>& cell, const TangentPlane<Real>& tangent) {
     const Vec3<Real> out = xyz(tangent.plane), down = rotate(conjugate(cell.turned), -out);
-    addPoint<kLedger, kHertz>(points, {out, tangent.distance - cell.corners.inner_radius},
-                              tangent.distance * down, dot(xyz(own.state.velocity), out), cell.drift);
-    return pressedBy<kHertz>(points.sums, points.sums.touches() ? normalized(points.normal) : out,
-                             cell.turned, points.change);
+    // The sphere is pushed towards its centre.
+    addPoint<kLedger, kHertz>(points,
+                              {{out, tangent.distance - cell.corners.inner_radius},
+                               tangent.distance * down,
+                               {},
+                               dot(xyz(own.state.velocity), out)},
+                              cell.drift);
+    const Real push = length(points.normal), least = Real(kLeastPush) * points.sums.force;
+    const Vec3<Real> normal = push > least ? (Real(1) / push) * points.normal : out;
+    Pressed<Real> at = pressedBy<kHertz>(points.sums, push, normal, cell.turned, points.change);
+    if (points.sums.touches() && push > least)
+        at.couple = (Real(1) / push) * points.turning - cross(at.arm, normal);
+    return at;
 }
 
 }  // namespace demolish

@@ -86,10 +86,9 @@ class Regimes {
 
     const RigidWork& rigid() const { return moved_.rigid(); }
     RigidConstants<Real> rigidConstants() { return moved_.rigidConstants(); }
-    /// A ball about to hit hard is stepped so even before what it hits is awake, or nothing would move.
+    /// A ball about to hit hard is stepped so even where nothing else is, or it would hang in the air.
     bool movesBonds() const {
-        return moved_.count(kBondedCount) > 0 || bonded_shots_ ||
-               (moved_.count(kBondedShots) > 0 && !movesRigid());
+        return moved_.count(kBondedCount) > 0 || bonded_shots_ || moved_.count(kBondedShots) > 0;
     }
     /// Something is rigid or sleeps, so that what meets it has to be known beforehand.
     bool leavesBonds() const { return movesRigid() || moved_.count(kAsleepCount) > 0; }

@@ -16,13 +16,15 @@ namespace {
 
 using Found = PointsPressed<float>;
 
-std::array<uint32_t, 9> bitsOf(const Found& found) {
+std::array<uint32_t, 12> bitsOf(const Found& found) {
     const DepthSums<float>& sums = found.sums;
-    return {std::bit_cast<uint32_t>(sums.force),     std::bit_cast<uint32_t>(sums.energy),
-            std::bit_cast<uint32_t>(sums.nearest),   std::bit_cast<uint32_t>(sums.arm.x),
-            std::bit_cast<uint32_t>(sums.arm.y),     std::bit_cast<uint32_t>(sums.arm.z),
-            std::bit_cast<uint32_t>(found.normal.x), std::bit_cast<uint32_t>(found.normal.y),
-            std::bit_cast<uint32_t>(found.normal.z)};
+    std::array<uint32_t, 12> bits{};
+    size_t used = 0;
+    for (const float number :
+         {sums.force, sums.energy, sums.nearest, sums.arm.x, sums.arm.y, sums.arm.z, found.normal.x,
+          found.normal.y, found.normal.z, found.turning.x, found.turning.y, found.turning.z})
+        bits[used++] = std::bit_cast<uint32_t>(number);
+    return bits;
 }
 
 /// As a warp does it: every lane adds what the one across has.
