@@ -9,22 +9,51 @@
 
 namespace demolish {
 
-/// Fastest particle of each fragment: squared speeds as words, which keep their order.
+/// Where a particle was when its motion was last measured.
+struct FormerPose {
+    Vec3<double> position;             ///< m
+    Quat<float> rotation{0, 0, 0, 0};  ///< 0: not known
+
+    DEM_FN bool isKnown() const { return rotation.w != 0 || length2(vectorPart(rotation)) > 0; }
+};
+
+/// Fastest particle of each fragment: squared speeds as words, which keep their order. What a crumb between
+/// others swings from one contact step to the next is no motion, however fast: it comes nowhere. So a
+/// particle is as slow as it is now, or as its way since it was last measured says.
 template <class Real>
 struct MeasureMotion {
     StateIn<Real> state;
     Span<const ParticleConstants<Real>> constants;
     Span<const uint32_t> label;
+    Span<FormerPose> former;
     Span<uint32_t> fastest;  ///< per slot, 0 before; float bits of m^2/s^2
+    double passed = 0;       ///< s since it was last measured; 0: this look counts for no way
 
     DEM_FN void operator()(uint32_t i) const {
         if (!(constants[i].takesPart())) return;
-        const Real radius = constants[i].contact_radius;
-        const Real speed2 = length2(xyz(state.velocity[i])) + radius * radius * length2(xyz(state.spin[i]));
+        const double radius = double(constants[i].contact_radius);
+        const auto now2 =
+            double(length2(xyz(state.velocity[i]))) + radius * radius * double(length2(xyz(state.spin[i])));
+        const double speed2 = minOf(now2, alongWay2(i, radius));
+        if (passed > 0 || !former[i].isKnown()) former[i] = {exactPosition(state, i), rotation(i)};
         const uint32_t bits = std::bit_cast<uint32_t>(float(speed2));
         uint32_t& word = fastest[label[i]];
         if (bits > atomicLoadU32(&word)) atomicMaxU32(&word, bits);
     }
+
+  private:
+    DEM_FN Quat<float> rotation(uint32_t i) const {
+        const Vec4<Real> q = state.rotation[i];
+        return {float(q.x), float(q.y), float(q.z), float(q.w)};
+    }
+    DEM_FN double alongWay2(uint32_t i, double radius) const {
+        const FormerPose before = former[i];
+        if (!(passed > 0) || !before.isKnown()) return kNoSpeedLimit2;
+        const Vec3<double> way = exactPosition(state, i) - before.position;
+        const double turn2 = 4 * double(length2(vectorPart(relativeRotation(before.rotation, rotation(i)))));
+        return (length2(way) + radius * radius * turn2) / (passed * passed);
+    }
+    static constexpr double kNoSpeedLimit2 = 1e30;
 };
 
 /// Substeps for which a fragment has been calm inside, and at rest.

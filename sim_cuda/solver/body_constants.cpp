@@ -82,6 +82,11 @@ static double softenedBondModulus(const BodyInstance& instance, double safety, d
     return material.density * speed * speed / effectiveModulusOf(material, 1);
 }
 
+double weakestPainted(const BreakableBody& body) {
+    const std::vector<double>& painted = body.bond_strength;
+    return painted.empty() ? 1 : *std::min_element(painted.begin(), painted.end());
+}
+
 BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,
                             double dt) {
     const Material& material = instance.material;

@@ -18,6 +18,8 @@ double shearRatio(const Material& material);
 /// Of the strength that holds the critical velocity; in steps of 1/256, the same on every machine, whatever
 /// its pow() gives.
 double thinWallShareOf(const BreakableBody& body);
+/// By so much less than its material says a body breaks where paint weakens it most.
+double weakestPainted(const BreakableBody& body);
 /// Modulus, strength and damping from the step of dt s (softened) or from the material. trial_omega: rad/s,
 /// highest frequency at the trial modulus.
 BodyConstants bodyConstants(const BodyInstance& instance, const SolverParams& params, double trial_omega,

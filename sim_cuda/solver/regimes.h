@@ -13,6 +13,7 @@
 
 #include "sim_cuda/kernels/in_turn.h"
 #include "sim_cuda/physics/hand_over.h"
+#include "sim_cuda/solver/body_constants.h"
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fragment_motion.h"
 #include "sim_cuda/solver/look_interval.h"
@@ -113,6 +114,7 @@ class Regimes {
         visit(regime_);
         visit(clock_);
         visit(body_memory_);
+        visit(former_pose_);
     }
     Span<const uint32_t> regime() const { return regime_.view(); }
     Span<const BodyMemory> bodyMemory() const { return body_memory_.view(); }
@@ -120,7 +122,7 @@ class Regimes {
 
   private:
     void watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
-                     const FragmentMotion<Backend, Real>& motion, uint32_t substeps);
+                     const FragmentMotion<Backend, Real>& motion, uint32_t substeps, double substep);
     /// Gives how regimes then are to be chosen.
     ChooseRegimes<Real> flagIslands(const MeetingsIn<Real>& meetings, const FragmentRows& rows,
                                     const StepParams<Real>& params, bool frame_starts);
@@ -142,6 +144,7 @@ class Regimes {
     Buffer<uint32_t> regime_, former_, island_, flags_, meets_, speeds_;
     Buffer<BodyMemory> body_memory_;
     Buffer<CalmClock> clock_;
+    Buffer<FormerPose> former_pose_;
     MovedLists<Backend, Real> moved_;
     PendingKickSums<Backend, Real> pending_;
     typename Backend::Reader reader_;
@@ -151,12 +154,6 @@ class Regimes {
     bool bonded_shots_ = true;  ///< before the first decision, while bodies settle, everything is
     bool lists_stand_ = true;   ///< before it nothing is listed, which is right
 };
-
-/// By so much less than its material says a body breaks where paint weakens it most.
-inline double weakestPainted(const BreakableBody& body) {
-    const std::vector<double>& painted = body.bond_strength;
-    return painted.empty() ? 1 : *std::min_element(painted.begin(), painted.end());
-}
 
 template <class Backend, class Real>
 Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables)
@@ -197,6 +194,7 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
         *words = backend.template allocate<uint32_t>(total);
     body_memory_ = backend.template allocate<BodyMemory>(total);
     clock_ = backend.template allocate<CalmClock>(total);
+    former_pose_ = backend.template allocate<FormerPose>(total);
     moved_.allocate(tables);
     pending_.allocate(total);
     backend.synchronize();  // the host copies go out of scope
@@ -247,7 +245,7 @@ void Regimes<Backend, Real>::assign(SolverData<Backend, Real>& data, NeighbourLi
     const StateIn<Real> state = data.particles.in(data.current);
     if (frame_starts) {
         fits_ = motion.fitMotions(rows, state, data.ownMasses());
-        watchClocks(data, clusters, motion, substeps);
+        watchClocks(data, clusters, motion, substeps, double(params.dt));
     }
     const MeetingsIn<Real> meetings = meetingsOf(data, lists, clusters, soon);
     const ChooseRegimes<Real> choose = flagIslands(meetings, rows, params, frame_starts);
@@ -299,20 +297,22 @@ bool Regimes<Backend, Real>::stirs(SolverData<Backend, Real>& data, NeighbourLis
 
 template <class Backend, class Real>
 void Regimes<Backend, Real>::watchClocks(SolverData<Backend, Real>& data, const Clustering<Backend>& clusters,
-                                         const FragmentMotion<Backend, Real>& motion, uint32_t substeps) {
+                                         const FragmentMotion<Backend, Real>& motion, uint32_t substeps,
+                                         double substep) {
     const uint32_t total = counts_of_.total;
-    const Span<const ParticleConstants<Real>> constants = data.particles.constants.view();
+    const auto constants = data.particles.constants.view();
+    const auto state = data.particles.in(data.current);
     backend_.fill(speeds_.span(), 0u);
-    backend_.forEach(
-        total,
-        MeasureMotion<Real>{data.particles.in(data.current), constants, clusters.fragment(), speeds_.span()},
-        "measure motion");
+    backend_.forEach(total,
+                     MeasureMotion<Real>{state, constants, clusters.fragment(), former_pose_.span(),
+                                         speeds_.span(), substeps * substep},
+                     "measure motion");
     backend_.forEach(
         total,
         AdvanceClocks<Real>{clusters.rows(), clusters.fragment(), data.particles.owner.view(), speeds_.view(),
                             constants, fits_, motion.poses(), motion.spins(), calm_speed2_.view(),
-                            motion.ages(), clock_.span(), static_cast<float>(kRestSpeed * kRestSpeed),
-                            counts_of_.in_bodies, substeps, holds_, data.particles.in(data.current)},
+                            motion.ages(), clock_.span(), float(kRestSpeed * kRestSpeed),
+                            counts_of_.in_bodies, substeps, holds_, state},
         "advance clocks");
 }
 
