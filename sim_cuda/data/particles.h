@@ -62,6 +62,8 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
     }
 
     DEM_FN bool isHeld() const { return floor_radius < Real(0); }
+    /// Held itself, and not as a part of a rigid fragment that is.
+    DEM_FN bool isAnchored() const { return !(inverse_inertia > Real(kHeldInverseMass)); }
     DEM_FN Mover mover() const {
         return isMovedByOther() ? Mover::kOtherStep : isMovedHere() ? Mover::kThisStep : Mover::kNobody;
     }

@@ -145,8 +145,8 @@ struct MeasureEnergy {
         if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
         const Vec4<Real> spring = arrays.bond_spring[slot];
-        if (isNew(own.id, j, spring)) return Real(0);
         const ParticleConstants<Real> other = arrays.constants[j];
+        if (isNew(own.id, j, spring) || goThroughEachOther(own.constants, other)) return Real(0);
         const BondStiffness<Real> faces =
             cappedFaces(bond, params, pairInertia(own.constants, other), softestOf(spring)).stiffness;
         const Real former = formerOverlap(pair, overlap, length(pair.separation), params.drift);
@@ -164,7 +164,8 @@ struct MeasureEnergy {
         const PairMotion<Real> pair = pairMotion(own.state, loadState(arrays.in, j));
         const CentreLine<Real> line = centreLine(pair.separation);
         const Real overlap = (spheres.own + spheres.other) - line.distance;
-        if (!(overlap > Real(0)) || isNew(own.id, j, spring)) return Real(0);
+        if (!(overlap > Real(0)) || isNew(own.id, j, spring) || goThroughEachOther(own.constants, other))
+            return Real(0);
         const KeptTouch<Real> touch = touchOf(spring, line.normal);
         const Real former = formerOverlap(pair, overlap, line.distance, params.drift),
                    unloaded = unloadedOverlap(spring, touch, former, overlap), pressed = overlap - unloaded;

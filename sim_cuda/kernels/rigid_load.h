@@ -77,15 +77,10 @@ DEM_FN bool keepsTouching(const ParticleConstants<Real>& other, const Vec4<Real>
     return other.isMovedByOther() && hasBeenSofter(spring);
 }
 
-/// A slot of either list and what it keeps. `other`: the other end. Two that are held move as they are led,
-/// whatever they feel: they do not touch.
+/// A slot of either list. `other`: the other end.
 template <class Real, class Slot>
-DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
-                                Vec4<Real>& spring, uint32_t& touching, const Slot& slot) {
-    if (own.isHeld() && other.isHeld()) {
-        spring = {};
-        return {};
-    }
+DEM_FN Wrench<Real> countedSlot(const ParticleConstants<Real>& other, const Vec4<Real>& spring,
+                                uint32_t& touching, const Slot& slot) {
     if (keepsTouching(other, spring)) ++touching;
     return counted(slot(), touching);
 }
@@ -101,10 +96,9 @@ DEM_FN Wrench<Real> countedBondSlot(const SubstepArrays<Real>& arrays, const Ste
                                     const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const LinkEnd end = linkEnd(arrays, slot);
-    return countedSlot(
-        own.constants, arrays.constants[end.id], arrays.bond_spring[slot], load.push.touching, [&] {
-            return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
-        });
+    return countedSlot(arrays.constants[end.id], arrays.bond_spring[slot], load.push.touching, [&] {
+        return formerBondSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
+    });
 }
 template <class Real>
 DEM_FN OtherFragment contactFragment(const SubstepArrays<Real>& arrays, const Span<const uint32_t>& label,
@@ -125,7 +119,7 @@ DEM_FN Wrench<Real> countedContactSlot(const SubstepArrays<Real>& arrays, const 
                                        const OtherFragment& other, RigidLoad<Real>& load) {
     if (other.label == own_label) return {};
     const ContactEnd<Real> end = contactEndOf(arrays, slot, other.id);
-    return countedSlot(own.constants, end.constants, arrays.contact_spring[slot], load.push.touching, [&] {
+    return countedSlot(end.constants, end.kept, load.push.touching, [&] {
         return contactSlot<kLedger, StepKind::kContact>(arrays, params, own, slot, end, load.tally);
     });
 }

@@ -21,6 +21,12 @@ DEM_FN PairInertia<Real> pairInertia(const ParticleConstants<Real>& i, const Par
             inverse / (light + kStride * kStride * heavy), inverse / (light + kStride * heavy), true};
 }
 
+/// Both are held by anchors, which lead them as they do whatever they feel.
+template <class Real>
+DEM_FN bool goThroughEachOther(const ParticleConstants<Real>& i, const ParticleConstants<Real>& j) {
+    return i.isAnchored() && j.isAnchored();
+}
+
 template <class Real>
 DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
     return {own.inverseMass(), own.inverse_inertia};

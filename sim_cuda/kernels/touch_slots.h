@@ -156,11 +156,13 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
 }
 
 /// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
-/// kind of step and this one leaves such pairs out: the pair is no matter of this step.
+/// kind of step and this one leaves such pairs out: the pair is no matter of this step. Nor of any where
+/// anchors hold both (`goThroughEachOther`).
 template <class Real>
 DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
                       const StepParams<Real>& params) {
-    return other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0);
+    return (other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0)) ||
+           goThroughEachOther(own, other);
 }
 
 /// The other end of a contact, as far as it takes to see that nothing touches, and what the slot keeps of it.
