@@ -145,8 +145,8 @@ struct MeasureEnergy {
         if (isBonded(link)) return bondEnergy(bond.stiffness, bondDeformation(bond.rest, pair));
         const Real overlap = maxOf(brokenOverlap(length(bond.rest), length(pair.separation)), Real(0));
         const Vec4<Real> spring = arrays.bond_spring[slot];
+        if (isNew(own.id, j, spring)) return Real(0);
         const ParticleConstants<Real> other = arrays.constants[j];
-        if (isNew(own.id, j, spring) || goThroughEachOther(own.constants, other)) return Real(0);
         const BondStiffness<Real> faces =
             cappedFaces(bond, params, pairInertia(own.constants, other), softestOf(spring)).stiffness;
         const Real former = formerOverlap(pair, overlap, length(pair.separation), params.drift);

@@ -21,7 +21,8 @@ DEM_FN PairInertia<Real> pairInertia(const ParticleConstants<Real>& i, const Par
             inverse / (light + kStride * kStride * heavy), inverse / (light + kStride * heavy), true};
 }
 
-/// Both are held by anchors, which lead them as they do whatever they feel.
+/// Both are held by anchors, which lead them as they do whatever they feel. Faces of a bond between the two
+/// that has broken still press until they part: they hold what the bond held.
 template <class Real>
 DEM_FN bool goThroughEachOther(const ParticleConstants<Real>& i, const ParticleConstants<Real>& j) {
     return i.isAnchored() && j.isAnchored();

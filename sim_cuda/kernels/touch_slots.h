@@ -156,13 +156,11 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
 }
 
 /// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
-/// kind of step and this one leaves such pairs out: the pair is no matter of this step. Nor of any where
-/// anchors hold both (`goThroughEachOther`).
+/// kind of step and this one leaves such pairs out: the pair is no matter of this step.
 template <class Real>
 DEM_FN bool isLeftOut(const ParticleConstants<Real>& own, const ParticleConstants<Real>& other,
                       const StepParams<Real>& params) {
-    return (other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0)) ||
-           goThroughEachOther(own, other);
+    return other.isMovedByOther() && (own.isMovedByOther() || params.leaves_out != 0);
 }
 
 /// The other end of a contact, as far as it takes to see that nothing touches, and what the slot keeps of it.
@@ -198,7 +196,7 @@ template <class Real>
 DEM_FN bool isOutOfTouch(const OwnParticle<Real>& own, const Vec4<Real>& position,
                          const ParticleConstants<Real>& other, const Vec4<Real>& kept,
                          const StepParams<Real>& params) {
-    if (isLeftOut(own.constants, other, params)) return true;
+    if (isLeftOut(own.constants, other, params) || goThroughEachOther(own.constants, other)) return true;
     return outOfReach(own.state.position, position, own.constants.contact_radius + other.contact_radius) &&
            holdsNothing(kept);
 }
@@ -295,8 +293,9 @@ template <class Real>
 DEM_FN bool isApart(const OwnParticle<Real>& own, const Vec4<Real>& position,
                     const ParticleConstants<Real>& other, BondLink link, const Vec4<Real>& kept,
                     const StepParams<Real>& params) {
-    return hasFaces(link) ? isLeftOut(own.constants, other, params)
-                          : isOutOfTouch(own, position, other, kept, params);
+    if (!hasFaces(link)) return isOutOfTouch(own, position, other, kept, params);
+    return isLeftOut(own.constants, other, params) ||
+           (pairState(link) == PairState::kFacing && goThroughEachOther(own.constants, other));
 }
 /// A record that is no solid bond and whose ends are not apart.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
