@@ -13,10 +13,10 @@
 #include "sim_cuda/data/regimes.h"
 #include "sim_cuda/kernels/calm_clocks.h"
 #include "sim_cuda/kernels/fragment_sums.h"
+#include "sim_cuda/kernels/hits_on_colliders.h"
 #include "sim_cuda/kernels/join_bonded.h"
 #include "sim_cuda/kernels/lead_held.h"
 #include "sim_cuda/kernels/meetings.h"
-#include "sim_cuda/kernels/mesh_hits.h"
 #include "sim_cuda/physics/hand_over.h"
 
 namespace demolish {
@@ -26,23 +26,9 @@ inline constexpr uint32_t kMustBond = 1u, kRestless = 2u;
 /// Of a fragment: it vibrates or is about to be hit hard.
 inline constexpr uint32_t kNeedsBonds = 4u;
 
-/// When a particle is hit hard: both may be true, and each is found by whoever goes through that part of the
-/// rows, so that any number of threads finds the same.
-struct HardHits {
-    bool later = false, at_once = false;
-};
-
 /// Of the sum of two contact radii: a ball that comes farther in a contact step is met in substeps, however
 /// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
-inline constexpr double kFarInAStep = 0.5;
-/// Of its radius: what comes farther in a contact step and meets a collider that is no plane is met in
-/// substeps too. On edges the way off turns by much within so long a step, and energy came from nowhere (6 %
-/// of what a crumb had brought).
-inline constexpr double kFarToShape = 0.2;
-
-/// m/s, faster than anything.
-inline constexpr double kNeverHard = 1e15;
-
+inline constexpr double kFarInAStep = 0.25;
 /// Threads that share a particle's rows where they are visited: on a GPU there are too few particles to hide
 /// the way to memory, and whatever is found is joined or marked in any order. kLater: once it is known who
 /// has no meetings.
@@ -97,6 +83,12 @@ struct HitRules {
         return wakeSpeed(wake[meetings.owner[i]], wake[meetings.owner[j]], sizeOf(meetings.label[i]),
                          sizeOf(meetings.label[j]));
     }
+    /// m/s, from which on a hit on something fixed needs the fragment's bonds.
+    DEM_FN Real breakingSpeed(uint32_t i) const {
+        if (isCrumb(meetings.label[i])) return Real(kNeverHard);
+        const WakeLaw<Real> own = wake[meetings.owner[i]];
+        return wakeSpeed(own, own, sizeOf(meetings.label[i]), Real(1e6));
+    }
     DEM_FN bool canBeHard(uint32_t i, uint32_t j) const {
         return !isCrumb(meetings.label[i]) || !isCrumb(meetings.label[j]) || comesFar(i, j);
     }
@@ -121,6 +113,13 @@ struct HitRules {
         const uint32_t bits = std::bit_cast<uint32_t>(float(squareRoot(meetings.relativeSpeed2(i, j))));
         for (const uint32_t slot : {meetings.label[i], meetings.label[j]})
             if (bits > atomicLoadU32(&coming[slot])) atomicMaxU32(&coming[slot], bits);
+    }
+    /// And so does what it falls on.
+    DEM_FN void noteLanding(uint32_t i, const HitsOnColliders<Real>& landing) const {
+        const uint32_t slot = meetings.label[i];
+        if (!landing.find(meetings, i, breakingSpeed(i)).at_once) return;
+        const Real speed = squareRoot(length2(xyz(meetings.state.velocity[i])));
+        atomicMaxU32(&coming[slot], std::bit_cast<uint32_t>(float(speed)));
     }
     DEM_FN Real comingAt(uint32_t slot) const {
         return coming.empty() ? Real(0) : Real(std::bit_cast<float>(coming[slot]));
@@ -156,6 +155,7 @@ DEM_FN void raise(uint32_t& a, uint32_t& b) {
 template <uint32_t kThreads, class Real>
 struct JoinIslands {
     HitRules<Real> rules;
+    HitsOnColliders<Real> landing;
     Span<uint32_t> island;
     Span<uint32_t> meets;  ///< 1: has meetings; of most particles the later kernels need not ask
     Span<uint32_t> words;  ///< kWorkWords
@@ -165,6 +165,7 @@ struct JoinIslands {
         const uint32_t i = k / kThreads;
         if (!meetings.takesPart(i)) return;
         const uint32_t own = meetings.label[i];
+        if (!rules.coming.empty() && k % kThreads == 0) rules.noteLanding(i, landing);
         meetings.template visitMeetings<kThreads>(i, k % kThreads, true, [&](uint32_t j, Real apart) {
             raise(meets[i], meets[j]);
             const bool faces = apart > Real(0);
@@ -190,8 +191,7 @@ struct FlagIslands {
     HitRules<Real> hits;
     Span<const uint32_t> island, meets;
     Span<const CalmClock> clock;
-    ColliderSet<Real> colliders;
-    Vec3<Real> gravity;
+    HitsOnColliders<Real> landing;
     RegimeRules rules;
     Span<uint32_t> flags;
     Span<uint32_t> words;  ///< kWorkWords
@@ -222,7 +222,7 @@ struct FlagIslands {
     DEM_FN HardHits hardHits(uint32_t i, uint32_t slot, uint32_t part) const {
         const MeetingsIn<Real>& meetings = hits.meetings;
         HardHits hard;
-        if (part == 0) hard = hitsOnColliders(i, breakingSpeed(i, slot));
+        if (part == 0) hard = landing.find(meetings, i, hits.breakingSpeed(i));
         if (meets[i] == 0) return hard;
         const bool sleeps = hits.sleeps(slot);
         const auto mayBeHard = [&](uint32_t other) {
@@ -237,43 +237,6 @@ struct FlagIslands {
         };
         meetings.template visitMeetingsWith<kThreads>(i, part, false, mayBeHard, ask);
         return hard;
-    }
-    /// m/s, from which on a hit on something fixed needs the fragment's bonds.
-    DEM_FN Real breakingSpeed(uint32_t i, uint32_t slot) const {
-        if (hits.isCrumb(slot)) return Real(kNeverHard);
-        const WakeLaw<Real> own = hits.wake[hits.meetings.owner[i]];
-        return wakeSpeed(own, own, hits.sizeOf(slot), Real(1e6));
-    }
-    DEM_FN HardHits hitsOnColliders(uint32_t i, Real breaking) const {
-        const MeetingsIn<Real>& meetings = hits.meetings;
-        const Vec3<Real> position = positionOf(meetings.state, i), velocity = xyz(meetings.state.velocity[i]);
-        const Real radius = meetings.constants[i].floor_radius, soon = meetings.soon;
-        const Real far = Real(kFarToShape) * radius / hits.contact_step;
-        const bool goes_far = length2(velocity) > far * far;
-        HardHits hard;
-        const auto note = [&](bool at_once) { (at_once ? hard.at_once : hard.later) = true; };
-        for (uint32_t c = 0; c < colliders.count; ++c) {
-            const Real limit = goes_far && !colliders.isPlane(c) ? Real(0) : breaking;
-            if (!(limit < Real(kNeverHard))) continue;
-            if (colliders.isMesh(c)) {
-                const Real time =
-                    timeToMesh(colliders, c, {position, velocity, gravity, radius}, limit, soon);
-                if (!(time > soon)) note(!(time > meetings.at_once));
-                continue;
-            }
-            const TangentPlane<Real> tangent = colliders.bound(c, position);
-            const Vec3<Real> normal = xyz(tangent.plane);
-            const Real gap = tangent.distance - radius;
-            const Real falling = -dot(normal, gravity), closing = -dot(normal, velocity);
-            const auto reaches = [&](Real t) { return madd(t, closing, Real(0.5) * t * t * falling) > gap; };
-            if (isFaster(limit, closing, falling, gap) && reaches(soon)) note(reaches(meetings.at_once));
-        }
-        return hard;
-    }
-    /// When it arrives: frames may be long, and what falls gets faster.
-    DEM_FN static bool isFaster(Real limit, Real closing, Real falling, Real gap) {
-        if (!(gap > Real(0)) || !(falling > Real(0))) return closing > limit;
-        return madd(closing, closing, Real(2) * falling * gap) > limit * limit;
     }
 };
 

@@ -81,12 +81,13 @@ DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Rea
     return effect.load;
 }
 
-/// Nothing touches any more: what the tangential spring still held is friction heat.
+/// Nothing touches any more: what the tangential spring still held is friction heat. Where nothing is held,
+/// no step has seen the two touch: a ball that starts beside a body comes, by its velocity, from inside it.
 template <bool kLedger, class Real>
 DEM_FN void releaseTouch(const TouchLaw<Real>& law, const OverlapChange<Real>& change,
                          const KeptTouch<Real>& before, Vec4<Real>& slot, Real share, Tally<Real>& tally) {
-    if constexpr (kLedger) tally.contact_loss += share * crossingLoss(law.stiffness, change);
     if (holdsNothing(slot)) return;
+    if constexpr (kLedger) tally.contact_loss += share * crossingLoss(law.stiffness, change);
     slot = Vec4<Real>{};
     if constexpr (kLedger) tally.spring_energy -= share * (Real(0.5) * law.shear * length2(before.spring));
 }

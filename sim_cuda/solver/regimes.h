@@ -328,6 +328,7 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
     HitRules<Real> hits{
         meetings, rows, regime_.view(), wake_.view(), crumb_, holds_, Real(kRigidStride) * params.dt};
     if (meetings.bonds.facing > 0) hits.coming = speeds_.span();  // which are those of a frame's start
+    const HitsOnColliders<Real> landing{params.colliders, params.gravity, hits.contact_step};
     const Span<uint32_t> words = moved_.words();
     backend_.forEach(total,
                      StartIslands{island_.span(), flags_.span(), meets_.span(), moved_.activeMarks(),
@@ -336,12 +337,11 @@ ChooseRegimes<Real> Regimes<Backend, Real>::flagIslands(const MeetingsIn<Real>& 
     withMeetingThreads<Backend>(counts_of_.total, [&](auto threads) {
         constexpr uint32_t kFirst = decltype(threads)::kFirst, kLater = decltype(threads)::kLater;
         backend_.forEach(size_t{total} * kFirst,
-                         JoinIslands<kFirst, Real>{hits, island_.span(), meets_.span(), words},
+                         JoinIslands<kFirst, Real>{hits, landing, island_.span(), meets_.span(), words},
                          "join islands");
         backend_.forEach(total, FlattenLabels{island_.span()}, "flatten islands");
-        const FlagIslands<kLater, Real> flag{hits,          island_.view(),   meets_.view(),
-                                             clock_.view(), params.colliders, params.gravity,
-                                             rules,         flags_.span(),    words};
+        const FlagIslands<kLater, Real> flag{hits,    island_.view(), meets_.view(), clock_.view(),
+                                             landing, rules,          flags_.span(), words};
         backend_.forEach(size_t{total} * kLater, flag, "flag islands");
     });
     return {meetings.label, island_.view(), flags_.view(), meetings.constants,   rules,

@@ -182,6 +182,39 @@ TEST_F(FacingBodies, WhatLiesUnderSomethingThatIsHitBreaksAsWithItsBondsAwake) {
     }
 }
 
+struct Landing {
+    double broken = 0, gained = 0;  ///< bonds, means of three packings; of the energy that was brought
+};
+/// Two bricks, one on the other, land at 5 m/s.
+Landing landingOfTwo(bool hand_over) {
+    Landing landing;
+    for (uint64_t packing = 1; packing <= 3; ++packing) {
+        const auto brick = filledModel("brick.obj", kHeight, 300, packing);
+        SceneSetup setup;
+        setup.bodies = {placedBody(brick, {0, 0.45, 0}), placedBody(brick, {0.02, kHeight + 0.4505, 0})};
+        for (BodyInstance& body : setup.bodies) body.velocity = {0, -4, 0};
+        setup.params.colliders = {Plane{}};
+        setup.params.substeps = 200;
+        auto solver = makeSolver(with(setup, {hand_over, hand_over}));
+        solver->measure();
+        const double brought = solver->stats().energy.kinetic, start = energySum(solver->stats().energy);
+        for (int frame = 0; frame < 8; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+        solver->measure();
+        const double gained = (energySum(solver->stats().energy) - start) / brought;
+        if (std::abs(gained) > std::abs(landing.gained)) landing.gained = gained;
+        landing.broken += solver->stats().bonds_broken / 3.0;
+    }
+    return landing;
+}
+
+/// What falls along with what it lies on is hit as soon as that lands.
+TEST_F(FacingBodies, WhatLiesOnSomethingThatLandsBreaksAsWithItsBondsAwake) {
+    const Landing awake = landingOfTwo(false), handed_over = landingOfTwo(true);
+    EXPECT_GT(awake.broken, 500);
+    EXPECT_NEAR(handed_over.broken, awake.broken, 0.1 * awake.broken);
+    EXPECT_NEAR(handed_over.gained, 0, 0.002);
+}
+
 /// Two cubes of different bodies: the record says how far apart they touch, and the law is that of the two.
 class FacingPair : public Pair {
   protected:

@@ -65,25 +65,21 @@ class Crowd {
         rules.hand_over = rules.may_calm = true;
         rules.calm_substeps = rules.rest_substeps = 10;
         const HitRules<float> hits{meetings, rows, regime_.view(), wake_.view(), 8};
+        const HitsOnColliders<float> landing{floor, {0, -9.81f, 0}};
         if (all_ask)
             arrays_.backend.fill(meets.span(), 1u);
         else
             arrays_.backend.forEach(
                 size_t{total} * kThreads,
-                JoinIslands<kThreads, float>{hits, island.span(), meets.span(), words.span()}, "join");
+                JoinIslands<kThreads, float>{hits, landing, island.span(), meets.span(), words.span()},
+                "join");
         without_meetings += static_cast<uint32_t>(std::count(&meets.view()[0], &meets.view()[0] + total, 0u));
         arrays_.backend.fill(words.span(), 0u);
-        arrays_.backend.forEach(size_t{total} * kThreads,
-                                FlagIslands<kThreads, float>{hits,
-                                                             labels_.view(),
-                                                             meets.view(),
-                                                             clock_.view(),
-                                                             floor,
-                                                             {0, -9.81f, 0},
-                                                             rules,
-                                                             flags.span(),
-                                                             words.span()},
-                                "flag");
+        arrays_.backend.forEach(
+            size_t{total} * kThreads,
+            FlagIslands<kThreads, float>{hits, labels_.view(), meets.view(), clock_.view(), landing, rules,
+                                         flags.span(), words.span()},
+            "flag");
         std::vector<uint32_t> found(&flags.view()[0], &flags.view()[0] + total);
         found.push_back(words.view()[kHitsLater]);
         return found;
