@@ -54,22 +54,25 @@ float sheet(vec4 n, float wide, float pixel) {
     return (1.0 - smoothstep(0.0, blur, away)) * min(1.0, wide / blur);
 }
 
+// Along and across the sheets of a rock that was pressed and sheared.
+const mat3 kBedding = mat3(0.80, -0.48, 0.36, 0.60, 0.64, -0.48, 0.0, 0.60, 0.80);
+
 Solid solidAt(vec3 rest) {
     float scale = texture_shape.x, pixel = pixelAt(rest) * scale;
-    vec4 bend = noise(kTurn1 * rest, 0.45 * scale), shiver = noise(kTurn2 * rest, 2.1 * scale);
-    vec3 p = rest + (0.34 * bend.xyz + 0.05 * shiver.xyz) / scale;
-    // Sheets of three sizes, longer along them than across, as in rock that was pressed: few wide ones, a net of fine ones.
-    vec4 broad = noise(kTurn1 * p * vec3(1.0, 0.45, 0.45), 0.8 * scale), fine = noise(kTurn2 * p * vec3(0.5, 1.0, 0.5), 1.7 * scale);
-    vec4 hair = noise(p * vec3(0.6, 0.6, 1.0), 3.6 * scale), cloud = noise(kTurn2 * rest, 0.33 * scale);
-    // Veins gather where the rock is grey, and leave other parts white.
-    float grey = smoothstep(-0.45, 0.5, cloud.w + 0.25 * shiver.w), apart = smoothstep(-0.3, 0.4, bend.w);
+    vec4 fold = noise(kTurn1 * rest, 0.25 * scale), bend = noise(kTurn2 * rest, 0.7 * scale), shiver = noise(kTurn1 * rest, 2.9 * scale);
+    vec3 p = kBedding * (rest + (0.5 * fold.xyz + 0.15 * bend.xyz + 0.03 * shiver.xyz) / scale);
+    // Sheets of three sizes, much longer along the bedding than across: few wide ones, a net of fine ones.
+    vec4 broad = noise(p * vec3(1.0, 0.16, 0.22), 0.9 * scale), fine = noise(kTurn1 * p * vec3(1.0, 0.25, 0.2), 1.9 * scale);
+    vec4 hair = noise(kTurn2 * p * vec3(1.0, 0.25, 0.25), 4.1 * scale);
+    // Veins gather where the rock is grey, pinch out, and leave other parts white.
+    float grey = smoothstep(-0.5, 0.5, fold.w + 0.5 * bend.w), here = smoothstep(-0.45, 0.35, bend.w - 0.4 * fold.w + 0.4 * fine.w);
     Solid s;
-    s.other = (0.32 + 0.60 * grey) * sheet(broad, 0.03 + 0.07 * grey * grey, 0.85 * pixel);
-    s.other = max(s.other, 0.42 * apart * sheet(fine, 0.05, 1.7 * pixel));
-    s.other = max(s.other, 0.26 * grey * (1.0 - apart) * sheet(hair, 0.08, 3.6 * pixel));
-    s.other = max(s.other, (0.04 + 0.22 * grey) * (1.0 - smoothstep(0.0, 0.5, abs(broad.w + 0.2 * shiver.w))));
-    s.other = max(s.other, 0.16 * grey * smoothstep(-0.4, 0.6, hair.w + fine.w));
-    s.tone = 1.0 + 0.04 * cloud.w + 0.03 * hair.w;
+    s.other = (0.28 + 0.42 * grey) * here * sheet(broad, 0.02 + 0.07 * grey, 0.9 * pixel);
+    s.other = max(s.other, (0.12 + 0.40 * grey) * here * sheet(fine, 0.06, 1.9 * pixel));
+    s.other = max(s.other, 0.26 * grey * sheet(hair, 0.10, 4.1 * pixel));
+    s.other += (0.02 + 0.24 * grey) * (1.0 - smoothstep(0.0, 0.55, abs(broad.w + 0.25 * shiver.w)));
+    s.other += 0.12 * grey * smoothstep(-0.4, 0.6, hair.w + fine.w);
+    s.tone = 1.0 + 0.04 * fold.w + 0.03 * hair.w;
     s.skin = 1.0;
     s.smoothed = 0.3;
     return s;
