@@ -11,10 +11,20 @@ float ggxSpecular(float n_dot_h, float n_dot_v, float n_dot_l, float roughness) 
     return distribution * 0.5 / max(masking + shadowing, 1e-5);
 }
 
-vec3 fresnel(vec3 f0, float cosine) {
-    float x = 1.0 - cosine;
+float fifthPower(float x) {
     float x2 = x * x;
-    return f0 + (clamp(50.0 * f0, 0.0, 1.0) - f0) * x2 * x2 * x;
+    return x2 * x2 * x;
+}
+
+// What scatters, over a Lambertian surface: a rough one that is grazed sends more back to where light comes from, a smooth one
+// less, since that mirrors it (Burley 2012).
+float roughScattering(float n_dot_l, float n_dot_v, float l_dot_h, float roughness) {
+    float grazed = 2.0 * roughness * l_dot_h * l_dot_h - 0.5;
+    return (1.0 + grazed * fifthPower(1.0 - n_dot_l)) * (1.0 + grazed * fifthPower(1.0 - n_dot_v));
+}
+
+vec3 fresnel(vec3 f0, float cosine) {
+    return f0 + (clamp(50.0 * f0, 0.0, 1.0) - f0) * fifthPower(1.0 - cosine);
 }
 
 // Share of the environment that is mirrored (fit of the split-sum integral, Karis 2014).

@@ -55,15 +55,16 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
         vec3 visible = sunVisibility(s.position, s.geometric_normal, pixel) * throughGlass(s.position);
         vec3 half_way = normalize(to_eye + frame.to_sun.xyz);
         float n_dot_h = max(dot(s.normal, half_way), 0.0);
-        vec3 f = fresnel(f0, max(dot(to_eye, half_way), 0.0));
-        vec3 mirror = f * ggxSpecular(n_dot_h, n_dot_v, n_dot_l, max(s.roughness, 0.06));
-        direct = ((1.0 - f) * diffuse / 3.14159265 + mirror) * n_dot_l * visible * frame.sun_colour.rgb * 3.14159265;
+        float l_dot_h = max(dot(to_eye, half_way), 0.0);
+        vec3 mirror = fresnel(f0, l_dot_h) * ggxSpecular(n_dot_h, n_dot_v, n_dot_l, max(s.roughness, 0.06));
+        vec3 scattered = diffuse * roughScattering(n_dot_l, n_dot_v, l_dot_h, s.roughness);
+        direct = (scattered / 3.14159265 + mirror) * n_dot_l * visible * frame.sun_colour.rgb * 3.14159265;
     }
     vec3 share = environmentShare(f0, s.roughness, n_dot_v);
     vec3 around = ambientRadiance(s.normal);
     vec3 mirrored_light = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness, around);
-    vec3 scattered = (1.0 - share) * diffuse * around * openTo(visibility, s.albedo);
-    return direct * mix(1.0, visibility, kDirectShare) + scattered + share * mirrored_light * visibility + sent_out;
+    vec3 scattered_light = (1.0 - share) * diffuse * around * openTo(visibility, s.albedo);
+    return direct * mix(1.0, visibility, kDirectShare) + scattered_light + share * mirrored_light * visibility + sent_out;
 }
 
 #if FLOOR == FLOOR_SHADOW
