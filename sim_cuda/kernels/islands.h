@@ -73,7 +73,11 @@ struct HitRules {
 
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
     DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
-    DEM_FN bool sleeps(uint32_t slot) const { return regime[slot] == wordOf(Regime::kAsleep); }
+    /// Nothing has been decided yet of a ball that has just started: it moves.
+    DEM_FN bool sleeps(uint32_t slot) const {
+        if (regime[slot] != wordOf(Regime::kAsleep)) return false;
+        return !isProjectile(slot) || !(length2(xyz(meetings.state.velocity[slot])) > Real(0));
+    }
     /// Particles of the fragment; a projectile is as heavy as any, and so is what is held.
     DEM_FN Real sizeOf(uint32_t slot) const {
         return isProjectile(slot) || holds.hold(slot) ? Real(1e6) : static_cast<Real>(rows.size[slot]);

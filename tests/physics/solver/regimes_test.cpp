@@ -73,6 +73,30 @@ TEST_F(Sleeping, ABodyHitByABallFromAfarBreaksExactlyAsIfItHadNeverSlept) {
     EXPECT_GT(awake->stats().bonds_broken, 50u);
 }
 
+/// While another one is on its way, and near enough to hit before anything has to be decided again.
+TEST_F(Sleeping, ABallThatHasJustStartedWakesWhatItWillHit) {
+    SceneSetup setup = brickHitInMidFrame();
+    setup.projectiles[0].position.x = 0.4;
+    setup.projectiles[0].velocity.x = -40;
+    Projectile slow = setup.projectiles[0];
+    slow.position = {0, 6, 3};
+    slow.velocity = {0.5, 0, 0};
+    slow.start_time = 0.3;
+    setup.projectiles.insert(setup.projectiles.begin(), slow);
+    auto sleeper = makeSolver(with(setup, {true, true}));
+    auto awake = makeSolver(with(setup, {false, false}));
+    bool slept = false;
+    for (int frame = 0; frame < 36; ++frame) {
+        ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
+        ASSERT_EQ(awake->advanceFrame(), StepStatus::kOk);
+        slept = slept || sleeper->stats().sleeping_fragments == 1;
+    }
+    EXPECT_TRUE(slept);
+    const double broken = awake->stats().bonds_broken;
+    EXPECT_GT(broken, 300);
+    EXPECT_NEAR(sleeper->stats().bonds_broken, broken, 0.05 * broken);
+}
+
 /// A brick that flies and spins, whole; bonds have nothing to do.
 SceneSetup flyingBrick() {
     SceneSetup setup = freeBody(latticeBody(3, 4, 6, 0.05, 0.2));
