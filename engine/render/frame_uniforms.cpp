@@ -94,7 +94,7 @@ glm::vec4 shadowSizes(const ShadowRegion& region, int texels) {
 
 /// Share of its light that a floor mirrors, mean of all ways: environmentShare() of shaders/common/brdf.glsl
 /// at a roughness of 0.62, weighed by the cosine. A dark floor sends up a quarter of its light so.
-constexpr float kFloorMirrors = 0.04f;
+constexpr float kFloorMirrors = 0.043f;
 
 /// Light of the sunlit floor seen from below, the same in all directions. Occlusion takes off what stands
 /// before it and what stands on it shades.

@@ -62,7 +62,7 @@ vec3 shade(Surface s, float visibility, vec2 pixel) {
     }
     vec3 share = environmentShare(f0, s.roughness, n_dot_v);
     vec3 around = ambientRadiance(s.normal);
-    vec3 mirrored_light = reflectedRadiance(reflect(-to_eye, s.normal), s.roughness, around);
+    vec3 mirrored_light = reflectedRadiance(mainMirrored(s.normal, to_eye, s.roughness), s.roughness, around);
     vec3 scattered_light = (1.0 - share) * diffuse * around * openTo(visibility, s.albedo);
     return direct * mix(1.0, visibility, kDirectShare) + scattered_light + share * mirrored_light * visibility + sent_out;
 }
