@@ -20,6 +20,7 @@ inline constexpr double kNeverHard = 1e15;
 /// of what a crumb had brought).
 inline constexpr double kFarToShape = 0.2;
 
+/// What a particle may fall on, and how.
 template <class Real>
 struct HitsOnColliders {
     ColliderSet<Real> colliders;

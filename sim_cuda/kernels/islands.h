@@ -29,6 +29,7 @@ inline constexpr uint32_t kNeedsBonds = 4u;
 /// Of the sum of two contact radii: a ball that comes farther in a contact step is met in substeps, however
 /// few particles it hits. It would be through or round a crumb before contact steps had pushed it back.
 inline constexpr double kFarInAStep = 0.25;
+
 /// Threads that share a particle's rows where they are visited: on a GPU there are too few particles to hide
 /// the way to memory, and whatever is found is joined or marked in any order. kLater: once it is known who
 /// has no meetings.

@@ -63,6 +63,22 @@ TEST_F(Energy, TheLedgerClosesForCellsOfTwentyMetres) {
     EXPECT_NEAR(energySum(solver->stats().energy), before, 0.01 * fallen);
 }
 
+/// By its velocity it comes from inside the body, and no step has seen the two touch.
+TEST_F(Energy, ABallThatStartsBesideABodyHasTouchedNothing) {
+    SceneSetup setup = freeBody(latticeBody(4, 4, 4, 0.05));
+    setup.params.substeps = 200;
+    Projectile ball;
+    ball.radius = 0.05;
+    ball.position = {0.1504, 0.025, 0.025};  // 0.4 mm off the nearest cell
+    ball.velocity = {60, 0, 0};              // 5 mm in a step
+    setup.projectiles = {ball};
+    auto solver = makeSolver(setup);
+    for (int frame = 0; frame < 2; ++frame) EXPECT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    EXPECT_GT(solver->stats().energy.kinetic, 1000);
+    EXPECT_NEAR(solver->stats().energy.damping, 0, 1e-6);
+}
+
 /// Mean error of drops that differ a little, at a step so many times finer and the same wave speed. One drop
 /// alone tells little: two thirds of its bonds break, and other ones at every step.
 double meanError(uint32_t finer) {
