@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// GGX metallic-roughness reflection of one sun and the sky.
+// What a surface mirrors of one sun and the sky (GGX, metallic-roughness), and how it scatters the sun's light.
 float ggxSpecular(float n_dot_h, float n_dot_v, float n_dot_l, float roughness) {
     float a = roughness * roughness;
     float a2 = a * a;

@@ -16,20 +16,6 @@ namespace {
 
 using BrdfTest = GlTest;
 
-/// A whole ball of one grey.
-Scene greyBall(float albedo, float roughness) {
-    Scene scene = makeScene("broken_ball");
-    scene.spheres.clear();
-    scene.view.show_cracks = false;
-    scene.body->write(
-        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
-        [](uint32_t, uint32_t) { return false; });
-    for (float& channel : scene.view.look.exterior_colour) channel = albedo;
-    scene.view.look.exterior_roughness = roughness;
-    scene.view.look.noise_strength = 0;
-    return scene;
-}
-
 struct Ring {
     double light = 0;
     int pixels = 0;

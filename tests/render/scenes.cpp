@@ -186,6 +186,18 @@ Scene wholeBlock() {
     return scene;
 }
 
+Scene greyBall(float albedo, float roughness) {
+    Scene scene = ball(ViewMode::kSurface, ColourMap::kFragment);
+    scene.spheres.clear();
+    scene.body->write(
+        *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; }, noCracks);
+    scene.view.show_cracks = false;
+    for (float& channel : scene.view.look.exterior_colour) channel = albedo;
+    scene.view.look.exterior_roughness = roughness;
+    scene.view.look.noise_strength = 0;
+    return scene;
+}
+
 Scene brokenBlock() {
     Scene scene = blockScene({.cells = 2, .size = 0.8f, .jitter = 0.4f, .subdivisions = 2});
     const BlockBody& body = *scene.body;

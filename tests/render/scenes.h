@@ -56,6 +56,8 @@ void writeEffects(FractureMesh& mesh, const std::vector<GrainDraw>& grains,
 
 /// A block in one piece, and the same broken into flying pieces.
 Scene wholeBlock();
+/// A whole ball of one grey, without shading noise and cracks.
+Scene greyBall(float albedo, float roughness);
 Scene brokenBlock();
 /// Look 1 for the cells at x > 0, look 0 for the others; in one piece, or where `spread` is above 0 each cell
 /// a piece that is by so much farther out.

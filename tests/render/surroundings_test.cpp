@@ -36,16 +36,9 @@ TEST_F(SurroundingsTest, ABallInAFurnaceShinesWithItsAlbedo) {
     constexpr float kRadiance = 0.6f;
     for (const RenderQuality quality : {RenderQuality::kFull, RenderQuality::kDraft})
         for (const float albedo : {0.25f, 0.6f, 1.0f}) {
-            Scene scene = makeScene("broken_ball");
-            scene.spheres.clear();
-            scene.view.show_cracks = false;
+            Scene scene = greyBall(albedo, 1);
             putIntoFurnace(scene.view, glm::vec3(kRadiance));
             scene.view.quality = quality;
-            scene.body->write(
-                *scene.mesh, [](uint32_t) { return 0u; }, [](uint32_t) { return Motion{}; },
-                [](uint32_t, uint32_t) { return false; });
-            for (float& channel : scene.view.look.exterior_colour) channel = albedo;
-            scene.view.look.exterior_roughness = 1;
             const Image picture = drawPicture(renderer(), scene);
             const std::vector<uint32_t> ids = renderer().fragmentIds(scene.mesh.get(), {}, scene.view);
             // A few hundredths of the light are mirrored before the albedo takes its share.

@@ -41,13 +41,17 @@ SceneSetup brickHitInMidFrame() {
     return setup;
 }
 
+/// A frame of each.
+void advanceBoth(Solver& one, Solver& other) {
+    for (Solver* solver : {&one, &other}) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+}
+
 TEST_F(Sleeping, ABodyHitInMidFrameBreaksExactlyAsIfItHadNeverSlept) {
     auto sleeper = makeSolver(with(brickHitInMidFrame(), {false, true}));
     auto awake = makeSolver(with(brickHitInMidFrame(), {false, false}));
     bool slept = false;
     for (int frame = 0; frame < 40; ++frame) {
-        ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
-        ASSERT_EQ(awake->advanceFrame(), StepStatus::kOk);
+        ASSERT_NO_FATAL_FAILURE(advanceBoth(*sleeper, *awake));
         slept = slept || sleeper->stats().awake_particles == 0;
         ASSERT_EQ(sleeper->stateHash(), awake->stateHash()) << "frame " << frame;
     }
@@ -64,8 +68,7 @@ TEST_F(Sleeping, ABodyHitByABallFromAfarBreaksExactlyAsIfItHadNeverSlept) {
     auto awake = makeSolver(with(setup, {false, false}));
     bool slept = false;
     for (int frame = 0; frame < 35; ++frame) {
-        ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
-        ASSERT_EQ(awake->advanceFrame(), StepStatus::kOk);
+        ASSERT_NO_FATAL_FAILURE(advanceBoth(*sleeper, *awake));
         slept = slept || sleeper->stats().sleeping_fragments == 1;
         ASSERT_EQ(sleeper->stateHash(), awake->stateHash()) << "frame " << frame;
     }
@@ -87,8 +90,7 @@ TEST_F(Sleeping, ABallThatHasJustStartedWakesWhatItWillHit) {
     auto awake = makeSolver(with(setup, {false, false}));
     bool slept = false;
     for (int frame = 0; frame < 36; ++frame) {
-        ASSERT_EQ(sleeper->advanceFrame(), StepStatus::kOk);
-        ASSERT_EQ(awake->advanceFrame(), StepStatus::kOk);
+        ASSERT_NO_FATAL_FAILURE(advanceBoth(*sleeper, *awake));
         slept = slept || sleeper->stats().sleeping_fragments == 1;
     }
     EXPECT_TRUE(slept);
