@@ -26,7 +26,7 @@ struct BondEffect {
     T limit{};         ///< N m: severityLimit()
 };
 
-/// F = N n + T, M = M_N n + M_T; tau_i = M + P_i x F (B.2), and for j the same at its own arm.
+/// F = N n + T, M = M_N n + M_T; tau_i = M + P_i x F (B.2), and for j the same at its own arm: dampers.
 template <class T>
 DEM_FN BondEffect<T> loadEffect(const BondLoad<T>& load, const BondDeformation<T>& d) {
     const Vec3<T> moment = axpy(load.torsion_moment, d.normal, load.bending_moment);
@@ -37,13 +37,39 @@ DEM_FN BondEffect<T> loadEffect(const BondLoad<T>& load, const BondDeformation<T
     return effect;
 }
 
+/// What the bond's springs do: minus the slope of bondEnergy() by either end's place and turning, however far
+/// the two are bent (B.2). Up to the second order that is loadEffect(load, d). Beyond, twist and bending mix
+/// where they differ in stiffness, and n turns otherwise than either end: with loadEffect() a needle that
+/// bent by radians gained two fifths of a shot's energy.
+template <class T>
+DEM_FN BondEffect<T> elasticEffect(const BondStiffness<T>& k, const BondLoad<T>& load,
+                                   const BondDeformation<T>& d) {
+    const T share = T(1) / (T(1) + d.cosine), twice = T(2) * share;
+    const Vec3<T> mixed = (twice * (k.torsion - k.bending) * d.twist) * d.bending;
+    const Vec3<T> by_normal = axpy((k.normal - k.shear) * d.stretch, d.shear, mixed);
+    const T work = k.torsion * (d.twist * d.twist) + k.bending * length2(d.bending);
+    const Vec3<T> moment = axpy(load.torsion_moment, d.normal, load.bending_moment);
+    const Vec3<T> theta = axpy(d.twist, d.normal, d.bending);
+    const Vec3<T> alike = axpy(T(0.25) * share * share * work, theta, (twice * d.cosine) * moment);
+    const Vec3<T> unlike = T(0.5) * cross(d.normal, mixed);
+    BondEffect<T> effect;
+    effect.force = axpy(load.normal_force, d.normal, load.shear_force);
+    const Vec3<T> at_reach = axpy(-d.closeness, by_normal, effect.force);
+    effect.torque_i = (alike + cross(d.reach_i, at_reach)) + unlike;
+    effect.torque_j = (alike - cross(d.reach_j, at_reach)) - unlike;
+    return effect;
+}
+
 /// All of it for one pair: B.2, (E3), (11') (12').
 template <class T>
 DEM_FN BondEffect<T> bondEffect(const BondConstants<T>& bond, const PairMotion<T>& pair) {
     const BondDeformation<T> d = bondDeformation(bond.rest, pair);
     const BondLoad<T> elastic = bondLoad(bond.stiffness, d);
-    BondEffect<T> effect =
-        loadEffect(dampedBondLoad(elastic, bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
+    const BondEffect<T> springs = elasticEffect(bond.stiffness, elastic, d);
+    BondEffect<T> effect = loadEffect(damperLoad(bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
+    effect.force = springs.force + effect.force;
+    effect.torque_i = springs.torque_i + effect.torque_i;
+    effect.torque_j = springs.torque_j + effect.torque_j;
     effect.severity = bondSeverity(elastic, bond.radius);
     effect.limit = severityLimit(bond.strength, bond.radius);
     return effect;
@@ -53,7 +79,7 @@ DEM_FN BondEffect<T> bondEffect(const BondConstants<T>& bond, const PairMotion<T
 template <class T>
 DEM_FN BondEffect<T> bondDamping(const BondConstants<T>& bond, const PairMotion<T>& pair) {
     const BondDeformation<T> d = bondDeformation(bond.rest, pair);
-    return loadEffect(dampedBondLoad(BondLoad<T>{}, bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
+    return loadEffect(damperLoad(bond.stiffness, d, bondRates(d, pair), bond.beta_r), d);
 }
 
 /// What leaves with a bond that breaks in this substep, seen from i.
@@ -69,7 +95,7 @@ struct BondRelease {
 template <class T>
 DEM_FN BondRelease<T> bondRelease(const BondConstants<T>& bond, const PairMotion<T>& pair) {
     const BondDeformation<T> d = bondDeformation(bond.rest, pair);
-    const BondEffect<T> pull = loadEffect(bondLoad(bond.stiffness, d), d);
+    const BondEffect<T> pull = elasticEffect(bond.stiffness, bondLoad(bond.stiffness, d), d);
     const T squared = length2(pair.separation), inverse = inverseSqrt(squared);
     const T overlap = brokenOverlap(length(bond.rest), squared * inverse);
     const T kept = brokenRepulsion(bond.stiffness.normal, overlap);

@@ -11,12 +11,16 @@ namespace demolish {
 template <class T>
 struct BondDeformation {
     Vec3<T> normal;   ///< n, unit, from i to j
+    Vec3<T> reach_i;  ///< m, l_i n_i: half of the rest vector, turned with i
+    Vec3<T> reach_j;  ///< m, l_j n_j: the other half, turned with j
     Vec3<T> arm_i;    ///< m, P_i: the common point seen from i
     Vec3<T> arm_j;    ///< m, P_j: the same point seen from j
+    T closeness{};    ///< 1/m, 1/|l_i n_i + l_j n_j|: how fast n turns with the reaches' ends
     T stretch{};      ///< m, u_N
     Vec3<T> shear;    ///< m, u_T
     T twist{};        ///< rad, theta_N, right-handed about n
     Vec3<T> bending;  ///< rad, theta_T
+    T cosine{};       ///< of half the angle between the two, 0 to 1
 };
 
 /// Rates of the four channels: the damper's input.
@@ -31,20 +35,22 @@ struct BondRates {
 /// their bisector. The separation is given by the caller, who may hold positions in more exact form.
 template <class T>
 DEM_FN BondDeformation<T> bondDeformation(const Vec3<T>& rest, const PairMotion<T>& pair) {
-    const Vec3<T> n_i = rotate(pair.rotation_i, rest), n_j = rotate(pair.rotation_j, rest);
-    const Vec3<T> reach_i = T(0.5) * n_i, reach_j = T(0.5) * n_j;
-    const Vec3<T> u = pair.separation - (reach_i + reach_j);
+    BondDeformation<T> d;
+    d.reach_i = T(0.5) * rotate(pair.rotation_i, rest);
+    d.reach_j = T(0.5) * rotate(pair.rotation_j, rest);
+    const Vec3<T> both = d.reach_i + d.reach_j, u = pair.separation - both;
     const Quat<T> dq = relativeRotation(pair.rotation_i, pair.rotation_j);
     const T sign = dq.w < T(0) ? T(-2) : T(2);
     const Vec3<T> theta = sign * vectorPart(dq);
-    BondDeformation<T> d;
-    d.normal = normalized(n_i + n_j);
-    d.arm_i = axpy(T(0.5), u, reach_i);
-    d.arm_j = -axpy(T(0.5), u, reach_j);
+    d.closeness = inverseSqrt(length2(both));
+    d.normal = d.closeness * both;
+    d.arm_i = axpy(T(0.5), u, d.reach_i);
+    d.arm_j = -axpy(T(0.5), u, d.reach_j);
     d.stretch = dot(u, d.normal);
     d.shear = axpy(-d.stretch, d.normal, u);
     d.twist = dot(theta, d.normal);
     d.bending = axpy(-d.twist, d.normal, theta);
+    d.cosine = absOf(dq.w);
     return d;
 }
 

@@ -38,17 +38,15 @@ DEM_FN BondLoad<T> bondLoad(const BondStiffness<T>& k, const BondDeformation<T>&
     return {k.normal * d.stretch, k.shear * d.shear, k.torsion * d.twist, k.bending * d.bending};
 }
 
-/// (E3): every channel gets beta_R (s) times its stiffness times its rate on top. For forces only, never for
-/// the break test.
+/// (E3): every channel's damper gives beta_R (s) times its stiffness times its rate, beside the springs. For
+/// forces only, never for the break test.
 template <class T>
-DEM_FN BondLoad<T> dampedBondLoad(const BondLoad<T>& elastic, const BondStiffness<T>& k,
-                                  const BondDeformation<T>& d, const BondRates<T>& rates, T beta_r) {
+DEM_FN BondLoad<T> damperLoad(const BondStiffness<T>& k, const BondDeformation<T>& d,
+                              const BondRates<T>& rates, T beta_r) {
     const T speed = dot(rates.velocity, d.normal), twist = dot(rates.spin, d.normal);
     const Vec3<T> slip = axpy(-speed, d.normal, rates.velocity), bend = axpy(-twist, d.normal, rates.spin);
-    return {madd(beta_r * k.normal, speed, elastic.normal_force),
-            axpy(beta_r * k.shear, slip, elastic.shear_force),
-            madd(beta_r * k.torsion, twist, elastic.torsion_moment),
-            axpy(beta_r * k.bending, bend, elastic.bending_moment)};
+    return {beta_r * k.normal * speed, (beta_r * k.shear) * slip, beta_r * k.torsion * twist,
+            (beta_r * k.bending) * bend};
 }
 
 /// (11') sigma = N_b/A + 4 |M_T|/(A a_b), the stress of a round beam, times pi a_b^3 = A a_b: N m, without a
