@@ -44,13 +44,9 @@ DEM_FN BondEffect<T> loadEffect(const BondLoad<T>& load, const BondDeformation<T
 template <class T>
 DEM_FN BondEffect<T> elasticEffect(const BondStiffness<T>& k, const BondLoad<T>& load,
                                    const BondDeformation<T>& d) {
-    const T share = T(1) / (T(1) + d.cosine), twice = T(2) * share;
-    const Vec3<T> mixed = (twice * (k.torsion - k.bending) * d.twist) * d.bending;
+    const Vec3<T> mixed = ((k.torsion - k.bending) * d.twist) * d.bending;
     const Vec3<T> by_normal = axpy((k.normal - k.shear) * d.stretch, d.shear, mixed);
-    const T work = k.torsion * (d.twist * d.twist) + k.bending * length2(d.bending);
-    const Vec3<T> moment = axpy(load.torsion_moment, d.normal, load.bending_moment);
-    const Vec3<T> theta = axpy(d.twist, d.normal, d.bending);
-    const Vec3<T> alike = axpy(T(0.25) * share * share * work, theta, (twice * d.cosine) * moment);
+    const Vec3<T> alike = d.cosine * axpy(load.torsion_moment, d.normal, load.bending_moment);
     const Vec3<T> unlike = T(0.5) * cross(d.normal, mixed);
     BondEffect<T> effect;
     effect.force = axpy(load.normal_force, d.normal, load.shear_force);

@@ -76,17 +76,12 @@ DEM_FN bool bondBreaks(T severity, T limit) {
     return severity >= limit;
 }
 
-/// Elastic energy, J: what the load takes in on the way here, k_N u_N^2/2 + k_T u_T^2/2 (A.3) and that of the
-/// moments. Those go by theta = 2 sin(angle/2) (bondDeformation), so that the pair has taken in
-/// 4 (1 - cos(angle/2)) = theta^2/2 * 2/(1 + cos(angle/2)) times the stiffness: at 1 rad a fifteenth more
-/// than half of stiffness and square, at which the books of rubber lost a twentieth.
+/// Elastic energy, J: half of stiffness times square in each channel (A.3). Since theta = 2 sin(angle/2)
+/// (bondDeformation), turning takes in 1 - cos(angle) times the stiffness, which is smooth all the way round.
 template <class T>
 DEM_FN T bondEnergy(const BondStiffness<T>& k, const BondDeformation<T>& d) {
-    const T twist2 = d.twist * d.twist, bending2 = length2(d.bending);
-    const T cosine = squareRoot(maxOf(madd(T(-0.25), twist2 + bending2, T(1)), T(0)));
-    const T moments = k.torsion * twist2 + k.bending * bending2;
     return T(0.5) * (k.normal * d.stretch * d.stretch + k.shear * length2(d.shear) +
-                     moments * (T(2) / (T(1) + cosine)));
+                     k.torsion * d.twist * d.twist + k.bending * length2(d.bending));
 }
 
 }  // namespace demolish
