@@ -83,7 +83,7 @@ class alignas(4 * sizeof(Real)) ParticleConstants {
     /// 1/(kg m^2), of I = 0.4 m R^2, R = (3 vol/4 pi)^(1/3). Of a rigid fragment's particle in contact steps
     /// its own inverse mass, 1/kg, while inverseMass() is that of its share of the fragment.
     Real inverse_inertia{};
-    Real contact_radius{};  ///< m, R_c: half the distance to the nearest bonded seed (models E.4)
+    Real contact_radius{};  ///< m, R_c (contactRadii, models E.4)
     Real floor_radius{};    ///< m, to the farthest corner of the cell; of a sphere its radius; < 0: held
 
   private:

@@ -170,9 +170,12 @@ struct MeasureEnergy {
         const Real former = formerOverlap(pair, overlap, line.distance, params.drift),
                    unloaded = unloadedOverlap(spring, touch, former, overlap), pressed = overlap - unloaded;
         const Real radius = reduced(spheres.own, spheres.other);
-        return touchEnergy(
-            contactTouchLaw(law, params, pressed, radius, pairInertia(own.constants, other), touch.softest),
-            params, counted(pressed, former - unloaded), touch.spring);
+        const PairInertia<Real> against = pairInertia(own.constants, other);
+        const Real softest = params.softening == 0
+                                 ? touch.softest
+                                 : softestOfPair<StepKind::kContact>(params, against, touch.softest);
+        return touchEnergy(contactTouchLaw(law, params, pressed, radius, against, softest), params,
+                           counted(pressed, former - unloaded), touch.spring);
     }
 
     /// `turned_with`: as a step would have it that asked for the law.

@@ -94,15 +94,18 @@ DEM_FN ParticleConstants<Real> sharedConstants(const RigidBody& body, const Vec3
 }
 
 /// The same in substeps that carry the particle on. Rolling resistance there takes what it takes of the
-/// particle alone, or of the fragment's share where that turns more easily.
+/// particle alone, or of the fragment's share where that turns more easily. No contact is stiffer than with
+/// the particle's own mass (pairInertia, softestOfPair).
 template <class Real>
 DEM_FN ParticleConstants<Real> carriedConstants(const RigidBody& body, const ParticleConstants<Real>& shared,
                                                 const ParticleConstants<Real>& own) {
     const Sym3& j = body.inverse_inertia;
-    ParticleConstants<Real> carried = shared.seenByOther();
-    const Real share = Real(double(body.contact_share) * (j.xx + j.yy + j.zz));
-    carried.inverse_inertia = maxOf(share, own.inverse_inertia / Real(kRigidStride));
-    return carried;
+    const Real share = Real(double(body.contact_share) * (j.xx + j.yy + j.zz)),
+               heaviest = own.inverseMass() / Real(kRigidStride * kRigidStride);
+    const ParticleConstants<Real> carried{maxOf(shared.inverseMass(), heaviest),
+                                          maxOf(share, own.inverse_inertia / Real(kRigidStride)),
+                                          shared.contact_radius, shared.floor_radius};
+    return carried.seenByOther();
 }
 
 /// A rigid fragment: its slot and its places in RigidWork::active.

@@ -126,6 +126,16 @@ DEM_FN Real unloadedOverlap(const Vec4<Real>& slot, const KeptTouch<Real>& befor
     return minOf(found, maxOf(overlap, Real(0)));
 }
 
+/// N/m that the law may not exceed. Contact steps find a share of a whole fragment behind a touch, which
+/// could bear more than the particles themselves do in substeps. They make none stiffer than substeps would:
+/// at a hand-over the overlap stays, and would hold more than it has taken in.
+template <StepKind kStep, class Real>
+DEM_FN Real softestOfPair(const StepParams<Real>& params, const PairInertia<Real>& against, Real kept) {
+    if (kStep == StepKind::kSubstep) return kept;
+    const Real root = inverseSqrt(against.inverse_inertia);
+    return noStifferThan(kept, params.own_cap * (root * root));
+}
+
 /// Type 1. `held`: what `slot`, of this end, holds.
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
@@ -143,9 +153,10 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     const Real former = formerOverlap(pair, overlap, line.distance, params.drift);
     before.unloaded = unloadedOverlap(held, before, former, overlap);
     const Real pressed = overlap - before.unloaded;
+    const PairInertia<Real> against = pairInertia(own.constants, other);
     const TouchLaw<Real> law =
         contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)), reduced(spheres.own, spheres.other),
-                               pairInertia(own.constants, other), before.softest);
+                               against, softestOfPair<kStep>(params, against, before.softest));
     if (!touches) {
         releaseTouch<kLedger>(law, overlapChange(overlap, former), before, slot, Real(0.5), tally);
         return {};

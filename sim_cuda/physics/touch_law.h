@@ -49,9 +49,10 @@ enum class StepKind : uint32_t {
 /// What the step asks of every touch.
 template <class T>
 struct TouchStep {
-    T dt{};                  ///< s
-    T stiffness_cap{};       ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
-    T face_cap{T(1e30)};     ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
+    T dt{};               ///< s
+    T stiffness_cap{};    ///< 1/s^2: k <= stiffness_cap * m_e of plain contacts
+    T own_cap{};          ///< 1/s^2, contact steps: stiffness_cap of a substep, for the particles' own masses
+    T face_cap{T(1e30)};  ///< 1/s^2: the same of the faces of broken bonds (rigid steps are longer)
     uint32_t softening = 0;  ///< 1: contact steps; a contact remembers how soft it was
     uint32_t hertz = 0;      ///< 1: Hertz contacts
 };

@@ -97,7 +97,7 @@ std::vector<double> contactRadii(const BreakableBody& body) {
         radii[i] = body.particles[i].contact_radius;
         if (radii[i] > 0) return;
         const double nearest = cubes.nearestDistance(static_cast<uint32_t>(i));
-        radii[i] = std::isfinite(nearest) ? nearest / 2 : sphereRadius(body.particles[i].volume);
+        radii[i] = std::min(nearest / 2, sphereRadius(body.particles[i].volume));
     });
     return radii;
 }

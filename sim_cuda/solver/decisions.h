@@ -80,6 +80,7 @@ void Decisions<Backend, Real>::bookSoftening(uint32_t stride) {
     carried.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_substeps);
     rigid.arrays.constants = Span<const ParticleConstants<Real>>(constants.in_contact_steps);
     rigid.params = rigidParams(scene_.params, stride, stride);
+    rigid.params.drift = scene_.params.drift;  // a substep has brought the overlap to what it is
     scene_.backend.forEach(scene_.tables.counts.total,
                            BookSoftening<Real>{bonded, carried, rigid, scene_.regimes.rigid(),
                                                scene_.fragments.clusters.fragment(), scene_.regimes.regime(),

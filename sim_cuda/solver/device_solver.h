@@ -185,6 +185,7 @@ template <class Backend, class Real>
 void DeviceSolver<Backend, Real>::bookEnergy(bool on) {
     if (on == booksEnergy()) return;
     scene_.setup.params.ledger = on;
+    scene_.regimes.keepBooks(on);
     clearLedger();
     loop_.stepper().recordAhead(scene_);
 }

@@ -12,7 +12,7 @@ template <class Backend, class Real>
 class PendingKickSums {
   public:
     /// Keeps a reference to the backend.
-    PendingKickSums(Backend& backend, bool ledger) : backend_(backend), ledger_(ledger) {}
+    explicit PendingKickSums(Backend& backend) : backend_(backend) {}
     void allocate(uint32_t slots) { sums_ = backend_.template allocate<uint64_t>(6 * size_t{slots}); }
 
     /// After a contact step of `stride` substeps of dt s; `work`: bodies and labels.
@@ -22,10 +22,10 @@ class PendingKickSums {
     }
     /// `params`: of substeps; `arrays`: of the present state, with what is booked of carried particles.
     void gather(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, const RigidWork& work,
-                const PendingKicks& pending, uint32_t stride) {
+                const PendingKicks& pending, uint32_t stride, bool keeps_books) {
         if (!(pending.time > 0)) return;
-        ledger_ ? gatherWith<true>(arrays, params, work, pending, stride)
-                : gatherWith<false>(arrays, params, work, pending, stride);
+        keeps_books ? gatherWith<true>(arrays, params, work, pending, stride)
+                    : gatherWith<false>(arrays, params, work, pending, stride);
     }
 
   private:
@@ -42,7 +42,6 @@ class PendingKickSums {
     }
 
     Backend& backend_;
-    bool ledger_;
     typename Backend::template Buffer<uint64_t> sums_;
 };
 

@@ -11,9 +11,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim_cuda/kernels/book_bonds.h"
 #include "sim_cuda/kernels/in_turn.h"
-#include "sim_cuda/physics/hand_over.h"
-#include "sim_cuda/solver/body_constants.h"
 #include "sim_cuda/solver/clustering.h"
 #include "sim_cuda/solver/fragment_motion.h"
 #include "sim_cuda/solver/look_interval.h"
@@ -21,6 +20,7 @@
 #include "sim_cuda/solver/neighbour_lists.h"
 #include "sim_cuda/solver/pending_kicks.h"
 #include "sim_cuda/solver/solver_data.h"
+#include "sim_cuda/solver/wake_laws.h"
 
 namespace demolish {
 
@@ -46,6 +46,8 @@ class Regimes {
 
     Regimes(Backend& backend, const SceneSetup& setup, const SceneTables& tables);
 
+    /// From now on: decisions book what they dissipate.
+    void keepBooks(bool on) { keeps_books_ = on; }
     /// False: all is moved with its bonds, always, and nothing below is to be called.
     bool on() const { return hand_over_ || sleeping_; }
 
@@ -134,7 +136,7 @@ class Regimes {
 
     Backend& backend_;
     ParticleCounts counts_of_;
-    bool hand_over_, sleeping_, no_bonds_;
+    bool hand_over_, sleeping_, no_bonds_, keeps_books_ = false;
     uint32_t decision_substeps_;
     double at_once_;              ///< s
     double gentlest_hit_ = 1e30;  ///< m/s
@@ -171,25 +173,15 @@ Regimes<Backend, Real>::Regimes(Backend& backend, const SceneSetup& setup, const
       rest_substeps_(static_cast<uint32_t>(std::ceil(kRestSeconds / tables.time_step))),
       crumb_(hand_over_ ? crumbParticles(static_cast<double>(tables.counts.in_bodies) / tables.bodies) : 1),
       moved_(backend),
-      pending_(backend, setup.params.ledger),
+      pending_(backend),
       reader_(backend) {
+    keepBooks(setup.params.ledger);
     if (!on()) return;
     const uint32_t total = counts_of_.total;
-    std::vector<double> calm(tables.owners(), 0.0);
-    std::vector<WakeLaw<Real>> wake(tables.owners(), {Real(1e30), Real(1e30), Real(1e30)});
-    for (uint32_t b = 0; b < tables.bodies; ++b) {
-        const BodyInstance& body = setup.bodies[b];
-        const Material& material = body.material;
-        const double critical = weakestPainted(*body.body) * material.critical_velocity;
-        const double speed = calmSpeed(material.beta, critical);
-        calm[b] = speed * speed;
-        const WakeLaw<double> law = wakeLaw(material.beta, critical, body.threshold_share,
-                                            static_cast<double>(body.body->particles.size()));
-        wake[b] = {static_cast<Real>(law.heavy), static_cast<Real>(law.light), static_cast<Real>(law.body)};
-        gentlest_hit_ = std::min(gentlest_hit_, law.heavy);
-    }
-    calm_speed2_ = backend.uploaded(calm);
-    wake_ = backend.uploaded(wake);
+    const WakeLaws<Real> laws = wakeLaws<Real>(setup, tables);
+    gentlest_hit_ = laws.gentlest_hit;
+    calm_speed2_ = backend.uploaded(laws.calm_speed2);
+    wake_ = backend.uploaded(laws.wake);
     for (Buffer<uint32_t>* words : {&regime_, &former_, &island_, &flags_, &meets_, &speeds_})
         *words = backend.template allocate<uint32_t>(total);
     body_memory_ = backend.template allocate<BodyMemory>(total);
@@ -383,7 +375,12 @@ void Regimes<Backend, Real>::startBodies(const ChooseRegimes<Real>& choose, Solv
                      "choose regimes and start bodies");
     SubstepArrays<Real> arrays = data.arrays(lists.contacts());
     arrays.carried_tally = moved_.carriedTally();
-    pending_.gather(arrays, params, bodies, pending, contact_stride);
+    pending_.gather(arrays, params, bodies, pending, contact_stride, keeps_books_);
+    if (frame_starts && keeps_books_)
+        backend_.forEach(counts_of_.in_bodies,
+                         BookBondsAtRest<Real>{arrays, meetings.label, regime_.view(), former_.view(),
+                                               data.ledger.span(), double(params.dt)},
+                         "book bonds at rest");
     backend_.forEach(
         total,
         SettleRegimes<Real>{meetings.state, particles.out(data.current), particles.out(1 - data.current),

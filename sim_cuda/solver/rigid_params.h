@@ -13,6 +13,7 @@ template <class Real>
 StepParams<Real> rigidParams(StepParams<Real> params, uint32_t previous, uint32_t stride) {
     const double length = std::max<double>(stride, pushedSubsteps(previous, stride)),
                  dt = length * static_cast<double>(params.dt);
+    params.own_cap = params.stiffness_cap;
     params.drift = static_cast<Real>(previous) * params.dt;
     params.dt = static_cast<Real>(dt);
     params.stiffness_cap = params.face_cap = static_cast<Real>(kContactStiffnessShare / (dt * dt));

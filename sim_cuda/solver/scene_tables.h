@@ -78,7 +78,8 @@ void checkProjectile(const Projectile& projectile);
 void checkStart(const Projectile& projectile, const std::vector<Collider>& colliders);
 
 /// Half the distance to the nearest seed of the same body, m: no two particles of a body overlap at rest,
-/// whether bonded or not (physics A.6, models E.4).
+/// whether bonded or not (physics A.6, models E.4). At most the radius of a ball of the cell's volume: of a
+/// slender cell it would stick out, and push with a lever that its inertia is too small for.
 std::vector<double> contactRadii(const BreakableBody& body);
 /// Makes contact radii smaller where particles of different bodies overlap: no two bodies begin pressed into
 /// each other.

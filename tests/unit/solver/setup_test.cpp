@@ -54,6 +54,14 @@ TEST(SolverSetup, ContactRadiiNeverOverlapAtRest) {
         }
 }
 
+/// Of a slender cell, whose neighbours are far, a ball as far as half way to them would stick out.
+TEST(SolverSetup, ContactRadiiAreThoseOfTheCellsVolumeAtMost) {
+    constexpr double kRadius = 0.02;
+    BreakableBody body = *latticeBody(1, 1, 5, 0.1);
+    for (Particle& particle : body.particles) particle.volume = 4.0 / 3 * kPi * kRadius * kRadius * kRadius;
+    for (const double radius : contactRadii(body)) EXPECT_NEAR(radius, kRadius, 1e-12);
+}
+
 TEST(SolverSetup, CellsReachTowardsCollidersAsFarAsTheirCorners) {
     const auto body = latticeBody(4, 3, 4, 0.1, 0.2);
     const auto radii = floorRadii(*body);
