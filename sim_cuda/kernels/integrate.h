@@ -142,6 +142,24 @@ DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const Loade
         madd(-second_half, powerAt(Real(1), tally.released, before, after), tally.fracture);
 }
 
+/// A path changes the velocity of what it leads between two kicks, so that the first half of the next kick
+/// acts at the former one. `now`: as the step finds it.
+template <class Real>
+DEM_FN LoadedState<Real> beforeItWasLed(const SubstepArrays<Real>& arrays, uint32_t i,
+                                        const LoadedState<Real>& now) {
+    if (arrays.led_from.empty()) return now;
+    LoadedState<Real> before = now;
+    before.velocity = withLowOf(xyz(now.velocity) + xyz(arrays.led_from[2 * size_t{i}]), now.velocity);
+    before.spin = withLowOf(xyz(now.spin) + xyz(arrays.led_from[2 * size_t{i} + 1]), now.spin);
+    return before;
+}
+/// That kick is over; a dry step leaves what is remembered.
+template <class Real>
+DEM_FN void forgetHowItWasLed(const SubstepArrays<Real>& arrays, uint32_t i) {
+    if (!arrays.led_from.empty())
+        arrays.led_from[2 * size_t{i}] = arrays.led_from[2 * size_t{i} + 1] = Vec4<Real>{};
+}
+
 /// What holds a particle takes up the load, and gives the opposite of what that does.
 template <class Real>
 DEM_FN void bookHold(Vec4<Real>& ledger, const Wrench<Real>& load, const LoadedState<Real>& before,

@@ -28,12 +28,17 @@ DEM_FN void moveParticle(const SubstepArrays<Real>& arrays, const StepParams<Rea
     const LoadedState<Real> next =
         own.isCarried() ? carryOn(arrays, own, load, params) : kickAndDrift<kMovable>(own, load, params);
     if constexpr (kLedger) {
-        if (own.isCarried())
+        Vec4<Real>& ledger = arrays.ledger[own.id];
+        if (own.isCarried()) {
             bookCarried(arrays, own.id, tally);
-        else
-            bookLedger(arrays.ledger[own.id], tally, own.state, next, params.dt, params.booked);
-        if (own.constants.isHeld() && !own.isCarried())
-            bookHold(arrays.ledger[own.id], load, own.state, next, params.dt, params.booked);
+        } else if (own.constants.isHeld()) {
+            const LoadedState<Real> before = beforeItWasLed(arrays, own.id, own.state);
+            bookLedger(ledger, tally, before, next, params.dt, params.booked);
+            bookHold(ledger, load, before, next, params.dt, params.booked);
+            if (params.booked == KickShare::kAll) forgetHowItWasLed(arrays, own.id);
+        } else {
+            bookLedger(ledger, tally, own.state, next, params.dt, params.booked);
+        }
     }
     storeState(arrays.out, own.id, next);
 }

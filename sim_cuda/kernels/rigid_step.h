@@ -201,7 +201,8 @@ struct StepRigid {
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
             const uint32_t i = seat.particle;
-            const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+            LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
+            if (kLedger && body.isHeld()) before = beforeItWasLed(arrays, i, before);
             const Vec3<double> arm = rotate(body.turned, seat.arm);
             const Vec3<double> x = body.centre + arm, v = velocityAt(body.velocity, body.spin, arm);
             if (!body.stands()) {
@@ -211,8 +212,9 @@ struct StepRigid {
             const ParticleConstants<Real> shared = sharedConstants(body, seat.arm, seat.own);
             constants[i] = shared;
             if (carried_share > 0) in_substeps[i] = carriedConstants(body, shared, seat.own);
-            if (kLedger && body.isHeld()) bookHeld(seat, before);
+            if (kLedger && body.isHeld()) bookHeld(seat, before, afterKick(body, seat, before));
             if constexpr (kLedger) bookPushes(body, seat, before);
+            if (kLedger && body.isHeld()) forgetHowItWasLed(arrays, i);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
         }
@@ -252,11 +254,16 @@ struct StepRigid {
         after.spin = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
         return after;
     }
-    /// Of a held body, whose velocity is the same before and after the step; what it carries is still there.
-    DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& now) const {
-        Vec4<Real>& ledger = arrays.ledger[seat.particle];
-        bookHold(ledger, loads[seat.place].push().wrench, now, now, Real(push()));
-        bookHold(ledger, carried(seat.particle), now, now, Real(carried_share * push()));
+    /// Of a held body; what it carries is still there. A push lasts from the middle of the step before to
+    /// that of this one.
+    DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& before,
+                         const LoadedState<Real>& after) const {
+        Wrench<Real> load = carried(seat.particle);
+        load = {Real(carried_share) * load.force, Real(carried_share) * load.torque};
+        add(load, loads[seat.place].push().wrench);
+        const Real given = Real(previous) * powerAt(Real(0), load, before, after) +
+                           Real(stride) * powerAt(Real(1), load, before, after);
+        bookedWork(arrays.ledger[seat.particle]) -= Real(0.5) * params.dt * given;
     }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {

@@ -48,6 +48,7 @@ class Checkpoint {
     void putBack(Scene& scene) {
         scene.data.current = current_;
         scene.lists.adopt(used_, horizon_);
+        scene.held.forgetFormer(scene.data);
         size_t place = 0;
         visitAll(scene, [&](auto span) {
             const Span<unsigned char> bytes = bytesOf(span);

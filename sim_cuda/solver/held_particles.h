@@ -25,8 +25,12 @@ class HeldParticles {
     void mark(Span<const uint32_t> label, double from, double to);
     HoldsIn holds() const { return on() ? HoldsIn{leader_.view(), flags_.view()} : HoldsIn{}; }
     /// Sets the velocities of what paths lead, for `ahead` s from `now` (s) on: particles in both instants of
-    /// the state, which must be complete. Does not wait.
-    void lead(SolverData<Backend, Real>& data, double now, double ahead);
+    /// the state, which must be complete. Does not wait. `books`: remembers for the ledger what they were.
+    void lead(SolverData<Backend, Real>& data, double now, double ahead, bool books);
+    /// A step has been taken, or an earlier state has been put back.
+    void forgetFormer(SolverData<Backend, Real>& data) {
+        if (on()) backend_.fill(data.led_from.span(), Vec4<Real>{});
+    }
 
   private:
     template <class T>
@@ -93,14 +97,16 @@ void HeldParticles<Backend, Real>::mark(Span<const uint32_t> label, double from,
 }
 
 template <class Backend, class Real>
-void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double now, double ahead) {
+void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double now, double ahead,
+                                        bool books) {
     LeadHeld<Real> lead{particle_.view(),
                         {},
                         ledBetween(now, now + ahead),
                         ahead,
                         data.particles.in(data.current),
                         data.particles.out(data.current),
-                        data.particles.out(1 - data.current)};
+                        data.particles.out(1 - data.current),
+                        books ? data.led_from.span() : Span<Vec4<Real>>{}};
     for (uint32_t p = 0; p < paths_.size(); ++p) {
         const PathPose is = poseAt(paths_[p], now), then = poseAt(paths_[p], now + ahead);
         lead.path[p] = {pivots_[p] + then.way, is.turned, then.turned,

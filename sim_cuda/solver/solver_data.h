@@ -40,6 +40,7 @@ struct SolverData {
     Buffer<ParticleConstants<Real>> masses;  ///< of particles in bodies, where some are held: their own ones
     BondArrays<Backend, Real> bonds;
     Buffer<Vec4<Real>> collider_spring, ledger;
+    Buffer<Vec4<Real>> led_from;         ///< as in SubstepArrays
     Buffer<Vec4<Real>> fragment_start;   ///< as in FragmentVelocities
     Buffer<uint64_t> fragment_added[2];  ///< likewise
     Span<const uint32_t> label;          ///< likewise
@@ -96,6 +97,7 @@ SolverData<Backend, Real>::SolverData(Backend& backend, const SceneTables& table
     const uint32_t total = tables.counts.total;
     collider_spring = backend.template allocate<Vec4<Real>>(std::max<size_t>(1, size_t{colliders} * total));
     ledger = backend.template allocate<Vec4<Real>>(total);
+    if (!tables.anchor.empty()) led_from = backend.template allocate<Vec4<Real>>(2 * size_t{total});
     fragment_start = backend.template allocate<Vec4<Real>>(total);
     for (Buffer<uint64_t>& added : fragment_added)
         added = backend.template allocate<uint64_t>(3 * size_t{total});
@@ -240,7 +242,8 @@ SubstepArrays<Real> SolverData<Backend, Real>::arrays(ContactArrays<Backend, Rea
         carried,
         carried_tally,
         {label, fragment_start.view(), fragment_added[1 - current].view(), fragment_added[current].span()},
-        work};
+        work,
+        led_from.span()};
 }
 
 template <class Backend, class Real>

@@ -214,6 +214,37 @@ TEST_F(Paths, WhatIsLedThroughWhatIsAnchoredBooksNothing) {
     }
 }
 
+/// A block stands on a plate that begins to rise at full speed: in the kick of that moment the plate bears
+/// its weight at the speed before and after.
+TEST_F(Paths, WhatBeginsAtFullSpeedIsBookedByBothSpeeds) {
+    constexpr double kSpeed = 0.1, kStart = 0.1;
+    for (const Regimes regimes : kAllRegimes) {
+        SceneSetup setup = freeBody(latticeBody(4, 4, 4, kEdge));
+        setup.bodies[0].material.critical_velocity = 50;
+        setup.bodies[0].position = {0, kEdge, 0};
+        setup.bodies.push_back(setup.bodies[0]);
+        setup.bodies[1].body = latticeBody(6, 1, 6, kEdge);
+        setup.bodies[1].position = {0, 0, 0};
+        setup.params.gravity = {0, -9.81, 0};
+        setup.params.settle_time = 0.3;
+        setup.params.substeps = 40;
+        setup.anchors.push_back(
+            leading(setup, 1, {{{kStart, {}, {}}, {kStart + 1, {0, kSpeed, 0}, {}}}, false}));
+        auto solver = makeSolver(with(setup, regimes));
+        advance(*solver, 6);
+        solver->measure();
+        const double mass = setup.bodies[0].material.density * 64 * kEdge * kEdge * kEdge,
+                     start = energySum(solver->stats().energy);
+        EXPECT_NEAR(solver->stats().energy.external, 0, 1e-3 * mass * kSpeed * kSpeed);
+        advance(*solver, 3);
+        solver->measure();
+        EXPECT_GT(solver->stats().energy.external, mass * kSpeed * kSpeed);
+        // 0.02 and, of rigid bodies that sleep before, 0.16 by the later speed alone.
+        const double off = regimes.hand_over ? 0.05 : 1e-3;
+        EXPECT_NEAR(energySum(solver->stats().energy), start, off * mass * kSpeed * kSpeed);
+    }
+}
+
 TEST_F(Paths, ARunGoesOnFromASnapshotToTheSameBits) {
     auto solver = makeSolver(with(hammer(), {true, true}));
     advance(*solver, 15);
