@@ -143,14 +143,17 @@ DEM_FN void bookLedger(Vec4<Real>& ledger, const Tally<Real>& tally, const Loade
 }
 
 /// A path changes the velocity of what it leads between two kicks, so that the first half of the next kick
-/// acts at the former one. `now`: as the step finds it.
+/// acts at the former one. `now`: as the step finds it. `share`: of that half in the mean, where it is
+/// shorter or longer than the other one.
 template <class Real>
 DEM_FN LoadedState<Real> beforeItWasLed(const SubstepArrays<Real>& arrays, uint32_t i,
-                                        const LoadedState<Real>& now) {
+                                        const LoadedState<Real>& now, Real share = Real(1)) {
     if (arrays.led_from.empty()) return now;
+    const Vec3<Real> from = xyz(arrays.led_from[2 * size_t{i}]),
+                     turned_from = xyz(arrays.led_from[2 * size_t{i} + 1]);
     LoadedState<Real> before = now;
-    before.velocity = withLowOf(xyz(now.velocity) + xyz(arrays.led_from[2 * size_t{i}]), now.velocity);
-    before.spin = withLowOf(xyz(now.spin) + xyz(arrays.led_from[2 * size_t{i} + 1]), now.spin);
+    before.velocity = withLowOf(axpy(share, from, xyz(now.velocity)), now.velocity);
+    before.spin = withLowOf(axpy(share, turned_from, xyz(now.spin)), now.spin);
     return before;
 }
 /// That kick is over; a dry step leaves what is remembered.

@@ -24,14 +24,19 @@ struct KickRigid {
         if (place >= work.counts[kActiveCount]) return;
         const uint32_t i = work.active[place];
         const ParticleConstants<Real> own = own_constants[i];
-        if (own.isHeld()) return;
         Wrench<Real> load = loads[place].push().wrench;
         Vec4<Real>&kick = arrays.carried[2 * size_t{i}], &turn = arrays.carried[2 * size_t{i} + 1];
         if (carries != 0) add(load, Wrench<Real>{xyz(kick), xyz(turn)});
-        kick = withW((time * own.inverseMass()) * load.force, Real(0));
-        turn = withW((time * own.inverse_inertia) * load.torque, Real(0));
+        if (!own.isHeld()) {
+            kick = withW((time * own.inverseMass()) * load.force, Real(0));
+            turn = withW((time * own.inverse_inertia) * load.torque, Real(0));
+        }
         if (ledger == 0) return;
-        const LoadedState<Real> now = loadState(arrays.in, i);
+        LoadedState<Real> now = loadState(arrays.in, i);
+        if (own.isHeld()) {
+            now = beforeItWasLed(arrays, i, now);
+            bookHold(arrays.ledger[i], load, now, now, time, KickShare::kFirstHalf);
+        }
         bookLedger(arrays.ledger[i], loads[place].tally(), now, now, time, KickShare::kFirstHalf);
         if (carries != 0)
             bookLedger(arrays.ledger[i], takeCarriedTally(arrays, i), now, now, time, KickShare::kFirstHalf);

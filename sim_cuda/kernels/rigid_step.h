@@ -202,7 +202,7 @@ struct StepRigid {
             if (k != lane) seat = this->seat(row, k);
             const uint32_t i = seat.particle;
             LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-            if (kLedger && body.isHeld()) before = beforeItWasLed(arrays, i, before);
+            if (kLedger && body.isHeld()) before = beforeItWasLed(arrays, i, before, formerShare());
             const Vec3<double> arm = rotate(body.turned, seat.arm);
             const Vec3<double> x = body.centre + arm, v = velocityAt(body.velocity, body.spin, arm);
             if (!body.stands()) {
@@ -254,17 +254,15 @@ struct StepRigid {
         after.spin = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
         return after;
     }
-    /// Of a held body; what it carries is still there. A push lasts from the middle of the step before to
-    /// that of this one.
+    /// Of a held body; what it carries is still there, and has been felt at the velocity of this step alone.
     DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& before,
                          const LoadedState<Real>& after) const {
-        Wrench<Real> load = carried(seat.particle);
-        load = {Real(carried_share) * load.force, Real(carried_share) * load.torque};
-        add(load, loads[seat.place].push().wrench);
-        const Real given = Real(previous) * powerAt(Real(0), load, before, after) +
-                           Real(stride) * powerAt(Real(1), load, before, after);
-        bookedWork(arrays.ledger[seat.particle]) -= Real(0.5) * params.dt * given;
+        Vec4<Real>& ledger = arrays.ledger[seat.particle];
+        bookHold(ledger, loads[seat.place].push().wrench, before, after, Real(push()));
+        bookHold(ledger, carried(seat.particle), after, after, Real(carried_share * push()));
     }
+    /// Of push(), what belongs to the time before the step, doubled.
+    DEM_FN Real formerShare() const { return Real(previous / pushedSubsteps(previous, stride)); }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {
         const RigidRow row = this->row(entry);
