@@ -201,8 +201,7 @@ struct StepRigid {
         for (uint32_t k = lane; k < row.places(); k += lanes) {
             if (k != lane) seat = this->seat(row, k);
             const uint32_t i = seat.particle;
-            LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
-            if (kLedger && body.isHeld()) before = beforeItWasLed(arrays, i, before, formerShare());
+            const LoadedState<Real> before = loadWithoutRotation(arrays.in, arrays.in.position[i], i);
             const Vec3<double> arm = rotate(body.turned, seat.arm);
             const Vec3<double> x = body.centre + arm, v = velocityAt(body.velocity, body.spin, arm);
             if (!body.stands()) {
@@ -212,25 +211,32 @@ struct StepRigid {
             const ParticleConstants<Real> shared = sharedConstants(body, seat.arm, seat.own);
             constants[i] = shared;
             if (carried_share > 0) in_substeps[i] = carriedConstants(body, shared, seat.own);
-            if (kLedger && body.isHeld()) bookHeld(seat, before, afterKick(body, seat, before));
             if constexpr (kLedger) bookPushes(body, seat, before);
-            if (kLedger && body.isHeld()) forgetHowItWasLed(arrays, i);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
         }
     }
+    /// Of a held body its work, too. What it carries has been felt at the velocity of this step alone.
     DEM_FN void bookPushes(const RigidBody& body, const RigidSeat<Real>& seat,
-                           const LoadedState<Real>& before) const {
+                           const LoadedState<Real>& now) const {
         const uint32_t i = seat.particle;
-        const LoadedState<Real> after = afterKick(body, seat, before);
-        const auto book = [&](Real share, const Wrench<Real>& load, const Tally<Real>& tally) {
-            bookLedger(arrays.ledger[i], tally, before, after, share * Real(push()));
-            if (!body.isHeld())
+        const LoadedState<Real> after = afterKick(body, seat, now);
+        const auto book = [&](Real share, const Wrench<Real>& load, const Tally<Real>& tally,
+                              const LoadedState<Real>& before) {
+            const Real time = share * Real(push());
+            bookLedger(arrays.ledger[i], tally, before, after, time);
+            if (body.isHeld())
+                bookHold(arrays.ledger[i], load, before, after, time);
+            else
                 bookedDamping(arrays.ledger[i]) += share * stretchLoss(load, tally, before, after);
         };
-        book(Real(1), loads[seat.place].push().wrench, loads[seat.place].tally());
-        if (carried_share > 0) book(Real(carried_share), carried(i), takeCarriedTally(arrays, i));
+        book(Real(1), loads[seat.place].push().wrench, loads[seat.place].tally(),
+             body.isHeld() ? beforeItWasLed(arrays, i, now, formerShare()) : now);
+        if (carried_share > 0) book(Real(carried_share), carried(i), takeCarriedTally(arrays, i), now);
+        if (body.isHeld()) forgetHowItWasLed(arrays, i);
     }
+    /// Of push(), what belongs to the time before the step, doubled.
+    DEM_FN Real formerShare() const { return Real(previous / pushedSubsteps(previous, stride)); }
     /// J: what leapfrog keeps is half the mass times the velocities before and after a kick (physics B.1).
     /// Where a step is longer than the one before it, it keeps less of what pushes, and more where it is
     /// shorter: the half of their difference times the half of what the elastic part of the load gives.
@@ -254,15 +260,6 @@ struct StepRigid {
         after.spin = withLowOf(Vec3<Real>{Real(w.x), Real(w.y), Real(w.z)}, before.spin);
         return after;
     }
-    /// Of a held body; what it carries is still there, and has been felt at the velocity of this step alone.
-    DEM_FN void bookHeld(const RigidSeat<Real>& seat, const LoadedState<Real>& before,
-                         const LoadedState<Real>& after) const {
-        Vec4<Real>& ledger = arrays.ledger[seat.particle];
-        bookHold(ledger, loads[seat.place].push().wrench, before, after, Real(push()));
-        bookHold(ledger, carried(seat.particle), after, after, Real(carried_share * push()));
-    }
-    /// Of push(), what belongs to the time before the step, doubled.
-    DEM_FN Real formerShare() const { return Real(previous / pushedSubsteps(previous, stride)); }
     /// The CPU: all lanes of a fragment in turn.
     DEM_FN void operator()(uint32_t entry) const {
         const RigidRow row = this->row(entry);
