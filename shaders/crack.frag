@@ -9,11 +9,12 @@ in float half_width;
 in float strength;
 in float slant;
 in vec3 rest;
+flat in vec3 left;  // at rest
 layout(location = 6) uniform vec3 wall_colour;  // square root of the albedo
 layout(location = 0) out vec4 material_out;
 
 void main() {
     CrackPlace at = CrackPlace(place.x, place.y, place.z);
-    CrackCover cover = crackCover(at, half_width, strength, slant, raggedAt(rest));
+    CrackCover cover = crackCover(at, half_width, strength, slant, raggedAt(rest, left));
     material_out = vec4(crackRoot(cover, wall_colour), cover.hides);
 }

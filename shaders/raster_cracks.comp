@@ -8,9 +8,9 @@ layout(local_size_x = 128) in;
 #include "common/body.glsl"
 #include "common/commands.glsl"
 #include "common/visible.glsl"
-#include "common/crack.glsl"
 #include "common/noise.glsl"
 #include "common/crack_cover.glsl"
+#include "common/crack.glsl"
 #include "common/crack_sides.glsl"
 layout(location = 1) uniform vec2 sample_position[SAMPLES];  // inside the pixel, 0..1
 const uint kLanes = 4u;
@@ -19,21 +19,23 @@ const uint kLanes = 4u;
 struct End {
     vec4 clip;
     vec2 window;  // px
-    vec3 rest, seen, normal, to_eye;
+    vec3 rest, normal, to_eye;
     float half_width, strength, slant;
 };
 
-End endOf(uint vertex, float wide, FragmentTransform t, uint fragment, uint other) {
+End endOf(CrackLine line, int k, CrackEdge edge, uint fragment, uint other) {
+    uint vertex = k == 0 ? edge.vertex_0 : edge.vertex_1;
+    FragmentTransform t = transforms[fragment];
     End end;
     end.rest = restPosition(vertex);
-    end.seen = moved(t, end.rest);
+    CrackPoint seen = crackPoint(end.rest, t, transforms[other]);
     end.normal = rotate(t.rotation, restNormal(vertex));
-    end.to_eye = normalize(frame.eye.xyz - end.seen);
-    end.clip = frame.view_projection * vec4(lifted(end.seen, end.normal, end.to_eye), 1.0);
+    end.to_eye = normalize(frame.eye.xyz - seen.middle);
+    end.clip = frame.view_projection * vec4(lifted(seen.middle, end.normal, end.to_eye), 1.0);
     end.window = (end.clip.xy / max(end.clip.w, 1e-4) * 0.5 + 0.5) * frame.viewport.xy;
-    float wanted = onScreen(wide, end.clip.w);
-    end.half_width = 0.5 * max(wanted, kLeastPixels);
-    end.strength = strengthOf(wanted, dot(end.normal, end.to_eye), openingAt(end.rest, t, fragment, other));
+    float wanted = onScreen(widthAt(line, k, fragment != other), end.clip.w);
+    end.half_width = 0.5 * max(gapingShare(end.rest) * wanted, kLeastPixels);
+    end.strength = strengthOf(wanted, dot(end.normal, end.to_eye), seen.opening);
     return end;
 }
 
@@ -41,6 +43,7 @@ struct Ribbon {
     End ends[2];
     vec2 along, across;  // unit
     float extent;        // px
+    vec3 left;           // at rest
 };
 
 // `place`: x from the first end on, y across.
@@ -70,7 +73,7 @@ void paintPixel(Ribbon r, ivec2 pixel) {
     float t = place.x / r.extent, far = t * r.ends[0].clip.w, near = (1.0 - t) * r.ends[1].clip.w;
     t = clamp(far / max(far + near, 1e-6), 0.0, 1.0);
     noise_footprint = 1.0 / onScreen(1.0, mix(r.ends[0].clip.w, r.ends[1].clip.w, t));
-    vec2 ragged = raggedAt(mix(r.ends[0].rest, r.ends[1].rest, t));
+    vec2 ragged = raggedAt(mix(r.ends[0].rest, r.ends[1].rest, t), r.left);
     CrackPlace at = CrackPlace(place.y, place.x, r.extent - place.x);
     CrackCover cover = crackCover(at, mix(r.ends[0].half_width, r.ends[1].half_width, t), mix(r.ends[0].strength, r.ends[1].strength, t),
                                   mix(r.ends[0].slant, r.ends[1].slant, t), ragged);
@@ -101,14 +104,12 @@ void paint(Ribbon r, uint lane) {
 void drawLine(CrackLine line, uint lane) {
     CrackEdge edge = crack_edges[line.edge];
     uint fragment = particle_fragment[edge.cell_a], other = particle_fragment[edge.cell_b];
-    FragmentTransform t = transforms[fragment];
     Ribbon r;
-    bool apart = fragment != other;
-    r.ends[0] = endOf(edge.vertex_0, widthAt(line, 0, apart), t, fragment, other);
-    r.ends[1] = endOf(edge.vertex_1, widthAt(line, 1, apart), t, fragment, other);
+    for (int k = 0; k < 2; ++k) r.ends[k] = endOf(line, k, edge, fragment, other);
     if (max(r.ends[0].strength, r.ends[1].strength) <= 0.0) return;
     if (min(r.ends[0].clip.w, r.ends[1].clip.w) <= frame.depth_range.x) return;
-    for (int k = 0; k < 2; ++k) r.ends[k].slant = slantOf(r.ends[1].seen - r.ends[0].seen, r.ends[k].normal, r.ends[k].to_eye);
+    r.left = leftOf(r.ends[1].rest - r.ends[0].rest, restNormal(edge.vertex_0) + restNormal(edge.vertex_1));
+    for (int k = 0; k < 2; ++k) r.ends[k].slant = slantOf(rotate(transforms[fragment].rotation, r.left), r.ends[k].normal, r.ends[k].to_eye);
     vec2 way = r.ends[1].window - r.ends[0].window;
     r.extent = max(length(way), 1e-3);
     r.along = length(way) > 1e-4 ? way / length(way) : vec2(1.0, 0.0);

@@ -51,6 +51,7 @@ void readMaterial(TomlReader& reader, const std::string& prefix, Material& mater
     reader.read(prefix + "grit_per_m2", material.debris.grit_per_m2, {0, 1e6});
     reader.read(prefix + "dust_m2_per_m2", material.debris.dust_m2_per_m2, {0, 10});
     reader.read(prefix + "sparks", material.debris.sparks, {0, 1});
+    reader.read(prefix + "break_waves", material.break_waves, {0, 0.6});
     std::string law = material.bond_law == BondLaw::kBeam ? "beam" : "paper";
     reader.read(prefix + "bond_law", law);
     if (law != "beam" && law != "paper") reader.fail(prefix + "bond_law", "must be \"beam\" or \"paper\"");

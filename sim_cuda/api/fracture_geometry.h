@@ -69,9 +69,9 @@ struct OutsidePoint {
     Float3 axis;        ///< unit: normal of the plane, or direction of the edge, along which it slides
     float reach;        ///< m, how far it may slide
     SlideKind kind;
-    uint32_t cell;  ///< one whose outside it lies on
-    uint32_t pool;  ///< pool vertex, or kNoPool
-    uint32_t reserved = 0;
+    uint32_t cell;    ///< one whose outside it lies on
+    uint32_t pool;    ///< pool vertex, or kNoPool
+    float waves = 0;  ///< m, height of its body's (breakWaves); 0 until the body has a material
 };
 static_assert(sizeof(OutsidePoint) == 64);
 inline constexpr uint32_t kNoPool = 0xffffffffu;

@@ -47,6 +47,7 @@ struct Material {
     double bond_ratio = 0.5;     ///< a* of BondLaw::kSpheres, 0.1..0.9
     double fracture_energy = 0;  ///< Gamma, J/m^2: every bond as strong as (13) says; 0: as beta and v_c say
     Debris debris;
+    double break_waves = 0;  ///< height of waves on large breaks, over h, 0..0.6; drawn alone
 
     bool operator==(const Material&) const = default;
 };

@@ -14,6 +14,7 @@ struct CrackSmoothing {
     uint32_t steps;  ///< Laplacian steps on its face
     float limit;     ///< how far these move a vertex
     float rough;     ///< amplitude of the roughness laid over it
+    float waves;     ///< share of the material's waves, on line and face
 };
 
 inline constexpr uint32_t kMostSmoothingSteps = 30;
@@ -55,11 +56,11 @@ struct PiecesThere {
 
 /// `cells`: of the smallest piece that the crack bounds there.
 DEM_FN CrackSmoothing crackSmoothing(uint32_t cells) {
-    if (cells <= 1) return {0.0f, 0, 0.0f, 0.0f};
-    if (cells <= 4) return {0.3f, 2, 0.2f, kPlaneRoughness};
-    if (cells <= kMostCellsPlaned) return {0.5f, 5, 0.35f, kPlaneRoughness};
-    if (cells <= 30) return {0.8f, 12, 0.5f, kRoughness};
-    return {1.1f, kMostSmoothingSteps, kSmoothingLimit, kRoughness};
+    if (cells <= 1) return {0.0f, 0, 0.0f, 0.0f, 0.0f};
+    if (cells <= 4) return {0.3f, 2, 0.2f, kPlaneRoughness, 0.0f};
+    if (cells <= kMostCellsPlaned) return {0.5f, 5, 0.35f, kPlaneRoughness, 0.0f};
+    if (cells <= 30) return {0.8f, 12, 0.5f, kRoughness, 0.6f};
+    return {1.1f, kMostSmoothingSteps, kSmoothingLimit, kRoughness, 1.0f};
 }
 /// `pieces`: PiecesThere::word().
 DEM_FN CrackSmoothing faceSmoothing(uint32_t pieces) {

@@ -2,7 +2,9 @@
 // How far points of cracks have to go in this update, and which cells that stirs.
 #pragma once
 #include "sim_cuda/backend/atomics.h"
+#include "sim_cuda/data/crack_smoothing.h"
 #include "sim_cuda/data/outside_mesh.h"
+#include "sim_cuda/kernels/break_waves.h"
 
 namespace demolish {
 
@@ -13,11 +15,14 @@ inline constexpr uint32_t kCellStirred = 1, kCellBeside = 2;
 struct StartShift {
     /// Over h: less is not worth the work.
     static constexpr float kLeast = 0.01f;
+    /// Of the waves of a face: what slides over a curved outside bridges it with other chords, which costs
+    /// volume.
+    static constexpr float kRimWaves = 0.4f;
 
     OutsideMesh mesh;
     Span<const uint32_t> border;
     Span<const RimLink> link;
-    Span<const Float3> place, position;  ///< wanted, present
+    Span<const Float3> place, position;  ///< wanted without waves, present
     Span<Float3> tried;                  ///< where each set out for last: at rest before
     Span<Float3> shift, shift_before;    ///< both are written; 0 before
     Span<uint32_t> stirred;              ///< bits of cells
@@ -26,14 +31,12 @@ struct StartShift {
         const uint32_t p = border[i];
         if (link[p].kind == RimKind::kNone || link[p].fixed != 0) return;
         const OutsidePoint& point = mesh.points[p];
-        const Vec3<float> way = alongOutside(point, toVec3(place[p]) - toVec3(position[p]));
+        const Vec3<float> wanted = wantedPlace(p), way = alongOutside(point, wanted - toVec3(position[p]));
         const float least = kLeast * point.spacing;
         if (length2(way) < least * least) return;
         // A hairline that did not get there would not get there now: what was taken back would be again.
-        if (link[p].kind == RimKind::kHairline &&
-            length2(toVec3(place[p]) - toVec3(tried[p])) < least * least)
-            return;
-        tried[p] = place[p];
+        if (link[p].kind == RimKind::kHairline && length2(wanted - toVec3(tried[p])) < least * least) return;
+        tried[p] = toFloat3(wanted);
         shift[p] = toFloat3(way);
         shift_before[p] = toFloat3(way);
         for (uint32_t c = mesh.crack_start[p]; c < mesh.crack_start[p + 1]; ++c) {
@@ -41,6 +44,16 @@ struct StartShift {
             atomicOrU32(&stirred[edge.cell_a], kCellStirred);
             atomicOrU32(&stirred[edge.cell_b], kCellStirred);
         }
+    }
+
+  private:
+    DEM_FN Vec3<float> wantedPlace(uint32_t p) const {
+        const OutsidePoint& point = mesh.points[p];
+        const Vec3<float> rest = toVec3(point.position);
+        const Vec3<float> waves = breakWaves(rest, point.spacing, point.waves);
+        const Vec3<float> slid =
+            axpy(kRimWaves * crackSmoothing(link[p].smallest).waves, waves, toVec3(place[p]) - rest);
+        return rest + atMost(point.reach, alongOutside(point, slid));
     }
 };
 

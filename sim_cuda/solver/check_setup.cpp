@@ -55,6 +55,7 @@ void checkMaterial(const Material& material) {
     demandRange(material.debris.grit_per_m2, 0, 1e6, "Grit (grains above 1 mm a m^2)" + of);
     demandRange(material.debris.dust_m2_per_m2, 0, 10, "Dust (m^2 a m^2)" + of);
     demandRange(material.debris.sparks, 0, 1, "Sparks" + of);
+    demandRange(material.break_waves, 0, 0.6, "Waves of breaks" + of);
 }
 
 void checkBody(const BodyInstance& instance) {

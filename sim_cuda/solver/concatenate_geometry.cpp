@@ -79,7 +79,9 @@ void appendInterior(const FractureGeometry& from, const Offsets& offsets, Fractu
     append(from.pool_corner_previous, first_pool, to.pool_corner_previous);
 }
 
-void appendPoints(const FractureGeometry& from, const Offsets& offsets, FractureGeometry& to) {
+void appendPoints(const BodyInstance& instance, const Offsets& offsets, FractureGeometry& to) {
+    const FractureGeometry& from = instance.body->geometry;
+    const auto waves = static_cast<float>(instance.material.break_waves);
     const uint32_t first_point = count(to.points), first_triangle = count(to.mesh_triangles);
     const uint32_t first_pool = count(to.pool), first_edge = count(to.crack_edges);
     const uint32_t first_corner = count(to.point_corner_next), first_crack = count(to.point_cracks);
@@ -87,6 +89,7 @@ void appendPoints(const FractureGeometry& from, const Offsets& offsets, Fracture
         point.triangle += first_triangle;
         point.cell += offsets.cell;
         if (point.pool != kNoPool) point.pool += first_pool;
+        point.waves = waves * point.spacing;
         to.points.push_back(point);
     }
     for (const ExteriorHome& home : from.exterior_home)
@@ -136,10 +139,13 @@ SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies) {
         start->push_back(0);
     Offsets offsets;
     for (const BodyInstance& instance : bodies) {
-        appendPoints(instance.body->geometry, offsets, scene.geometry);  // before what it counts is appended
+        appendPoints(instance, offsets, scene.geometry);  // before what it counts is appended
         appendExterior(instance.body->geometry, offsets, scene.geometry);
         appendInterior(instance.body->geometry, offsets, scene.geometry);
         appendSpacings(*instance.body, scene.pool_spacing);
+        for (size_t v = scene.pool_waves.size(); v < scene.pool_spacing.size(); ++v)
+            scene.pool_waves.push_back(static_cast<float>(instance.material.break_waves) *
+                                       scene.pool_spacing[v]);
         offsets = offsetsAfter(offsets, *instance.body);
     }
     return scene;

@@ -12,6 +12,7 @@ namespace demolish {
 struct SceneGeometry {
     FractureGeometry geometry;        ///< cells, bonds, pool, vertices and faces numbered through the scene
     std::vector<float> pool_spacing;  ///< m, h of the body of each pool vertex
+    std::vector<float> pool_waves;    ///< m, height of the waves of its breaks
 };
 
 SceneGeometry concatenateGeometry(const std::vector<BodyInstance>& bodies);

@@ -25,6 +25,7 @@
 #include "sim_cuda/kernels/relax_pool_vertices.h"
 #include "sim_cuda/kernels/roughen_pool_vertices.h"
 #include "sim_cuda/kernels/spread_surface_distance.h"
+#include "sim_cuda/kernels/wave_pool_vertices.h"
 #include "sim_cuda/kernels/write_draw_commands.h"
 #include "sim_cuda/kernels/write_exterior_indices.h"
 #include "sim_cuda/kernels/write_interior_indices.h"
@@ -99,7 +100,7 @@ class FractureSurface {
     Buffer<CrackEdge> crack_edges_;
     Buffer<uint32_t> corner_start_, corner_face_, corner_next_, corner_previous_;
     Buffer<Float3> rest_;
-    Buffer<float> spacing_;
+    Buffer<float> spacing_, waves_;
     Buffer<uint8_t> surface_distance_;  ///< of pool vertices, in edges
     // changing
     Buffer<uint8_t> face_state_;
@@ -163,6 +164,7 @@ FractureSurface<Backend>::FractureSurface(Backend& backend, const SceneGeometry&
       corner_previous_(backend.uploaded(scene.geometry.pool_corner_previous)),
       rest_(backend.uploaded(scene.geometry.pool)),
       spacing_(backend.uploaded(scene.pool_spacing)),
+      waves_(backend.uploaded(scene.pool_waves)),
       surface_distance_(backend.template allocate<uint8_t>(rest_.size())),
       face_state_(backend.template allocate<uint8_t>(faces_.size())),
       movable_(backend, rest_.size()),
@@ -263,6 +265,10 @@ void FractureSurface<Backend>::bendNewFaces(const Fracture& fracture) {
     movable_.forEach(PlanePoolVertices{pieces, smallest_there_.view(), surface_distance_.view(), rest_.view(),
                                        spacing_.view(), position_.span(), previous_position_.span()},
                      "plane pool vertices");
+    movable_.forEach(WavePoolVertices{corners(), face_state_.view(), surface_distance_.view(),
+                                      pieces_there_.view(), rest_.view(), spacing_.view(), waves_.view(),
+                                      previous_position_.view(), position_.span()},
+                     "wave pool vertices");
     movable_.forEach(RoughenPoolVertices{surface_distance_.view(), pieces_there_.view(), rest_.view(),
                                          spacing_.view(), position_.span(), previous_position_.span()},
                      "roughen pool vertices");

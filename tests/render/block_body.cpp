@@ -144,7 +144,8 @@ void BlockBody::appendCrackEdges(const Face& face, uint32_t first_vertex) {
                 return first_vertex +
                        static_cast<uint32_t>(far_is_column ? t * (m + 1) + m : m * (m + 1) + t);
             };
-            crack_edges_.push_back({vertex(k), vertex(k + 1), face.cell, other, kNone});
+            const int turned = options_.turned_lines ? 1 : 0;
+            crack_edges_.push_back({vertex(k + turned), vertex(k + 1 - turned), face.cell, other, kNone});
         }
     }
 }
@@ -228,7 +229,7 @@ void BlockBody::write(FractureMesh& mesh, const std::function<uint32_t(uint32_t)
     }
     for (uint32_t k = 0; k < crack_edges_.size(); ++k) {
         const CrackEdge& edge = crack_edges_[k];
-        if (slots[edge.cell_a] == slots[edge.cell_b] && cracked(edge.cell_a, edge.cell_b))
+        if (cracked(edge.cell_a, edge.cell_b))
             cracks.push_back({k, glm::packHalf2x16(glm::vec2(options_.crack_width))});
     }
     const uint32_t commands[10] = {static_cast<uint32_t>(indices.size()), 1, 0, 0, 0, 6,

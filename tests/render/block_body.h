@@ -22,6 +22,7 @@ struct BlockOptions {
     int subdivisions = 1;    ///< of each cell face
     uint32_t seed = 1;
     float crack_width = 0.006f;  ///< m
+    bool turned_lines = false;   ///< of cracks: told from their other ends
     float deep = 0;  ///< m from the outside at which broken faces are as deep as they get; 0: nowhere
 };
 
@@ -45,7 +46,7 @@ class BlockBody {
     /// `cell_looks`: as FractureMeshData.
     FractureMesh makeMesh(std::span<const uint32_t> cell_looks = {}) const;
     /// Groups cells: `slot_of(cell)` is the lowest cell of its fragment. `motion_of(slot)` moves it.
-    /// `cracked(a, b)` lists the crack lines between two cells of one fragment. Writes all streams of the
+    /// `cracked(a, b)` lists the crack lines between two cells. Writes all streams of the
     /// mesh.
     void write(FractureMesh& mesh, const std::function<uint32_t(uint32_t)>& slot_of,
                const std::function<Motion(uint32_t)>& motion_of,

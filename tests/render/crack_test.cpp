@@ -41,9 +41,9 @@ TEST_F(Cracks, LieOnTheBody) {
 
 /// A crack down the middle of a white face, 200 px a metre. `aside`: rad, by which one looks from the left;
 /// `look`: of all cells.
-Scene crackedFace(float opening, float aside, uint32_t look = 0) {
+Scene crackedFace(const BlockOptions& block, float aside = 0, uint32_t look = 0) {
     Scene scene = wholeBlock();
-    scene.body = std::make_unique<BlockBody>(BlockOptions{.cells = 2, .crack_width = opening});
+    scene.body = std::make_unique<BlockBody>(block);
     const std::vector<uint32_t> looks(8, look);
     scene.mesh = std::make_unique<FractureMesh>(scene.body->makeMesh(looks));
     const auto isLeft = [&](uint32_t cell) { return scene.body->cellCentre(cell).z > 0; };
@@ -60,6 +60,9 @@ Scene crackedFace(float opening, float aside, uint32_t look = 0) {
     scene.view.camera.eye = scene.view.camera.target + 20.0f * glm::vec3(std::cos(aside), 0, std::sin(aside));
     scene.view.camera.field_of_view = 2 * std::atan(0.5f / 20);
     return scene;
+}
+Scene crackedFace(float opening, float aside, uint32_t look = 0) {
+    return crackedFace(BlockOptions{.cells = 2, .crack_width = opening}, aside, look);
 }
 
 /// Of each column of pixels across that crack what share of its light is gone, mean of 40 rows.
@@ -136,6 +139,45 @@ TEST_F(Cracks, TheEdgesOfACrackInRoughMaterialAreChipped) {
     rough.view.look.noise_strength = 0.5f;
     rough.view.look.noise_scale = 0.05f;
     EXPECT_GT(redPixels(renderer(), rough), 40u);
+}
+
+/// Edges of one line are told from either end.
+TEST_F(Cracks, AreRaggedAlikeWhicheverWayTheirEdgesAreTold) {
+    const auto rough = [](bool turned) {
+        Scene scene = crackedFace({.cells = 2, .crack_width = 20.0f / 200, .turned_lines = turned});
+        scene.view.look.noise_strength = 0.5f;
+        scene.view.look.noise_scale = 0.05f;
+        return scene;
+    };
+    EXPECT_LT(differingPixels(drawPicture(renderer(), rough(false)), drawPicture(renderer(), rough(true)), 8),
+              10u);
+}
+
+TEST_F(Cracks, BetweenFragmentsThatHaveMovedLieInTheMiddle) {
+    Scene scene = crackedFace({.cells = 2, .crack_width = 1});
+    const auto isLeft = [&](uint32_t cell) { return scene.body->cellCentre(cell).z > 0; };
+    uint32_t lowest[2] = {8, 8};
+    for (uint32_t cell = 8; cell-- > 0;) lowest[isLeft(cell)] = cell;
+    for (const float moved : {-3.0f, 3.0f}) {  // px, one of both alone
+        scene.body->write(
+            *scene.mesh, [&](uint32_t cell) { return lowest[isLeft(cell)]; },
+            [&](uint32_t slot) {
+                return Motion{.translation = {0, 0, isLeft(slot) == (moved > 0) ? moved / 200 : 0}};
+            },
+            [&](uint32_t a, uint32_t b) { return isLeft(a) != isLeft(b); });
+        scene.view.show_cracks = true;
+        const Image with = drawPicture(renderer(), scene);
+        scene.view.show_cracks = false;
+        const Image without = drawPicture(renderer(), scene);
+        double sum = 0, weighted = 0;
+        for (int x = 60; x < 140; ++x) {
+            const double hides = std::abs(with.at(x, 40)[1] - without.at(x, 40)[1]);
+            sum += hides;
+            weighted += hides * (x + 0.5);
+        }
+        ASSERT_GT(sum, 0);
+        EXPECT_NEAR(weighted / sum, 100 - 0.5 * moved, 0.4);  // the left is at z > 0
+    }
 }
 
 }  // namespace

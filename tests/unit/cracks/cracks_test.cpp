@@ -83,6 +83,17 @@ TEST(Cracks, OfARabbitWhoseCellsFollowToughOnesAreEvener) {
     EXPECT_LT(faces, 0.06);
 }
 
+/// Waves as high as a material may ask for.
+TEST(Cracks, WavesLeaveEveryPieceClosedAndTheVolumeAsItWas) {
+    Shot solid = tests::smallScene("bunny", 1500), shell = tests::smallScene("vase", 1500, {17});
+    const double even = measured(solid, 0.4).faces;
+    solid.material.break_waves = shell.material.break_waves = 0.6;
+    const CrackMeasures measures = measured(std::move(solid), 0.4);
+    expectSound(measures);
+    EXPECT_GT(measures.faces, 1.1 * even);
+    expectSound(measured(std::move(shell), 0.4));
+}
+
 /// Where a thin limb parts, what turns over goes back ring by ring, farther than what was untangled; and
 /// parts of 0.003 h at a sharp edge have a side, too.
 TEST(Cracks, NoPartOfTheOutsideTurnsOverHoweverABodyParts) {
