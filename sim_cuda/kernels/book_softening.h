@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What contacts lose when a fragment at one of their ends becomes rigid: from then on they are as soft as
-// contact steps need them, while their overlap stays. For the ledger alone.
+// What contacts lose when a fragment at one of their ends becomes rigid, from its bonds or from sleep: from
+// then on they are as soft as contact steps need them, while their overlap stays. For the ledger alone.
 #pragma once
 #include "sim_cuda/data/ledger.h"
 #include "sim_cuda/data/regimes.h"
@@ -26,17 +26,17 @@ struct BookSoftening {
             const BondLink link = arrays.link[s];
             const uint32_t j = linkedParticle(link);
             if (isBonded(link) || j < i || losesNothing(i, j, arrays.bond_spring[s])) continue;
-            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
-                return as.bondSlotEnergy(loadOwn(as.arrays, i), s);
+            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& seen) {
+                return seen.bondSlotEnergy(loadOwn(seen.arrays, i), s);
             });
         }
         for (uint32_t s = arrays.contact_row[i]; s < arrays.contact_row[i + 1]; ++s) {
             const uint32_t j = arrays.neighbour[s];
             const Vec4<Real> spring = arrays.contact_spring[s];
             if (j < i || losesNothing(i, j, spring)) continue;
-            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& as) {
-                const OwnParticle<Real> own = loadOwn(as.arrays, i);
-                return as.contactEnergy(own, j, as.spheres(own, j), spring);
+            lost += lostBy(i, j, [&](const MeasureEnergy<Real>& seen) {
+                const OwnParticle<Real> own = loadOwn(seen.arrays, i);
+                return seen.contactEnergy(own, j, seen.spheres(own, j), spring);
             });
         }
         lost += lostToColliders(i);
@@ -45,10 +45,10 @@ struct BookSoftening {
 
   private:
     DEM_FN bool isRigid(uint32_t i) const { return regime[label[i]] == wordOf(Regime::kRigid); }
-    DEM_FN bool becameRigid(uint32_t i) const {
-        return isRigid(i) && former[label[i]] == wordOf(Regime::kBonded);
-    }
     DEM_FN bool wasRigid(uint32_t i) const { return former[label[i]] == wordOf(Regime::kRigid); }
+    DEM_FN bool wasAsleep(uint32_t i) const { return former[label[i]] == wordOf(Regime::kAsleep); }
+    DEM_FN bool becameRigid(uint32_t i) const { return isRigid(i) && !wasRigid(i); }
+    DEM_FN bool movesByBonds(uint32_t i) const { return regime[label[i]] == wordOf(Regime::kBonded); }
     /// Of a contact: it has been softened before, or contact steps have not come to it yet, so that it has
     /// taken in nothing, however deep it is (MeasureEnergy). Faces of a bond that has just broken hold
     /// theirs.
@@ -56,22 +56,30 @@ struct BookSoftening {
         return hasBeenSofter(kept) || (holdsNothing(kept) && (wasRigid(i) || wasRigid(j)));
     }
 
+    /// What has stood has come into its overlap by no motion, though a path may just have given it one.
+    DEM_FN static MeasureEnergy<Real> as(MeasureEnergy<Real> energy, bool stood) {
+        energy.lets_go = energy.lets_go && !stood;
+        return energy;
+    }
+
     template <class Energy>
     DEM_FN Real lostBy(uint32_t i, uint32_t j, const Energy& energy) const {
         if ((!becameRigid(i) && !becameRigid(j)) || label[i] == label[j]) return Real(0);
-        return energy(bonded) - energy(isRigid(i) && isRigid(j) ? rigid : carried);
+        const bool stood = wasAsleep(i) && wasAsleep(j);
+        return energy(as(bonded, stood)) -
+               energy(as(movesByBonds(i) || movesByBonds(j) ? carried : rigid, stood));
     }
     DEM_FN Real lostToColliders(uint32_t i) const {
         Real lost{};
         if (!becameRigid(i)) return lost;
-        const OwnParticle<Real> before = loadOwn(bonded.arrays, i), after = loadOwn(rigid.arrays, i);
-        forEachCollider(bonded.params.colliders, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
-            if (!hasBeenSofter(bonded.arrays.collider_spring[c * bonded.params.total + i]))
-                lost +=
-                    bonded.colliderEnergy(before, c, bound,
-                                          TurnsAlone<Real>{cornersOf(bonded.arrays.corners, i), {}}) -
-                    rigid.colliderEnergy(after, c, bound,
-                                         TurnsFragment<Real>{work, cornersOf(rigid.arrays.corners, i), {}});
+        const MeasureEnergy<Real> then = as(bonded, wasAsleep(i)), now = as(rigid, wasAsleep(i));
+        const OwnParticle<Real> before = loadOwn(then.arrays, i), after = loadOwn(now.arrays, i);
+        forEachCollider(then.params.colliders, before, [&](uint32_t c, const TangentPlane<Real>& bound) {
+            if (!hasBeenSofter(then.arrays.collider_spring[c * then.params.total + i]))
+                lost += then.colliderEnergy(before, c, bound,
+                                            TurnsAlone<Real>{cornersOf(then.arrays.corners, i), {}}) -
+                        now.colliderEnergy(after, c, bound,
+                                           TurnsFragment<Real>{work, cornersOf(now.arrays.corners, i), {}});
         });
         return lost;
     }
