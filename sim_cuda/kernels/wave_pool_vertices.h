@@ -9,7 +9,8 @@
 
 namespace demolish {
 
-/// Of one vertex that has been relaxed. Reads neighbours in `before`, writes `position`.
+/// Of one vertex that has been relaxed. Its neighbours are moving, too: how it lies among them is read from
+/// `before`, which is at most a smoothing step older than `position`.
 struct WavePoolVertices {
     PoolCorners corners;
     Span<const uint8_t> face_state, surface_distance;
@@ -25,7 +26,7 @@ struct WavePoolVertices {
         const float inside =
             static_cast<float>(surface_distance[v] + 1) / static_cast<float>(kInnerDistance + 1);
         const Vec3<float> way = across(v, breakWaves(toVec3(rest[v]), spacing[v], waves[v]));
-        position[v] = toFloat3(axpy(share * inside, way, toVec3(before[v])));
+        position[v] = toFloat3(axpy(share * inside, way, toVec3(position[v])));
     }
 
   private:
