@@ -40,12 +40,14 @@ DEM_FN BondEffect<T> loadEffect(const BondLoad<T>& load, const BondDeformation<T
 /// What the bond's springs do: minus the slope of bondEnergy() by either end's place and turning, however far
 /// the two are bent (B.2). Up to the second order that is loadEffect(load, d). Beyond, twist and bending mix
 /// where they differ in stiffness, and n turns otherwise than either end: with loadEffect() a needle that
-/// bent by radians gained two fifths of a shot's energy.
+/// bent by radians gained two fifths of a shot's energy. In a folded bond n changes its length, too.
 template <class T>
 DEM_FN BondEffect<T> elasticEffect(const BondStiffness<T>& k, const BondLoad<T>& load,
                                    const BondDeformation<T>& d) {
-    const Vec3<T> mixed = ((k.torsion - k.bending) * d.twist) * d.bending;
-    const Vec3<T> by_normal = axpy((k.normal - k.shear) * d.stretch, d.shear, mixed);
+    const T by_stretch = (k.normal - k.shear) * d.stretch, by_twist = (k.torsion - k.bending) * d.twist;
+    const T by_length = d.folded ? madd(by_stretch, d.stretch, by_twist * d.twist) : T(0);
+    const Vec3<T> mixed = by_twist * d.bending;
+    const Vec3<T> by_normal = axpy(by_length, d.normal, axpy(by_stretch, d.shear, mixed));
     const Vec3<T> alike = d.cosine * axpy(load.torsion_moment, d.normal, load.bending_moment);
     const Vec3<T> unlike = T(0.5) * cross(d.normal, mixed);
     BondEffect<T> effect;

@@ -7,20 +7,25 @@
 
 namespace demolish {
 
+/// Of the rest length: a bond is folded where its two halves, each turned with its own end, add up to less.
+/// Bent by more than 120 degrees, that is; at 180 degrees they cancel, and no way from i to j is left.
+inline constexpr double kFolded = 0.5;
+
 /// j relative to i; stretch > 0 in tension.
 template <class T>
 struct BondDeformation {
-    Vec3<T> normal;   ///< n, unit, from i to j
+    Vec3<T> normal;   ///< n, from i to j; unit, but shorter in a folded bond, down to nothing
     Vec3<T> reach_i;  ///< m, l_i n_i: half of the rest vector, turned with i
     Vec3<T> reach_j;  ///< m, l_j n_j: the other half, turned with j
     Vec3<T> arm_i;    ///< m, P_i: the common point seen from i
     Vec3<T> arm_j;    ///< m, P_j: the same point seen from j
-    T closeness{};    ///< 1/m, 1/|l_i n_i + l_j n_j|: how fast n turns with the reaches' ends
+    T closeness{};    ///< 1/m, of n to l_i n_i + l_j n_j: how fast n turns with the reaches' ends
     T stretch{};      ///< m, u_N
     Vec3<T> shear;    ///< m, u_T
     T twist{};        ///< rad, theta_N, right-handed about n
     Vec3<T> bending;  ///< rad, theta_T
     T cosine{};       ///< of half the angle between the two, 0 to 1
+    bool folded{};    ///< kFolded: closeness grows no further
 };
 
 /// Rates of the four channels: the damper's input.
@@ -42,7 +47,9 @@ DEM_FN BondDeformation<T> bondDeformation(const Vec3<T>& rest, const PairMotion<
     const Quat<T> dq = relativeRotation(pair.rotation_i, pair.rotation_j);
     const T sign = dq.w < T(0) ? T(-2) : T(2);
     const Vec3<T> theta = sign * vectorPart(dq);
-    d.closeness = inverseSqrt(length2(both));
+    const T squared = length2(both), least = T(kFolded * kFolded) * length2(rest);
+    d.folded = squared < least;
+    d.closeness = inverseSqrt(d.folded ? least : squared);
     d.normal = d.closeness * both;
     d.arm_i = axpy(T(0.5), u, d.reach_i);
     d.arm_j = -axpy(T(0.5), u, d.reach_j);

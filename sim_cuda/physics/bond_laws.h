@@ -78,10 +78,13 @@ DEM_FN bool bondBreaks(T severity, T limit) {
 
 /// Elastic energy, J: half of stiffness times square in each channel (A.3). Since theta = 2 sin(angle/2)
 /// (bondDeformation), turning takes in 1 - cos(angle) times the stiffness, which is smooth all the way round.
+/// What a folded bond's short n leaves of u and theta counts as shear and bending.
 template <class T>
 DEM_FN T bondEnergy(const BondStiffness<T>& k, const BondDeformation<T>& d) {
-    return T(0.5) * (k.normal * d.stretch * d.stretch + k.shear * length2(d.shear) +
-                     k.torsion * d.twist * d.twist + k.bending * length2(d.bending));
+    const T stretch2 = d.stretch * d.stretch, twist2 = d.twist * d.twist;
+    const T left = d.folded ? T(1) - length2(d.normal) : T(0);
+    const T shear2 = length2(d.shear) + left * stretch2, bending2 = length2(d.bending) + left * twist2;
+    return T(0.5) * (k.normal * stretch2 + k.shear * shear2 + k.torsion * twist2 + k.bending * bending2);
 }
 
 }  // namespace demolish

@@ -76,6 +76,31 @@ TEST(BondKinematics, ABondPullsAndTurnsByTheSlopeOfItsEnergy) {
         EXPECT_LT(length(effect.torque_i - slope.torque), 1e-6 * length(effect.torque_i));
     }
 }
+/// J, of two bonded particles of 1 kg that are let go bent by `angle` and askew, before and after 2,000 steps.
+std::pair<double, double> energiesLetGo(double angle, std::mt19937& random) {
+    auto set = test::chain<double>(1, 0.0625, stiffness<double>());
+    set.inertia = 6e-4;
+    set.particles[1].rotation = test::turn(normalized(drawVector<double>(random, 1.0)), angle);
+    set.particles[1].position = set.particles[1].position + drawVector<double>(random, 0.01);
+    const double before = set.elasticEnergy();
+    for (int k = 0; k < 2000; ++k) set.step(2e-5);
+    double after = set.elasticEnergy();
+    for (const auto& s : set.particles)
+        after += 0.5 * (set.mass * length2(s.velocity) + set.inertia * length2(s.spin));
+    return {before, after};
+}
+/// Bent by half a turn, the ends say no way from one to the other.
+TEST(BondKinematics, ABondBentByHalfATurnGivesBackWhatItHolds) {
+    std::mt19937 random(23);
+    double before = 0, after = 0;
+    for (int k = 0; k < 100; ++k) {
+        const auto [first, last] = energiesLetGo(kPi - 0.02 * (k % 10), random);
+        EXPECT_NEAR(last / first, 1, 0.1) << k;
+        before += first;
+        after += last;
+    }
+    EXPECT_NEAR(after / before, 1, 0.01);
+}
 /// Rubber bends by a radian before it breaks.
 TEST(BondKinematics, ABondHoldsWhatItHasTakenInHoweverFarItTurns) {
     for (const double angle : {0.01, 0.3, 1.0, 2.0, -1.5}) {
