@@ -88,13 +88,22 @@ DEM_FN void storeState(const StateOut<Real>& out, uint32_t i, const LoadedState<
     out.spin[i] = state.spin;
 }
 
+/// m/s: what a carried particle moves by beside its velocity, where a path has changed that since the last
+/// contact step. Until the moment of the step it goes by the former one, which its first substep, half a step
+/// back, has in full; the others go on along the mean of both.
+template <class Real>
+DEM_FN Vec3<Real> carriedLed(const SubstepArrays<Real>& arrays, const StepParams<Real>& params, uint32_t i) {
+    const Real share = params.carry_time != params.dt ? Real(1) : Real(0.5);
+    return arrays.led_from.empty() ? Vec3<Real>{} : share * xyz(arrays.led_from[2 * size_t{i}]);
+}
+
 /// A particle of a rigid fragment in a substep: on along its velocity; what it feels is added up for the
 /// contact step of its fragment. `load`: N, N m.
 template <class Real>
 DEM_FN LoadedState<Real> carryOn(const SubstepArrays<Real>& arrays, const OwnParticle<Real>& own,
                                  const Wrench<Real>& load, const StepParams<Real>& params) {
     LoadedState<Real> next = own.state;
-    const Vec3<Real> velocity = xyz(own.state.velocity);
+    const Vec3<Real> velocity = xyz(own.state.velocity) + carriedLed(arrays, params, own.id);
     Vec3<Real> low = lowPart(own.state.position, own.state.velocity, own.state.spin);
     addToPosition(params.carry_time * velocity.x, next.position.x, low.x);
     addToPosition(params.carry_time * velocity.y, next.position.y, low.y);

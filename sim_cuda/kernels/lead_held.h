@@ -87,7 +87,7 @@ struct LeadHeld {
     double ahead = 0;  ///< s
     StateIn<Real> now;
     StateOut<Real> state, other;  ///< the memory behind `now`; the other instant
-    Span<Vec4<Real>> led_from;    ///< as in SubstepArrays; none: no books are kept
+    Span<Vec4<Real>> led_from;    ///< as in SubstepArrays
 
     DEM_FN void operator()(uint32_t k) const {
         const LedParticle own = particle[k];
@@ -105,11 +105,9 @@ struct LeadHeld {
   private:
     DEM_FN void set(uint32_t i, const Vec3<double>& v, const Vec3<double>& w) const {
         const Vec3<Real> velocity{Real(v.x), Real(v.y), Real(v.z)}, spin{Real(w.x), Real(w.y), Real(w.z)};
-        if (!led_from.empty()) {
-            Vec4<Real>&from = led_from[2 * size_t{i}], &turned_from = led_from[2 * size_t{i} + 1];
-            from = withW(xyz(from) + (xyz(now.velocity[i]) - velocity), Real(0));
-            turned_from = withW(xyz(turned_from) + (xyz(now.spin[i]) - spin), Real(0));
-        }
+        Vec4<Real>&from = led_from[2 * size_t{i}], &turned_from = led_from[2 * size_t{i} + 1];
+        from = withW(xyz(from) + (xyz(now.velocity[i]) - velocity), Real(0));
+        turned_from = withW(xyz(turned_from) + (xyz(now.spin[i]) - spin), Real(0));
         state.velocity[i] = withLowOf(velocity, state.velocity[i]);
         state.spin[i] = withLowOf(spin, state.spin[i]);
         other.velocity[i] = withLowOf(velocity, other.velocity[i]);

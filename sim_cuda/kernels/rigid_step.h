@@ -212,11 +212,12 @@ struct StepRigid {
             constants[i] = shared;
             if (carried_share > 0) in_substeps[i] = carriedConstants(body, shared, seat.own);
             if constexpr (kLedger) bookPushes(body, seat, before);
+            if (body.isHeld()) forgetHowItWasLed(arrays, i);
             if (carried_share > 0)
                 arrays.carried[2 * size_t{i}] = arrays.carried[2 * size_t{i} + 1] = Vec4<Real>{};
         }
     }
-    /// Of a held body its work, too. What it carries has been felt at the velocity of this step alone.
+    /// Of a held body its work, too. What it carries has been felt from half a step before the moment on.
     DEM_FN void bookPushes(const RigidBody& body, const RigidSeat<Real>& seat,
                            const LoadedState<Real>& now) const {
         const uint32_t i = seat.particle;
@@ -232,8 +233,9 @@ struct StepRigid {
         };
         book(Real(1), loads[seat.place].push().wrench, loads[seat.place].tally(),
              body.isHeld() ? beforeItWasLed(arrays, i, now, formerShare()) : now);
-        if (carried_share > 0) book(Real(carried_share), carried(i), takeCarriedTally(arrays, i), now);
-        if (body.isHeld()) forgetHowItWasLed(arrays, i);
+        if (carried_share > 0)
+            book(Real(carried_share), carried(i), takeCarriedTally(arrays, i),
+                 body.isHeld() ? beforeItWasLed(arrays, i, now) : now);
     }
     /// Of push(), what belongs to the time before the step, doubled.
     DEM_FN Real formerShare() const { return Real(previous / pushedSubsteps(previous, stride)); }

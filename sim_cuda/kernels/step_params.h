@@ -65,8 +65,8 @@ struct SubstepArrays {
     Span<Vec4<Real>> carried_tally;  ///< four a particle, for the ledger: of that, what damps and what rubs
     FragmentVelocities<Real> fragments;
     BondedWork work;
-    Span<Vec4<Real>> led_from;  ///< two a particle, for the ledger: velocity and spin before a path changed
-                                ///< them since the last step, less those of now; none: nothing is held
+    Span<Vec4<Real>> led_from;  ///< two a particle: velocity and spin before a path changed them since the
+                                ///< last step, less those of now; none: nothing is held
 };
 
 /// Of what belongs to an owner, against collider c.

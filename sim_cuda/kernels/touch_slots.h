@@ -67,14 +67,15 @@ DEM_FN KeptTouch<Real> touchAfter(const TouchLaw<Real>& law, const TouchEffect<R
     return {effect.spring, law.softens ? law.stiffness : before.softest, before.unloaded};
 }
 
-/// `before`: as it was; writes what it becomes to `slot`, and books half of the pair's energy.
+/// `before`: as it was; writes what it becomes to `slot`, and books half of the pair's energy. `led`: m/s,
+/// of ledOpening().
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> applyTouch(const TouchGeometry<Real>& at, const TouchLaw<Real>& law,
                                const PairMotion<Real>& pair, const KeptTouch<Real>& before, Vec4<Real>& slot,
-                               const StepParams<Real>& params, Tally<Real>& tally) {
+                               const StepParams<Real>& params, Real led, Tally<Real>& tally) {
     const TouchEffect<Real> effect = touchEffect<kStep>(at, law, pair, before.spring, params.dt);
     if constexpr (kLedger) {
-        const Real overlap = overlapBefore(at.overlap, effect.opening, params.drift);
+        const Real overlap = overlapBefore(at.overlap, effect.opening + led, params.drift);
         bookTouch(law, effect, overlapChange(at.overlap, overlap), before, Real(0.5), tally);
     }
     slot = packed(touchAfter(law, effect, before), at.normal);
@@ -136,13 +137,27 @@ DEM_FN Real softestOfPair(const StepParams<Real>& params, const PairInertia<Real
     return noStifferThan(kept, params.own_cap * (root * root));
 }
 
-/// Type 1. `held`: what `slot`, of this end, holds.
+/// m/s, how much faster the two parted along `normal` before a path changed the velocity of either, if that
+/// was since the last contact step: their overlap has come about by that. For the ledger.
+template <bool kLedger, StepKind kStep, class Real>
+DEM_FN Real ledOpening(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
+                       const OwnParticle<Real>& own, uint32_t j, const ParticleConstants<Real>& other,
+                       const Vec3<Real>& normal) {
+    if (!kLedger || arrays.led_from.empty()) return Real(0);
+    const auto led = [&](uint32_t k, bool carried) {
+        if (kStep == StepKind::kContact) return xyz(arrays.led_from[2 * size_t{k}]);
+        return carried ? carriedLed(arrays, params, k) : Vec3<Real>{};
+    };
+    return dot(led(j, other.isMovedByOther()) - led(own.id, own.isCarried()), normal);
+}
+
+/// Type 1. `held`: what `slot`, of this end, holds; `led`: m/s, of ledOpening().
 template <bool kLedger, StepKind kStep = StepKind::kSubstep, class Real>
 DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<Real>& pair_law,
                                  const OwnParticle<Real>& own, const ParticleConstants<Real>& other,
                                  const Spheres<Real>& spheres, const PairMotion<Real>& pair,
                                  const CentreLine<Real>& line, const Vec4<Real>& held, Vec4<Real>& slot,
-                                 Tally<Real>& tally) {
+                                 Real led, Tally<Real>& tally) {
     const Real overlap = (spheres.own + spheres.other) - line.distance;
     const bool touches = overlap > Real(0);
     if (!kLedger && !touches) {
@@ -158,13 +173,14 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
         contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)), reduced(spheres.own, spheres.other),
                                against, softestOfPair<kStep>(params, against, before.softest));
     if (!touches) {
-        releaseTouch<kLedger>(law, overlapChange(overlap, former), before, slot, Real(0.5), tally);
+        const Real then = madd(params.drift, led, former);
+        releaseTouch<kLedger>(law, overlapChange(overlap, then), before, slot, Real(0.5), tally);
         return {};
     }
     const Real arm_i = madd(Real(-0.5), overlap, spheres.own),
                arm_j = madd(Real(-0.5), overlap, spheres.other);
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, pressed, arm_i, arm_j}, law, pair,
-                                      before, slot, params, tally);
+                                      before, slot, params, led, tally);
 }
 
 /// Both ends are moved in contact steps and this is a substep, or the other end alone is moved by the other
@@ -223,9 +239,11 @@ DEM_FN Wrench<Real> contactSlot(const SubstepArrays<Real>& arrays, const StepPar
     const PairMotion<Real> pair = pairMotion(own.state, loadWithoutRotation(arrays.in, end.position, end.id));
     const uint32_t owner = end.owner == kUnknownOwner ? arrays.owner[end.id] : end.owner;
     const PairLaw<Real> law = arrays.pair_laws[own.owner * params.owners + owner];
-    return plainContact<kLedger, kStep>(params, law, own, other, contactSpheres(own.constants, other), pair,
-                                        centreLine(pair.separation), end.kept, arrays.contact_spring[slot],
-                                        tally);
+    const CentreLine<Real> line = centreLine(pair.separation);
+    return plainContact<kLedger, kStep>(
+        params, law, own, other, contactSpheres(own.constants, other), pair, line, end.kept,
+        arrays.contact_spring[slot],
+        ledOpening<kLedger, kStep>(arrays, params, own, end.id, other, line.normal), tally);
 }
 
 /// A slot of the bonds as it is, and its other end, which is always the same.
@@ -260,7 +278,7 @@ template <bool kLedger, class Real>
 DEM_FN void partFaces(const SubstepArrays<Real>& arrays, const StepParams<Real>& params,
                       const OwnParticle<Real>& own, const FormerBond<Real>& former,
                       const PairMotion<Real>& pair, const CentreLine<Real>& line, Real overlap,
-                      Real rest_length, Tally<Real>& tally) {
+                      Real rest_length, Real led, Tally<Real>& tally) {
     Vec4<Real>& slot = arrays.bond_spring[former.slot];
     if constexpr (kLedger) {
         const BondConstants<Real> bond = facesOf(former, arrays.body_laws[own.owner], params,
@@ -268,7 +286,8 @@ DEM_FN void partFaces(const SubstepArrays<Real>& arrays, const StepParams<Real>&
         TouchLaw<Real> faces;
         faces.stiffness = bond.stiffness.normal;
         faces.shear = bond.stiffness.shear;
-        const Real before = formerOverlap(pair, overlap, line.distance, params.drift);
+        const Real before =
+            madd(params.drift, led, formerOverlap(pair, overlap, line.distance, params.drift));
         releaseTouch<true>(faces, overlapChange(overlap, before), touchOf(former.spring, line.normal), slot,
                            Real(0.5), tally);
     } else {
@@ -284,11 +303,13 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
                                const PairMotion<Real>& pair, const CentreLine<Real>& line,
                                Tally<Real>& tally) {
     const Real rest_length = length(xyz(former.rest)), overlap = brokenOverlap(rest_length, line.distance);
+    const ParticleConstants<Real>& other = former.constants;
+    const Real led =
+        ledOpening<kLedger, kStep>(arrays, params, own, linkedParticle(former.link), other, line.normal);
     if (!(overlap > Real(0))) {
-        partFaces<kLedger>(arrays, params, own, former, pair, line, overlap, rest_length, tally);
+        partFaces<kLedger>(arrays, params, own, former, pair, line, overlap, rest_length, led, tally);
         return {};
     }
-    const ParticleConstants<Real>& other = former.constants;
     const BodyLaw<Real> body = arrays.body_laws[own.owner];
     const PairInertia<Real> against = pairInertia(own.constants, other);
     const Real radius = reduced(own.constants.contact_radius, other.contact_radius);
@@ -297,7 +318,7 @@ DEM_FN Wrench<Real> brokenBond(const SubstepArrays<Real>& arrays, const StepPara
     const Real arm = Real(0.5) * line.distance;
     return applyTouch<kLedger, kStep>(TouchGeometry<Real>{line.normal, overlap, arm, arm}, law, pair,
                                       touchOf(former.spring, line.normal), arrays.bond_spring[former.slot],
-                                      params, tally);
+                                      params, led, tally);
 }
 
 /// Faces may touch before the spheres do.
@@ -326,7 +347,8 @@ DEM_FN Wrench<Real> touchingFormerBond(const SubstepArrays<Real>& arrays, const 
     return plainContact<kLedger, kStep>(
         params, law, own, former.constants,
         recordedSpheres(former.link, former.rest, own.constants, former.constants), pair, line, former.spring,
-        arrays.bond_spring[former.slot], tally);
+        arrays.bond_spring[former.slot],
+        ledOpening<kLedger, kStep>(arrays, params, own, j, former.constants, line.normal), tally);
 }
 /// A record that is no solid bond: of ends that are apart no more is read than it takes to see
 /// it.

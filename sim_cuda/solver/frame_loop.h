@@ -205,7 +205,7 @@ void FrameLoop<Backend, Real>::leadHeld(uint32_t n) {
     if (!scene_.held.leads(now - kRigidStretch.length() * dt, now + n * dt)) return;
     stepper_.placeRigid(scene_);
     stepper_.listsChange();
-    scene_.held.lead(scene_.data, now, n * dt, scene_.setup.params.ledger);
+    scene_.held.lead(scene_.data, now, n * dt);
     if (scene_.regimes.on()) scene_.regimes.leadBodies(scene_.data, scene_.fragments.clusters);
 }
 

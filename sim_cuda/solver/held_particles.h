@@ -25,8 +25,8 @@ class HeldParticles {
     void mark(Span<const uint32_t> label, double from, double to);
     HoldsIn holds() const { return on() ? HoldsIn{leader_.view(), flags_.view()} : HoldsIn{}; }
     /// Sets the velocities of what paths lead, for `ahead` s from `now` (s) on: particles in both instants of
-    /// the state, which must be complete. Does not wait. `books`: remembers for the ledger what they were.
-    void lead(SolverData<Backend, Real>& data, double now, double ahead, bool books);
+    /// the state, which must be complete. Remembers what they were (SubstepArrays::led_from). Does not wait.
+    void lead(SolverData<Backend, Real>& data, double now, double ahead);
     /// A step has been taken, or an earlier state has been put back.
     void forgetFormer(SolverData<Backend, Real>& data) {
         if (on()) backend_.fill(data.led_from.span(), Vec4<Real>{});
@@ -97,8 +97,7 @@ void HeldParticles<Backend, Real>::mark(Span<const uint32_t> label, double from,
 }
 
 template <class Backend, class Real>
-void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double now, double ahead,
-                                        bool books) {
+void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double now, double ahead) {
     LeadHeld<Real> lead{particle_.view(),
                         {},
                         ledBetween(now, now + ahead),
@@ -106,7 +105,7 @@ void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double 
                         data.particles.in(data.current),
                         data.particles.out(data.current),
                         data.particles.out(1 - data.current),
-                        books ? data.led_from.span() : Span<Vec4<Real>>{}};
+                        data.led_from.span()};
     for (uint32_t p = 0; p < paths_.size(); ++p) {
         const PathPose is = poseAt(paths_[p], now), then = poseAt(paths_[p], now + ahead);
         lead.path[p] = {pivots_[p] + then.way, is.turned, then.turned,

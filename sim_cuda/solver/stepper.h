@@ -91,7 +91,7 @@ void Stepper<Backend, Real>::run(Scene& scene, uint32_t n) {
                         scene.setup.params.ledger, n, follows);
         contact_stride_ = 1;
     }
-    if (scene.setup.params.ledger) scene.held.forgetFormer(scene.data);
+    scene.held.forgetFormer(scene.data);
     scene.substeps += n;
 }
 
