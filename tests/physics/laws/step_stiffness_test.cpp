@@ -63,5 +63,44 @@ TEST(StepStiffness, IsWhatTheStepBearsOfALightFragment) {
                 1e-9 * contact_step.stiffness_cap * kMass);
 }
 
+/// Of a piece that touches a hard floor with one corner, `far` m from its centre: what spring and damper take
+/// of its speed there in one contact step, over that speed, if it has come in by a whole step. `turns`: how
+/// easily it turns, over a ball of that mass.
+double takenByOneCorner(double far, double turns) {
+    RigidBody body;
+    body.inverse_mass = 1 / kMass;
+    body.contacts = 1;
+    body.standing = 1;
+    const double easily = turns * 2.5 / (kMass * kRadius * kRadius);
+    body.inverse_inertia = {easily, easily, easily, 0, 0, 0};
+    const uint32_t label = 0;
+    RigidWork work;
+    work.body = {&body, 1};
+    work.label = {&label, 1};
+    OwnParticle<double> own;
+    own.constants = {1 / kMass, 1 / kMass, kRadius, far};
+    const StepParams<double> step = rigidParams(substep(), 10, 10);
+    Pressed<double> at;
+    at.normal = {0, 1, 0};
+    at.arm = {far, 0, 0};
+    at.depth = 1e-3;
+    PairLaw<double> floor;
+    floor.stiffness = 1e12;
+    floor.damping = 10;
+    const TurnsFragment<double> turned_with{work, {}, {}};
+    const Turning<double> turning = turned_with(own, at);
+    const TouchLaw<double> law = pressingLaw<StepKind::kContact>(floor, step, own, at, turning, {}, {});
+    const double gives_way = body.inverse_mass + far * far * easily, dt = step.dt;
+    return gives_way * dt * (law.elastic / at.depth * dt + law.normal_damping);
+}
+/// In contact steps. Slender cells have the inertia of balls, and turn easily under their corners.
+TEST(StepStiffness, OneCornerDoesNotComeOffFasterThanItHasLanded) {
+    for (const double far : {kRadius, 2 * kRadius, 5 * kRadius})
+        for (const double turns : {0.5, 1.0, 3.0, 10.0}) {
+            EXPECT_LE(takenByOneCorner(far, turns), 2) << far << ", " << turns;
+            EXPECT_GT(takenByOneCorner(far, turns), 0.9) << far << ", " << turns;
+        }
+}
+
 }  // namespace
 }  // namespace demolish
