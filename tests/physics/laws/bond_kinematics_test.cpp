@@ -76,7 +76,8 @@ TEST(BondKinematics, ABondPullsAndTurnsByTheSlopeOfItsEnergy) {
         EXPECT_LT(length(effect.torque_i - slope.torque), 1e-6 * length(effect.torque_i));
     }
 }
-/// J, of two bonded particles of 1 kg that are let go bent by `angle` and askew, before and after 2,000 steps.
+/// J, of two bonded particles of 1 kg that are let go bent by `angle` and askew, before and after 2,000
+/// steps.
 std::pair<double, double> energiesLetGo(double angle, std::mt19937& random) {
     auto set = test::chain<double>(1, 0.0625, stiffness<double>());
     set.inertia = 6e-4;
