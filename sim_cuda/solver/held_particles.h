@@ -3,6 +3,7 @@
 // nothing of it.
 #pragma once
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "sim_cuda/kernels/lead_held.h"
@@ -29,7 +30,7 @@ class HeldParticles {
     void lead(SolverData<Backend, Real>& data, double now, double ahead);
     /// A step has been taken, or an earlier state has been put back.
     void forgetFormer(SolverData<Backend, Real>& data) {
-        if (on()) backend_.fill(data.led_from.span(), Vec4<Real>{});
+        if (std::exchange(remembers_, false)) backend_.fill(data.led_from.span(), Vec4<Real>{});
     }
 
   private:
@@ -40,7 +41,7 @@ class HeldParticles {
     void gatherPaths(const SceneSetup& setup, const SceneTables& tables);
 
     Backend& backend_;
-    bool on_;
+    bool on_, remembers_ = false;
     std::vector<MotionPath> paths_;
     std::vector<Vec3<double>> pivots_;  ///< of the paths, at the start
     Buffer<uint32_t> path_, leader_, flags_;
@@ -98,6 +99,7 @@ void HeldParticles<Backend, Real>::mark(Span<const uint32_t> label, double from,
 
 template <class Backend, class Real>
 void HeldParticles<Backend, Real>::lead(SolverData<Backend, Real>& data, double now, double ahead) {
+    remembers_ = true;
     LeadHeld<Real> lead{particle_.view(),
                         {},
                         ledBetween(now, now + ahead),
