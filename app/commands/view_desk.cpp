@@ -21,6 +21,7 @@ ViewDesk::ViewDesk(const Session& session, const Shot& preset_shot)
 
 void ViewDesk::adoptBody(const Session& session, bool move_camera) {
     const Shot& shot = session.built().shot;
+    history = FrameHistory();
     if (sameSubject(preset, shot)) {
         if (std::exchange(preset.impact.times_threshold, std::nullopt))
             preset.impact.velocity = shot.impact.velocity;

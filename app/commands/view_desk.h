@@ -35,7 +35,7 @@ struct ViewDesk {
     /// Shows panels, reads keys and mouse; returns what the session is to do. `click` gets a click into the
     /// picture.
     std::vector<command::Any> update(const Session& session, std::optional<PicturePoint>& click);
-    /// Camera and framing for a body that is new.
+    /// Camera and framing for a body that is new, and no times of frames of the one before.
     void adoptBody(const Session& session, bool move_camera);
     /// The shot's camera is where it is at the time on screen, and the window's with it, until somebody moves
     /// that; key 0 brings it back.

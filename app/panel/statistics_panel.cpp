@@ -117,7 +117,8 @@ void showStatisticsPanel(PanelContext& context) {
         "others "
         "the faces of the crack still touch.");
     valueRow("Fragments", "%u, largest %.1f %%", stats.fragments, 100 * stats.largest_fragment_fraction);
-    valueRow("Time", "%.3f s, %.0f x %.4g us", stats.time, summary.substeps, 1e6 * stats.time_step);
+    valueRow("Time", "%.3f s, %u x %.4g us", stats.time, context.status.substeps_per_frame,
+             1e6 * stats.time_step);
     tooltipOnHover("Simulated; then the substeps of a frame and how long each is.");
     valueRow("Device", "%s, transfer: %s", context.status.device.c_str(), context.status.transfer.c_str());
     if (!context.status.transfer_note.empty()) tooltipOnHover(context.status.transfer_note.c_str());
