@@ -58,11 +58,16 @@ void showTimeline(PanelContext& context) {
         "from the last one.",
         status.recorded_bytes >> 20, status.memory_limit >> 20,
         status.recorded_frames <= status.newest ? "; full, only the newest frame follows" : "");
+    // Where there is nothing to drag, a grab would fill half of the bar.
+    ImVec4 grab = ImGui::GetStyleColorVec4(ImGuiCol_SliderGrab);
+    if (last == 0) grab.w = 0;
+    ImGui::PushStyleColor(ImGuiCol_SliderGrab, grab);
     ImGui::BeginDisabled(last == 0);
     if (ImGui::SliderInt("##timeline", &frame, 0, std::max(1, last), format, ImGuiSliderFlags_AlwaysClamp))
         context.commands.emplace_back(command::Scrub{static_cast<size_t>(frame)});
     noteItem(context, "transport.timeline");
     ImGui::EndDisabled();
+    ImGui::PopStyleColor();
     tooltipOnHover(tip);
 }
 
