@@ -73,7 +73,10 @@ struct HitRules {
     Span<uint32_t> coming{};
 
     DEM_FN bool isProjectile(uint32_t i) const { return i >= meetings.in_bodies; }
-    DEM_FN bool isCrumb(uint32_t slot) const { return isProjectile(slot) || rows.size[slot] <= crumb; }
+    /// What is held in part cannot give way: a ball would go through its free cells.
+    DEM_FN bool isCrumb(uint32_t slot) const {
+        return isProjectile(slot) || (rows.size[slot] <= crumb && !holds.holdPart(slot));
+    }
     /// Nothing has been decided yet of a ball that has just started: it moves.
     DEM_FN bool sleeps(uint32_t slot) const {
         if (regime[slot] != wordOf(Regime::kAsleep)) return false;

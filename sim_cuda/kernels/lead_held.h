@@ -26,6 +26,8 @@ struct HoldsIn {
 
     DEM_FN bool hold(uint32_t slot) const { return !leader.empty() && leader[slot] != kFree; }
     DEM_FN bool lead(uint32_t slot) const { return hold(slot) && (flags[slot] & kIsLed) != 0; }
+    /// Of it some is held and some is free.
+    DEM_FN bool holdPart(uint32_t slot) const { return hold(slot) && (flags[slot] & kHasFree) != 0; }
     /// It bends between its anchors, so that no rigid motion fits it.
     DEM_FN bool bend(uint32_t slot) const {
         return lead(slot) && (flags[slot] & (kHasFree | kPathsDiffer)) != 0;

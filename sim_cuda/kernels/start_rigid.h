@@ -145,9 +145,18 @@ struct SettleRegimes {
         arm[i] = from_centre;
         const Vec4<Real> rotation = in.rotation[i];
         start_rotation[i] = {double(rotation.x), double(rotation.y), double(rotation.z), double(rotation.w)};
-        if (regime[slot] == wordOf(Regime::kRigid))
-            setMotion(i, former[slot] == wordOf(Regime::kBonded),
-                      velocityAt(fit.velocity, fit.spin, from_centre), fit.spin);
+        if (regime[slot] != wordOf(Regime::kRigid)) return;
+        const bool hung = former[slot] == wordOf(Regime::kBonded);
+        setMotion(i, hung, velocityAt(fit.velocity, fit.spin, from_centre), fit.spin);
+        if (hung && fit.isHeld()) carryFromNow(i);
+    }
+    /// Substeps see what a path leads from half a contact step before its moment on. What they have moved
+    /// themselves until now, and pressed against, they must not see spring back: as if it had stood until
+    /// now.
+    DEM_FN void carryFromNow(uint32_t i) const {
+        if (arrays.led_from.empty()) return;
+        arrays.led_from[2 * size_t{i}] = withW(-xyz(state.velocity[i]), Real(0));
+        arrays.led_from[2 * size_t{i} + 1] = withW(-xyz(state.spin[i]), Real(0));
     }
     DEM_FN void stop(uint32_t i) const { setMotion(i, true, {}, {}); }
     /// What the last contact step has not given yet: gravity to what has fallen freely, and all to what a

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "sim_cuda/kernels/integrate.h"
+#include "sim_cuda/kernels/start_rigid.h"
 #include "sim_cuda/kernels/touch_slots.h"
 #include "sim_cuda/solver/rigid_params.h"
 
@@ -55,6 +56,45 @@ TEST(LedContact, WhatGoesOnAsBeforeIsSeenFromHalfAStepBackOn) {
     const std::vector<double> way = steady.way();
     EXPECT_NEAR(way.front(), -half_step, 0.2 * half_step + 1e-12);
     EXPECT_NEAR(way.back(), half_step, 1e-12);
+}
+
+/// The bonds of what a path leads along come to rest.
+JustLed hung() {
+    JustLed led;
+    Vec4<double> position{}, rotation{0, 0, 0, 1}, velocity = withW(kSetOff, 0.0), spin{}, other[4],
+                                                   ledger[8];
+    const uint32_t label = 0, now = wordOf(Regime::kRigid), before = wordOf(Regime::kBonded);
+    const BodyMemory memory = memoryOf({});
+    const auto constants = ParticleConstants<double>::held(kRadius);
+    RigidBody body;
+    body.velocity = kSetOff;
+    Vec3<double> arm;
+    Quat<double> turned;
+    led.led_from[0] = {};
+    SettleRegimes<double> settle;
+    settle.in = {{&position, 1}, {&rotation, 1}, {&velocity, 1}, {&spin, 1}};
+    settle.state = {{&position, 1}, {&rotation, 1}, {&velocity, 1}, {&spin, 1}};
+    settle.other = {{&other[0], 1}, {&other[1], 1}, {&other[2], 1}, {&other[3], 1}};
+    settle.constants = {&constants, 1};
+    settle.label = {&label, 1};
+    settle.regime = settle.pending.regime = {&now, 1};
+    settle.former = settle.pending.former = {&before, 1};
+    settle.memory = {&memory, 1};
+    settle.body = {&body, 1};
+    settle.arm = {&arm, 1};
+    settle.start_rotation = {&turned, 1};
+    settle.ledger = {ledger, 8};
+    settle.arrays = led.arrays;
+    settle.in_bodies = 1;
+    settle.frame_starts = true;
+    settle(0);
+    return led;
+}
+TEST(LedContact, WhatSubstepsHaveLedIsSeenFromItsMomentOnWhenItsBondsRest) {
+    const double half_step = 0.5 * kStride * kDt * length(kSetOff);
+    const std::vector<double> way = hung().way();
+    EXPECT_NEAR(way.front(), 0, 1e-12);
+    EXPECT_NEAR(way.back(), half_step, 0.1 * half_step);
 }
 
 /// J that the ledger books when a touch ends that has hardly pressed, as a path sets one of the two off.

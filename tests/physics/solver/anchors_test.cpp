@@ -132,6 +132,39 @@ TEST_F(Anchors, TheBooksCloseWhileItBreaks) {
     EXPECT_EQ(solver->stats().energy.external, 0);  // what stands does no work
 }
 
+/// A post of two small cells, the lower one held, and a heavy ball that comes at the upper one (m/s).
+SceneSetup postOfTwoCells(double speed) {
+    constexpr double kSmall = 0.004;  // m
+    SceneSetup setup = freeBody(latticeBody(1, 2, 1, kSmall));
+    setup.bodies[0].material.critical_velocity = 5;
+    setup.params.substeps = 1500;
+    setup.anchors.push_back(boxAnchor({kSmall, kSmall, kSmall}, {0, 0.5 * kSmall, 0}));
+    Projectile ball;
+    ball.radius = 5 * kSmall;
+    ball.position = {0.1, 1.5 * kSmall, 0};
+    ball.velocity = {-speed, 0, 0};
+    ball.start_time = 0.4;  // by then the post sleeps as one
+    setup.projectiles.push_back(ball);
+    return setup;
+}
+
+/// However few cells it has, what is held cannot give way as one: the ball would go through the upper cell.
+TEST_F(Anchors, ABallDoesNotGoThroughTheFreeCellOfAHeldCrumb) {
+    auto solver = makeSolver(with(postOfTwoCells(33), {true, true}));
+    for (int frame = 0; frame < 24; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    EXPECT_EQ(solver->stats().sleeping_fragments, 1u);
+    ASSERT_EQ(solver->advanceSubsteps(20), StepStatus::kOk);
+    solver->measure();
+    const double before = energySum(solver->stats().energy), put_in = solver->stats().energy.kinetic;
+    const double stood = exportedFrame(*solver, 2).particles[1].position.x;
+    for (int frame = 0; frame < 6; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
+    solver->measure();
+    EXPECT_GT(put_in, 100);  // J
+    EXPECT_NEAR(energySum(solver->stats().energy), before, 0.005 * put_in);
+    EXPECT_EQ(solver->stats().bonds_broken, 1u);
+    EXPECT_LT(exportedFrame(*solver, 2).particles[1].position.x, stood - 0.1);
+}
+
 TEST_F(AnchorsOnTheCpu, TheNumberOfThreadsChangesNoBit) {
     uint64_t hash[2];
     for (const size_t threads : {1u, 2u}) {
