@@ -23,10 +23,8 @@ struct PendingKicks {
     DEM_FN bool goesOn(uint32_t slot) const {
         return regime[slot] == wordOf(Regime::kBonded) && former[slot] == wordOf(Regime::kBonded);
     }
-    /// It has gone a contact step, and is free to move.
-    DEM_FN bool isPending(uint32_t slot) const {
-        return time > 0 && wakes(slot) && body[slot].starts == 0 && !body[slot].isHeld();
-    }
+    /// It has gone a contact step. What is held is not moved by what is pending; what holds it takes that up.
+    DEM_FN bool isPending(uint32_t slot) const { return time > 0 && wakes(slot) && body[slot].starts == 0; }
     /// One thread a slot, before any is added.
     DEM_FN void operator()(uint32_t slot) const {
         if (!wakes(slot)) return;
@@ -107,11 +105,19 @@ struct GatherPendingKick {
                                                TurnsWithBody<Real>{{work, cornersOf(arrays.corners, i)}})
                           .wrench);
         });
+        if (work.body[slot].isHeld()) return bookHeld(own, load, tally);
         if constexpr (kLedger) bookCarried(arrays, i, tally);
         if (!isNullWrench(load)) pending.add(slot, armOf(own), asDouble(load.force), asDouble(load.torque));
     }
 
   private:
+    DEM_FN void bookHeld(const OwnParticle<Real>& own, const Wrench<Real>& load,
+                         const Tally<Real>& tally) const {
+        if constexpr (!kLedger) return;
+        Vec4<Real>& ledger = arrays.ledger[own.id];
+        bookLedger(ledger, tally, own.state, own.state, Real(pending.time));
+        bookHold(ledger, load, own.state, own.state, Real(pending.time));
+    }
     /// m, from the centre of its body.
     DEM_FN Vec3<double> armOf(const OwnParticle<Real>& of) const {
         return asDouble(xyz(of.state.position)) +
