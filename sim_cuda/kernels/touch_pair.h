@@ -28,28 +28,6 @@ DEM_FN bool goThroughEachOther(const ParticleConstants<Real>& i, const ParticleC
     return i.isAnchored() && j.isAnchored();
 }
 
-/// What the tangential damper of a pair may take in a substep from what gives way at either end, over dt. A
-/// cell has some eight contacts, and leapfrog trembles where springs and twice the dampers, all added, come
-/// near 4. By the reduced mass alone (kShearDampingShare) two like balls would give each other twice as much,
-/// and a cell would get four times as much from what is heavy.
-inline constexpr double kSlipDamping = 0.18;
-
-/// m, from the centres of a pair to where it touches.
-template <class Real>
-struct Arms {
-    Real own{}, other{};
-};
-/// N s/m, in a substep. Cells that lie against each other touch far beside their centres and turn the more
-/// easily.
-template <StepKind kStep, class Real>
-DEM_FN Real boundSlipDamping(Real damping, const Arms<Real>& arms, const ParticleConstants<Real>& own,
-                             const ParticleConstants<Real>& other, Real dt) {
-    if (kStep != StepKind::kSubstep || own.isMovedByOther() || other.isMovedByOther()) return damping;
-    const Real gives = maxOf(madd(arms.own * arms.own, own.inverse_inertia, own.inverseMass()),
-                             madd(arms.other * arms.other, other.inverse_inertia, other.inverseMass()));
-    return minOf(damping, Real(kSlipDamping) / (gives * dt));
-}
-
 template <class Real>
 DEM_FN PairInertia<Real> againstWall(const ParticleConstants<Real>& own) {
     return {own.inverseMass(), own.inverse_inertia};

@@ -169,11 +169,9 @@ DEM_FN Wrench<Real> plainContact(const StepParams<Real>& params, const PairLaw<R
     before.unloaded = unloadedOverlap(held, before, former, overlap);
     const Real pressed = overlap - before.unloaded;
     const PairInertia<Real> against = pairInertia(own.constants, other);
-    TouchLaw<Real> law =
+    const TouchLaw<Real> law =
         contactTouchLaw<kStep>(pair_law, params, maxOf(pressed, Real(0)), reduced(spheres.own, spheres.other),
                                against, softestOfPair<kStep>(params, against, before.softest));
-    law.shear_damping = boundSlipDamping<kStep>(law.shear_damping, {spheres.own, spheres.other},
-                                                own.constants, other, params.dt);
     if (!touches) {
         const Real then = madd(params.drift, led, former);
         releaseTouch<kLedger>(law, overlapChange(overlap, then), before, slot, Real(0.5), tally);

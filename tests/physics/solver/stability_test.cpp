@@ -102,32 +102,5 @@ TEST_F(StableStep, AnUndampedBodyStaysBoundedAtNearlyTheWholeStep) {  // D 19, o
     EXPECT_NEAR((solver->stats().energy.kinetic + solver->stats().energy.elastic) / before, 1, 0.05);
 }
 
-/// A ball that spins in the middle of four that are held, and sinks between them.
-SceneSetup ballAmongHeldOnes() {
-    constexpr double kRadius = 0.05, kApart = 1.995 * kRadius, kBelow = 0.25;
-    SceneSetup setup = freeBody(ballBody(kRadius));
-    setup.bodies[0].angular_velocity = {0, 3, 0};
-    setup.bodies[0].material.restitution = 0.05;
-    setup.params.gravity = {0, -9.81, 0};
-    setup.params.hand_over = setup.params.sleeping = false;
-    const double aside = std::sqrt(1 - kBelow * kBelow) * kApart;
-    for (const auto& [x, z] : {std::pair{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
-        BodyInstance held = setup.bodies[0];
-        held.angular_velocity = {};
-        held.position = {x * aside, -kBelow * kApart, z * aside};
-        Anchor anchor;
-        anchor.body = static_cast<uint32_t>(setup.bodies.size());
-        setup.anchors.push_back(anchor);
-        setup.bodies.push_back(held);
-    }
-    return setup;
-}
-TEST_F(StableStep, WhatLiesAmongHeavyOnesDoesNotTremble) {
-    auto solver = makeSolver(ballAmongHeldOnes());
-    for (int frame = 0; frame < 30; ++frame) ASSERT_EQ(solver->advanceFrame(), StepStatus::kOk);
-    solver->measure();
-    EXPECT_NEAR(solver->stats().energy.kinetic, 0, 1e-12);  // J
-}
-
 }  // namespace
 }  // namespace demolish::tests
